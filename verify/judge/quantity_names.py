@@ -1,0 +1,66 @@
+"""The quantities of a model that a claim file may name, with their units.
+
+Indices count from 1: `filter_gain.2` is the gain of the velocity. Gains are the dimensionless ones: the gain that
+multiplies the innovation in component i is `filter_gain.i` / T^(i-1). States are those of the filter of the setting:
+at sample k `predicted_state` uses samples 0 to k-1 and `updated_state` samples 0 to k; `previous_state` is the
+updated state of sample k-1. The index k of the first sample is 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from types import MappingProxyType
+
+from gainproof.verify.judge.claim_record import Unit
+
+_MOST_STATES = 3
+_ONE = Unit()
+_METRE = Unit(metre=Fraction(1))
+
+
+@dataclass(frozen=True)
+class QuantityName:
+    """Name, unit and meaning of a quantity of a model."""
+
+    name: str
+    unit: Unit
+    meaning: str
+
+
+def _motion(order: int) -> Unit:
+    return Unit(metre=Fraction(1), second=Fraction(-order))
+
+
+def _covariance(i: int, j: int) -> Unit:
+    return Unit(metre=Fraction(2), second=Fraction(-(i + j - 2)))
+
+
+def quantity_names() -> Mapping[str, QuantityName]:
+    """All names that `quantity = "..."` accepts."""
+    found = [
+        QuantityName("sample_number", _ONE, "number k of the newest sample, the first being 0"),
+        QuantityName("sampling_interval", Unit(second=Fraction(1)), "time T between samples"),
+        QuantityName("tracking_index", _ONE, "square root of the dimensionless noise ratio"),
+        QuantityName("measurement_noise_variance", Unit(metre=Fraction(2)), "variance of a measured position"),
+        QuantityName("measurement_noise_deviation", _METRE, "standard deviation of a measured position"),
+        QuantityName("innovation_variance", Unit(metre=Fraction(2)), "variance of the innovation"),
+        QuantityName("measurement", _METRE, "position measured at sample k"),
+        QuantityName("first_measurement", _METRE, "position measured at sample 0"),
+        QuantityName("first_updated_state.1", _METRE, "updated position at sample 0"),
+    ]
+    for i in range(1, _MOST_STATES + 1):
+        found += [
+            QuantityName(f"filter_gain.{i}", _ONE, f"component {i} of K, times T^{i - 1}"),
+            QuantityName(f"predictor_gain.{i}", _ONE, f"component {i} of F K, times T^{i - 1}"),
+            QuantityName(f"predicted_state.{i}", _motion(i - 1), f"component {i} of the predicted state"),
+            QuantityName(f"updated_state.{i}", _motion(i - 1), f"component {i} of the updated state"),
+            QuantityName(f"previous_state.{i}", _motion(i - 1), f"component {i} updated at sample k-1"),
+        ]
+        found += [
+            QuantityName(f"{which}_covariance.{i}.{j}", _covariance(i, j), f"entry of the {which} covariance")
+            for which in ("predicted", "updated")
+            for j in range(1, _MOST_STATES + 1)
+        ]
+    return MappingProxyType({quantity.name: quantity for quantity in found})
