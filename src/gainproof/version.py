@@ -1,3 +1,3 @@
-"""The version of gainproof, alone in a file so that the build can read it without importing anything."""
+"""The version of gainproof, in a file of its own: the build reads it without importing."""
 
 VERSION = "0.1.0"
