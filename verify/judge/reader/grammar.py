@@ -1,0 +1,123 @@
+"""The grammar, LALR(1) without conflicts, and its parser.
+
+Not Earley: it finds many printed formulas ambiguous and settles them silently. The one ambiguity that is meant to be
+kept, a slash before juxtaposed factors, is left to `build`, which makes every reading of a flat product.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from typing import Any
+
+from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
+from lark.lexer import Lexer
+
+from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.reader.tokens import FormulaToken
+
+GRAMMAR = r"""
+formula: statements condition* | statements CONNECTIVE statements
+conditions: statements
+single: expression
+
+statements: chain ((COMMA | AND) chain)*
+condition: CONDITION_OPEN statements CONDITION_CLOSE
+chain: side ((EQUAL | RELATION) side)+
+side: expression | infinity
+infinity: INFINITY | MINUS INFINITY | PLUS INFINITY
+
+expression: term ((PLUS | MINUS) term)* -> sum
+          | MINUS term ((PLUS | MINUS) term)* -> minus_sum
+?term: product | product big -> times_big | product DOT_BEFORE_BIG big -> times_big | big
+?big: PARTIAL_OPERATOR LEFT_BRACE PARTIAL RIGHT_BRACE over_symbol term -> derivative_operator
+    | SUM UNDER LEFT_BRACE SYMBOL EQUAL expression RIGHT_BRACE POWER argument term -> big_sum
+over_symbol: LEFT_BRACE PARTIAL SYMBOL RIGHT_BRACE
+product: power (juxtaposed | dotted | divided)*
+juxtaposed: power
+dotted: DOT power
+divided: SLASH power
+?power: atom | atom POWER argument -> raised
+?atom: NUMBER -> number
+     | SYMBOL -> symbol
+     | OPEN expression CLOSE -> group
+     | LEFT_BRACE expression RIGHT_BRACE -> group
+     | BAR_OPEN expression BAR_CLOSE -> absolute
+     | FRAC argument argument -> fraction
+     | FRAC_PARTIAL LEFT_BRACE PARTIAL product RIGHT_BRACE over_symbol -> derivative
+     | SQRT argument -> root
+     | SQRT ROOT_OPEN NUMBER ROOT_CLOSE argument -> root
+     | FUNCTION OPEN expression (COMMA expression)* CLOSE -> call
+?argument: NUMBER -> number
+         | SYMBOL -> symbol
+         | LEFT_BRACE expression RIGHT_BRACE -> group
+
+%declare NUMBER SYMBOL FUNCTION FRAC FRAC_PARTIAL PARTIAL_OPERATOR PARTIAL SQRT ROOT_OPEN ROOT_CLOSE SUM UNDER
+%declare PLUS MINUS DOT DOT_BEFORE_BIG SLASH POWER COMMA AND CONNECTIVE EQUAL RELATION INFINITY
+%declare OPEN CLOSE CONDITION_OPEN CONDITION_CLOSE LEFT_BRACE RIGHT_BRACE BAR_OPEN BAR_CLOSE
+"""
+
+_WANTED = {
+    "NUMBER": "a number",
+    "SYMBOL": "a symbol",
+    "OPEN": "(",
+    "CLOSE": ")",
+    "LEFT_BRACE": "{",
+    "RIGHT_BRACE": "}",
+    "EQUAL": "=",
+    "RELATION": "a relation",
+    "$END": "the end",
+}
+
+
+class _TokensGiven(Lexer):
+    """Hands lark the tokens that `lexer` made."""
+
+    def __init__(self, lexer_conf: Any) -> None:
+        """Lark gives its configuration; nothing of it is needed."""
+
+    def lex(self, data: Any) -> Iterator[Token]:  # type: ignore[override]  # lark hands over what parse() was given
+        for token in data:
+            yield Token(token.kind, token.value, token.start, end_pos=token.end)
+
+
+@lru_cache(maxsize=1)
+def _parser() -> Lark:
+    return Lark(
+        GRAMMAR,
+        parser="lalr",
+        lexer=_TokensGiven,
+        start=["formula", "conditions", "single"],
+        propagate_positions=True,
+        maybe_placeholders=False,
+        keep_all_tokens=True,
+        strict=False,
+    )
+
+
+def parse_tokens(text: str, tokens: Sequence[FormulaToken], start: str) -> Tree[Token]:
+    """The syntax tree of `tokens`, from the rule `start`; ReaderError where the grammar stops."""
+    if not tokens:
+        raise ReaderError("an empty formula", text, 0)
+    try:
+        return _parser().parse(tokens, start=start)  # type: ignore[arg-type]  # the own lexer takes tokens
+    except UnexpectedToken as error:
+        raise _unexpected(text, tokens, error) from None
+    except UnexpectedInput as error:  # pragma: no cover - the own lexer raises nothing else
+        raise ReaderError("not read by the grammar", text, error.pos_in_stream or 0) from None
+
+
+def _unexpected(text: str, tokens: Sequence[FormulaToken], error: UnexpectedToken) -> ReaderError:
+    token = error.token
+    wanted = ", ".join(sorted(_WANTED[kind] for kind in error.accepts | error.expected if kind in _WANTED))
+    wanted = f"; wanted: {wanted}" if wanted else ""
+    if token.type == "$END":
+        return ReaderError(f"the formula ends too early{wanted}", text, tokens[-1].end)
+    position = token.start_pos or 0
+    if token.type == "CONDITION_OPEN":
+        problem = "a bracket that holds a relation may only stand at the end, after a relation"
+        return ReaderError(problem, text, position, token.value)
+    if token.type == "INFINITY":
+        return ReaderError("\\infty may only stand alone on the right of an arrow", text, position, token.value)
+    shown = text[position : token.end_pos]
+    return ReaderError(f"{shown} cannot stand here{wanted}", text, position, shown)
