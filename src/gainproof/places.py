@@ -1,0 +1,37 @@
+"""Where things lie: the folders of the package, in a checkout or installed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import gainproof
+
+
+def package_folder(name: str) -> Path:
+    """The folder of `gainproof.<name>`, links resolved.
+
+    In a checkout without symbolic links the folder lies at the root of the tree.
+    """
+    home = Path(gainproof.__file__).resolve().parent
+    inside = home / name
+    return inside.resolve() if inside.is_dir() else home.parents[1] / name
+
+
+def generated_folder() -> Path:
+    """The committed kernels and certificates."""
+    return package_folder("generated")
+
+
+def claims_folder() -> Path:
+    """The committed claim files and their snapshots of verdicts."""
+    return package_folder("verify") / "claims"
+
+
+def claim_files() -> tuple[Path, ...]:
+    """Every committed claim file, by name."""
+    return tuple(sorted(claims_folder().glob("*.toml")))
+
+
+def snapshot_of(claim_file: Path) -> Path:
+    """The snapshot of verdicts that belongs to a claim file."""
+    return claim_file.with_name(f"{claim_file.stem}.verdicts.json")
