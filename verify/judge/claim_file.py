@@ -1,7 +1,19 @@
-"""Claim files: TOML read into frozen records, everything checked."""
+"""Claim files: one TOML file a source, read into frozen records, everything checked.
+
+A claim file is untrusted input: nothing in it is evaluated, and its size and the number of its parts are limited.
+"""
 
 from __future__ import annotations
 
+import tomllib
+import unicodedata
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from gainproof.verify.judge.claim_errors import ClaimFileError, FileText
+from gainproof.verify.judge.claim_fields import Fields
+from gainproof.verify.judge.claim_list import read_claims
 from gainproof.verify.judge.claim_record import (
     Claim,
     ClaimFile,
@@ -11,5 +23,106 @@ from gainproof.verify.judge.claim_record import (
     SymbolEntry,
     Unit,
 )
+from gainproof.verify.judge.claim_settings import read_settings
+from gainproof.verify.judge.claim_symbols import complete_symbols, read_declarations
 
-__all__ = ["Claim", "ClaimFile", "OwnModel", "Setting", "SourceRecord", "SymbolEntry", "Unit"]
+FORMAT = "gainproof claims 1"
+MOST_BYTES = 2**20
+MOST_LINE = 8000
+"""Characters of one line: TOML's dotted keys nest, and a line holds one formula at most."""
+MOST_AUTHORS = 50
+
+__all__ = [
+    "FORMAT",
+    "Claim",
+    "ClaimFile",
+    "ClaimFileError",
+    "OwnModel",
+    "Setting",
+    "SourceRecord",
+    "SymbolEntry",
+    "Unit",
+    "read_claim_file",
+    "read_claim_text",
+]
+
+
+def read_claim_file(path: str | Path) -> ClaimFile:
+    """The claim file at `path`. Raises ClaimFileError, which says where, for whatever is wrong with it."""
+    name = str(path)
+    try:
+        with Path(path).open("rb") as stream:
+            content = stream.read(MOST_BYTES + 1)
+    except OSError as error:
+        raise ClaimFileError(name, "", f"cannot be read: {error.strerror or error}") from error
+    if len(content) > MOST_BYTES:
+        raise ClaimFileError(name, "", f"more than {MOST_BYTES} bytes")
+    try:
+        text = content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        raise ClaimFileError(name, "", "the text is not UTF-8", line) from error
+    return read_claim_text(text, name)
+
+
+def read_claim_text(text: str, path: str = "claims") -> ClaimFile:
+    """The claim file with this text; `path` is used in messages only."""
+    text = text.replace("\r\n", "\n")
+    _refuse_characters(text, path)
+    file_text = FileText(path, text)
+    document = Fields(file_text, "file", _parse(text, path))
+    version = document.required_text("format")
+    if version != FORMAT:
+        raise document.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")
+    source = _source(file_text, document.take("source"))
+    start = file_text.line_of_table("symbols") or 1
+    shared = read_declarations(file_text, "symbols", document.take("symbols") or {}, start)
+    symbols = complete_symbols(file_text, shared)
+    settings = read_settings(file_text, document.take("settings"), shared)
+    claims = read_claims(file_text, document.take("claims"), settings)
+    document.finish()
+    return ClaimFile(path, source, symbols, settings, claims)
+
+
+def _refuse_characters(text: str, path: str) -> None:
+    """Invisible and directional characters could make a file look like another."""
+    for number, line in enumerate(text.split("\n"), start=1):
+        if len(line) > MOST_LINE:
+            raise ClaimFileError(path, "", f"more than {MOST_LINE} characters in a line", number)
+        for column, character in enumerate(line, start=1):
+            if character.isascii() and (character.isprintable() or character == "\t"):
+                continue
+            if unicodedata.category(character) in ("Cc", "Cf", "Cn", "Co", "Cs", "Zl", "Zp"):
+                name = unicodedata.name(character, "no name")
+                problem = f"the invisible character U+{ord(character):04X} ({name})"
+                raise ClaimFileError(path, "", problem, number, column)
+
+
+def _parse(text: str, path: str) -> Mapping[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise ClaimFileError(path, "", "tables or lists are nested too deep") from None
+    except ValueError as error:
+        raise ClaimFileError(path, "", f"not TOML: {str(error)[:300]}") from error
+
+
+def _source(text: FileText, table: object) -> SourceRecord:
+    if table is None:
+        raise text.error("source", "this table is missing")
+    fields = Fields(text, "source", table, text.line_of_table("source"))
+    authors = fields.texts("authors", MOST_AUTHORS)
+    if not authors:
+        raise fields.fail("authors", "at least one author is wanted")
+    record = SourceRecord(
+        key=fields.required_text("key"),
+        title=fields.required_text("title"),
+        authors=authors,
+        publication=fields.required_text("publication"),
+        year=fields.whole_number("year", 1, 9999),
+        url=fields.text_or_none("url"),
+        doi=fields.text_or_none("doi"),
+        note=fields.text_or_none("note"),
+    )
+    fields.finish()
+    return record

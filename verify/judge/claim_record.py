@@ -8,6 +8,29 @@ from fractions import Fraction
 
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
 
+CLAIM_KINDS = (
+    "identity",
+    "inequality",
+    "definition",
+    "recursion",
+    "limit",
+    "implication",
+    "equivalence",
+    "determines",
+    "remark",
+)
+"""What a claim may be.
+
+* `identity`, `inequality`: the relations hold on the domain, given the setting and its definitions;
+* `definition`: nothing to decide but dimensions;
+* `recursion`: holds for every sample of the setting's filter, whose states are those of the batch;
+* `limit`: what the left side tends to where the one condition with an arrow says;
+* `implication`: the relations printed first imply those of the trailing parenthesis (or of the right of an arrow);
+* `equivalence`: the same in both directions;
+* `determines`: each symbol of `about` fixes the others in this setting;
+* `remark`: a sentence without decidable content; its note says why.
+"""
+
 
 @dataclass(frozen=True)
 class SourceRecord:
@@ -90,7 +113,8 @@ class Setting:
 class Claim:
     """One claim in the order of the source.
 
-    `formula` is None for a remark. `domain` holds the relations of the field `domain` (conditions printed in the
+    `formula` is None for a claim in words, which `text` paraphrases (`latex` is then empty); `about` lists the symbols
+    that a claim of kind `determines` speaks of. `domain` holds the relations of the field `domain` (conditions printed in the
     formula itself stay with the readings). `given` are relations taken as hypotheses. `line` is the line of the
     claim's id in the file, 1 for the first.
     """
@@ -104,6 +128,8 @@ class Claim:
     domain: tuple[Relation, ...] = ()
     domain_text: str | None = None
     given: tuple[Formula, ...] = ()
+    about: tuple[str, ...] = ()
+    text: str | None = None
     note: str | None = None
     line: int = 1
 

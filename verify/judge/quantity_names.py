@@ -43,8 +43,12 @@ def quantity_names() -> Mapping[str, QuantityName]:
         QuantityName("sample_number", _ONE, "number k of the newest sample, the first being 0"),
         QuantityName("sampling_interval", Unit(second=Fraction(1)), "time T between samples"),
         QuantityName("tracking_index", _ONE, "square root of the dimensionless noise ratio"),
-        QuantityName("measurement_noise_variance", Unit(metre=Fraction(2)), "variance of a measured position"),
-        QuantityName("measurement_noise_deviation", _METRE, "standard deviation of a measured position"),
+        QuantityName(
+            "measurement_noise_variance", Unit(metre=Fraction(2)), "variance of a measured position"
+        ),
+        QuantityName(
+            "measurement_noise_deviation", _METRE, "standard deviation of a measured position"
+        ),
         QuantityName("innovation_variance", Unit(metre=Fraction(2)), "variance of the innovation"),
         QuantityName("measurement", _METRE, "position measured at sample k"),
         QuantityName("first_measurement", _METRE, "position measured at sample 0"),
@@ -54,12 +58,20 @@ def quantity_names() -> Mapping[str, QuantityName]:
         found += [
             QuantityName(f"filter_gain.{i}", _ONE, f"component {i} of K, times T^{i - 1}"),
             QuantityName(f"predictor_gain.{i}", _ONE, f"component {i} of F K, times T^{i - 1}"),
-            QuantityName(f"predicted_state.{i}", _motion(i - 1), f"component {i} of the predicted state"),
-            QuantityName(f"updated_state.{i}", _motion(i - 1), f"component {i} of the updated state"),
-            QuantityName(f"previous_state.{i}", _motion(i - 1), f"component {i} updated at sample k-1"),
+            QuantityName(
+                f"predicted_state.{i}", _motion(i - 1), f"component {i} of the predicted state"
+            ),
+            QuantityName(
+                f"updated_state.{i}", _motion(i - 1), f"component {i} of the updated state"
+            ),
+            QuantityName(
+                f"previous_state.{i}", _motion(i - 1), f"component {i} updated at sample k-1"
+            ),
         ]
         found += [
-            QuantityName(f"{which}_covariance.{i}.{j}", _covariance(i, j), f"entry of the {which} covariance")
+            QuantityName(
+                f"{which}_covariance.{i}.{j}", _covariance(i, j), f"entry of the {which} covariance"
+            )
             for which in ("predicted", "updated")
             for j in range(1, _MOST_STATES + 1)
         ]

@@ -9,7 +9,12 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DEPTH
 from gainproof.verify.judge.reader.tokens import FormulaToken
 
-_OPENING = {"OPEN": "CLOSE", "LEFT_BRACE": "RIGHT_BRACE", "BAR_OPEN": "BAR_CLOSE", "ROOT_OPEN": "ROOT_CLOSE"}
+_OPENING = {
+    "OPEN": "CLOSE",
+    "LEFT_BRACE": "RIGHT_BRACE",
+    "BAR_OPEN": "BAR_CLOSE",
+    "ROOT_OPEN": "ROOT_CLOSE",
+}
 _CLOSING = frozenset(_OPENING.values())
 _PARTNER = {"(": ")", "[": "]", "{": "}", "|": "|"}
 _RELATIONS = frozenset(("EQUAL", "RELATION"))
@@ -25,10 +30,14 @@ def pair_brackets(text: str, tokens: Sequence[FormulaToken]) -> tuple[FormulaTok
         if token.kind in _OPENING:
             stack.append(number)
             if len(stack) > MOST_DEPTH:
-                raise ReaderError(f"brackets more than {MOST_DEPTH} deep", text, token.start, token.value)
+                raise ReaderError(
+                    f"brackets more than {MOST_DEPTH} deep", text, token.start, token.value
+                )
         elif token.kind in _CLOSING:
             if not stack:
-                raise ReaderError(f"the bracket {token.value} was never opened", text, token.start, token.value)
+                raise ReaderError(
+                    f"the bracket {token.value} was never opened", text, token.start, token.value
+                )
             opening = stack.pop()
             _check_pair(text, tokens[opening], token)
             if opening in holds_relation and token.kind == "CLOSE":
@@ -38,12 +47,16 @@ def pair_brackets(text: str, tokens: Sequence[FormulaToken]) -> tuple[FormulaTok
             holds_relation.add(stack[-1])
     if stack:
         token = tokens[stack[-1]]
-        raise ReaderError(f"the bracket {token.value} is never closed", text, token.start, token.value)
+        raise ReaderError(
+            f"the bracket {token.value} is never closed", text, token.start, token.value
+        )
     return tuple(result)
 
 
 def _check_pair(text: str, opening: FormulaToken, closing: FormulaToken) -> None:
     if _OPENING[opening.kind] != closing.kind or _PARTNER[opening.value] != closing.value:
         column = opening.start - (text.rfind("\n", 0, opening.start) + 1) + 1
-        problem = f"the bracket {opening.value} of column {column} cannot be closed by {closing.value}"
+        problem = (
+            f"the bracket {opening.value} of column {column} cannot be closed by {closing.value}"
+        )
         raise ReaderError(problem, text, closing.start, closing.value)

@@ -57,19 +57,25 @@ class _Builder:
             case "product":
                 return self._product(tree)
             case "times_big":
-                return self._many("mul", [self._product(children(tree)[0]), self.value(children(tree)[1])])
+                return self._many(
+                    "mul", [self._product(children(tree)[0]), self.value(children(tree)[1])]
+                )
             case "fraction":
                 numerator, denominator = children(tree)
                 return add("div", self.value(numerator), self.value(denominator))
             case "raised" | "root":
                 return self._power(tree)
             case "call":
-                return add("call", str(tree.children[0]), *[self.value(child) for child in children(tree)])
+                return add(
+                    "call", str(tree.children[0]), *[self.value(child) for child in children(tree)]
+                )
             case "big_sum":
                 return self._big_sum(tree)
             case "derivative" | "derivative_operator":
                 return self._derivative(tree)
-        raise AssertionError(f"no rule for {tree.data}")  # pragma: no cover - the grammar has no other rule
+        raise AssertionError(
+            f"no rule for {tree.data}"
+        )  # pragma: no cover - the grammar has no other rule
 
     def _many(self, kind: str, numbers: list[int]) -> int:
         return numbers[0] if len(numbers) == 1 else self.nodes.add(kind, *numbers)
@@ -109,14 +115,18 @@ class _Builder:
             exponent = constant_value(exponent_tree)
             place = exponent_tree.meta.start_pos
             if exponent is None:
-                raise ReaderError("an exponent must be a number", self.text, place, self._slice(exponent_tree))
+                raise ReaderError(
+                    "an exponent must be a number", self.text, place, self._slice(exponent_tree)
+                )
         else:
             base = children(tree)[0]
             place = base.meta.start_pos
             indices = tokens(tree, "NUMBER")
             index = Fraction(str(indices[0])) if indices else Fraction(2)
             if index.denominator != 1 or index < 2:
-                raise ReaderError("the index of a root must be 2, 3, ...", self.text, place, str(index))
+                raise ReaderError(
+                    "the index of a root must be 2, 3, ...", self.text, place, str(index)
+                )
             exponent = 1 / index
         if max(abs(exponent.numerator), exponent.denominator) > MOST_EXPONENT:
             problem = f"an exponent beyond {MOST_EXPONENT}"
@@ -126,7 +136,9 @@ class _Builder:
     def _big_sum(self, tree: Branch) -> int:
         lower, upper, summand = children(tree)
         index = self.nodes.add("symbol", str(tokens(tree, "SYMBOL")[0]))
-        return self.nodes.add("call", "sum", self.value(summand), index, self.value(lower), self.value(upper))
+        return self.nodes.add(
+            "call", "sum", self.value(summand), index, self.value(lower), self.value(upper)
+        )
 
     def _derivative(self, tree: Branch) -> int:
         parts = {child.data: child for child in children(tree)}

@@ -47,5 +47,7 @@ def _caret(text: str, position: int) -> str:
     line = text[start:] if end < 0 else text[start:end]
     offset = position - start
     first = max(0, offset - _MOST_SHOWN // 2)
-    shown = "".join(c if c.isascii() and c.isprintable() else "?" for c in line[first : first + _MOST_SHOWN])
+    shown = "".join(
+        c if c.isascii() and c.isprintable() else "?" for c in line[first : first + _MOST_SHOWN]
+    )
     return f"    {shown}\n    {' ' * (offset - first)}^"

@@ -109,7 +109,9 @@ def parse_tokens(text: str, tokens: Sequence[FormulaToken], start: str) -> Tree[
 
 def _unexpected(text: str, tokens: Sequence[FormulaToken], error: UnexpectedToken) -> ReaderError:
     token = error.token
-    wanted = ", ".join(sorted(_WANTED[kind] for kind in error.accepts | error.expected if kind in _WANTED))
+    wanted = ", ".join(
+        sorted(_WANTED[kind] for kind in error.accepts | error.expected if kind in _WANTED)
+    )
     wanted = f"; wanted: {wanted}" if wanted else ""
     if token.type == "$END":
         return ReaderError(f"the formula ends too early{wanted}", text, tokens[-1].end)
@@ -118,6 +120,8 @@ def _unexpected(text: str, tokens: Sequence[FormulaToken], error: UnexpectedToke
         problem = "a bracket that holds a relation may only stand at the end, after a relation"
         return ReaderError(problem, text, position, token.value)
     if token.type == "INFINITY":
-        return ReaderError("\\infty may only stand alone on the right of an arrow", text, position, token.value)
+        return ReaderError(
+            "\\infty may only stand alone on the right of an arrow", text, position, token.value
+        )
     shown = text[position : token.end_pos]
     return ReaderError(f"{shown} cannot stand here{wanted}", text, position, shown)

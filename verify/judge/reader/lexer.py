@@ -30,7 +30,11 @@ def read_tokens(text: str, functions: Mapping[str, bool]) -> tuple[FormulaToken,
 
 def _refuse_characters(text: str) -> None:
     if len(text) > MOST_CHARACTERS:
-        raise ReaderError(f"{len(text)} characters, but a formula has at most {MOST_CHARACTERS}", text, MOST_CHARACTERS)
+        raise ReaderError(
+            f"{len(text)} characters, but a formula has at most {MOST_CHARACTERS}",
+            text,
+            MOST_CHARACTERS,
+        )
     for position, character in enumerate(text):
         if not (" " <= character <= "~" or character in "\n\t"):
             name = unicodedata.name(character, "no name")
@@ -49,6 +53,7 @@ class _Lexer:
         self.waiting = 0
         self.outer: list[int] = []
         self.position = 0
+        self.aligned = 0
 
     def run(self) -> list[FormulaToken]:
         while (start := skip_space(self.text, self.position)) < len(self.text):
@@ -60,13 +65,30 @@ class _Lexer:
                 self._letters()
             elif character == "\\":
                 self._command()
-            elif character == "~":
+            elif character == "~" or (character == "&" and self.aligned == 1):
                 self.position += 1
             elif character == "_" and self.tokens and self.tokens[-1].kind == "SUM":
                 self._add("UNDER", "_", start + 1)
             else:
                 self._mark()
+        if self.aligned == 1:
+            raise ReaderError("\\begin{aligned} is never ended", self.text, len(self.text))
         return self.tokens
+
+    def _environment(self, command: str, end: int) -> None:
+        """`aligned` round the whole formula, once: its lines are joined by `and`, its marks `&` say nothing."""
+        name = "{aligned}"
+        wanted = {"\\begin": 0, "\\end": 1}[command]
+        if not self.text.startswith(name, end) or self.aligned != wanted:
+            problem = "only \\begin{aligned} ... \\end{aligned} is known, once"
+            raise ReaderError(problem, self.text, self.position, command)
+        place = end + len(name)
+        around = self.tokens if command == "\\begin" else self.text[skip_space(self.text, place) :]
+        if around:
+            problem = "aligned must stand round the whole formula"
+            raise ReaderError(problem, self.text, self.position, command)
+        self.aligned += 1
+        self.position = place
 
     def _add(self, kind: str, value: str, end: int) -> None:
         if kind in ("SUM", "PARTIAL_OPERATOR") and self.tokens and self.tokens[-1].kind == "DOT":
@@ -97,7 +119,12 @@ class _Lexer:
             end += 1
         value = text[self.position : end]
         if points > 1 or value[0] == "." or value[-1] == ".":
-            raise ReaderError("a number needs digits on both sides of its one point", text, self.position, value[:40])
+            raise ReaderError(
+                "a number needs digits on both sides of its one point",
+                text,
+                self.position,
+                value[:40],
+            )
         if len(value) > MOST_DIGITS:
             problem = f"a number of {len(value)} digits, but at most {MOST_DIGITS} are read"
             raise ReaderError(problem, text, self.position, value[:40])
@@ -107,7 +134,12 @@ class _Lexer:
         """The longest declared name that begins here; a name's primes and subscript follow its last letter."""
         text, start = self.text, self.position
         end = start + 1
-        while not self.waiting and end < len(text) and is_letter(text[end]) and end - start < MOST_NAME_CHARACTERS:
+        while (
+            not self.waiting
+            and end < len(text)
+            and is_letter(text[end])
+            and end - start < MOST_NAME_CHARACTERS
+        ):
             end += 1
         word = text[start:end]
         whole, whole_end = (word, end) if self.waiting else scan_decorations(text, word, end)
@@ -129,7 +161,13 @@ class _Lexer:
     def _unknown(self, name: str, word: str = "") -> None:
         near = nearest_names(word, self.functions) if word else ()
         near = near or nearest_names(name, self.functions)
-        raise ReaderError(f"the symbol {word or name} is not declared", self.text, self.position, word or name, near)
+        raise ReaderError(
+            f"the symbol {word or name} is not declared",
+            self.text,
+            self.position,
+            word or name,
+            near,
+        )
 
     def _command(self) -> None:
         text, start = self.text, self.position
@@ -137,6 +175,8 @@ class _Lexer:
         end = start + len(command)
         if command in SPACES:
             self.position = end
+        elif command in ("\\begin", "\\end"):
+            self._environment(command, end)
         elif command in SIZES:
             self._sized(command, end)
         elif command in ("\\text", "\\mathrm", "\\textrm") and self._is_and(end):
@@ -152,7 +192,13 @@ class _Lexer:
             self._symbol(name, end)
         else:
             known = [*COMMANDS, *self.functions]
-            raise ReaderError(f"the command {command} is not known", text, start, command, nearest_names(command, known))
+            raise ReaderError(
+                f"the command {command} is not known",
+                text,
+                start,
+                command,
+                nearest_names(command, known),
+            )
 
     def _sized(self, command: str, end: int) -> None:
         """`\\left(` and the like: the size says nothing, except that bars get a direction."""
@@ -167,9 +213,16 @@ class _Lexer:
             return
         kind, value = MARKS.get(mark) or COMMANDS.get(mark) or ("", "")
         if kind not in ("OPEN", "CLOSE") or command == "\\left" != kind == "CLOSE":
-            raise ReaderError(f"{command} needs a bracket after it", self.text, start, command + mark)
+            raise ReaderError(
+                f"{command} needs a bracket after it", self.text, start, command + mark
+            )
         if command in ("\\left", "\\right") and (command == "\\left") != (kind == "OPEN"):
-            raise ReaderError(f"{command} stands before the wrong side of a bracket", self.text, start, command + mark)
+            raise ReaderError(
+                f"{command} stands before the wrong side of a bracket",
+                self.text,
+                start,
+                command + mark,
+            )
         self._add(kind, value, end)
 
     def _is_and(self, end: int) -> bool:
@@ -193,7 +246,12 @@ class _Lexer:
                 kind, value = MARKS[mark]
                 if value == "[" and self.tokens and self.tokens[-1].kind == "SQRT":
                     kind = "ROOT_OPEN"
-                elif value == "]" and self.tokens and len(self.tokens) > 1 and self.tokens[-2].kind == "ROOT_OPEN":
+                elif (
+                    value == "]"
+                    and self.tokens
+                    and len(self.tokens) > 1
+                    and self.tokens[-2].kind == "ROOT_OPEN"
+                ):
                     kind = "ROOT_CLOSE"
                 self._add(kind, value, start + length)
                 return
@@ -203,4 +261,6 @@ class _Lexer:
         if character == "|":
             problem = "a bar may mean two things: write \\left| x \\right| or \\lvert x \\rvert"
             raise ReaderError(problem, text, start, "|")
-        raise ReaderError(f"the character {character!r} has no meaning here", text, start, character)
+        raise ReaderError(
+            f"the character {character!r} has no meaning here", text, start, character
+        )

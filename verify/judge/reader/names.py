@@ -61,7 +61,9 @@ def scan_base(text: str, position: int, accents: int = 0) -> tuple[str, int] | N
     if command not in ACCENTS:
         return None
     if accents >= _MOST_ACCENTS:
-        raise ReaderError(f"more than {_MOST_ACCENTS} accents on one symbol", text, position, command)
+        raise ReaderError(
+            f"more than {_MOST_ACCENTS} accents on one symbol", text, position, command
+        )
     inner, end = _accent_argument(text, skip_space(text, end), command, accents)
     return f"{command}{{{inner}}}", end
 
@@ -70,7 +72,9 @@ def _accent_argument(text: str, position: int, command: str, accents: int) -> tu
     if text[position : position + 1] != "{":
         found = scan_base(text, position, accents + 1)
         if found is None:
-            raise ReaderError(f"{command} needs a letter", text, position, text[position : position + 1])
+            raise ReaderError(
+                f"{command} needs a letter", text, position, text[position : position + 1]
+            )
         return found
     opening = position
     while text[position : position + 1] == "{":
@@ -80,12 +84,19 @@ def _accent_argument(text: str, position: int, command: str, accents: int) -> tu
     braces = text[opening:position].count("{")
     found = scan_word(text, position) or scan_base(text, position, accents + 1)
     if found is None:
-        raise ReaderError(f"{command} needs a letter", text, position, text[position : position + 1])
+        raise ReaderError(
+            f"{command} needs a letter", text, position, text[position : position + 1]
+        )
     inner, position = scan_decorations(text, *found)
     for _ in range(braces):
         position = skip_space(text, position)
         if text[position : position + 1] != "}":
-            raise ReaderError(f"{command}{{...}} must hold one symbol", text, position, text[position : position + 1])
+            raise ReaderError(
+                f"{command}{{...}} must hold one symbol",
+                text,
+                position,
+                text[position : position + 1],
+            )
         position += 1
     return inner, position
 
@@ -127,7 +138,9 @@ def scan_subscript(text: str, position: int) -> tuple[str, int]:
         if command in GREEK or command == "\\infty":
             return f"_{{{command}}}", position + len(command)
     if character != "{":
-        raise ReaderError("a subscript must be a letter, a digit or {...}", text, position, character)
+        raise ReaderError(
+            "a subscript must be a letter, a digit or {...}", text, position, character
+        )
     inner, end = _braced(text, position)
     if not inner:
         raise ReaderError("an empty subscript", text, position, "{}")
@@ -140,7 +153,9 @@ def _braced(text: str, opening: int) -> tuple[str, int]:
     while position < len(text):
         character = text[position]
         if position - opening > MOST_NAME_CHARACTERS:
-            raise ReaderError(f"a subscript of more than {MOST_NAME_CHARACTERS} characters", text, opening, "_")
+            raise ReaderError(
+                f"a subscript of more than {MOST_NAME_CHARACTERS} characters", text, opening, "_"
+            )
         if character == "{":
             depth += 1
         elif character == "}":
@@ -157,8 +172,12 @@ def _braced(text: str, opening: int) -> tuple[str, int]:
         elif character in _SPACE:
             position += 1
             continue
-        elif not (character.isascii() and (character.isalnum() or character in _SUBSCRIPT_CHARACTERS)):
-            raise ReaderError(f"{character!r} cannot stand in a subscript", text, position, character)
+        elif not (
+            character.isascii() and (character.isalnum() or character in _SUBSCRIPT_CHARACTERS)
+        ):
+            raise ReaderError(
+                f"{character!r} cannot stand in a subscript", text, position, character
+            )
         # a command and a letter after it stay two words
         blank = " " if pieces[-1].startswith("\\") and is_letter(character) else ""
         pieces.append(blank + character)
@@ -171,7 +190,12 @@ def canonical_token(text: str) -> str:
     start = skip_space(text, 0)
     found = scan_word(text, start) or scan_base(text, start)
     if found is None:
-        raise ReaderError("a symbol begins with a letter, a Greek letter or an accent", text, start, text[start : start + 1])
+        raise ReaderError(
+            "a symbol begins with a letter, a Greek letter or an accent",
+            text,
+            start,
+            text[start : start + 1],
+        )
     name, end = scan_decorations(text, *found)
     end = skip_space(text, end)
     if end != len(text):

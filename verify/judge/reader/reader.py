@@ -9,7 +9,14 @@ from typing import Protocol
 
 from lark import Token, Tree
 
-from gainproof.verify.judge.formula import INFINITY, MINUS_INFINITY, Formula, Graph, Reading, Relation
+from gainproof.verify.judge.formula import (
+    INFINITY,
+    MINUS_INFINITY,
+    Formula,
+    Graph,
+    Reading,
+    Relation,
+)
 from gainproof.verify.judge.reader.build import build_graph, children, extents_of
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.grammar import parse_tokens
@@ -34,7 +41,9 @@ def read_formula(latex: str, symbols: Mapping[str, Declared]) -> Formula:
     `symbols` maps canonical tokens to their declarations. Raises ReaderError for anything that is not read whole.
     """
     tree, names = _parse(latex, symbols, "formula")
-    readings = tuple(_reading(tree, latex, extents, text) for extents, text in _choices(tree, latex))
+    readings = tuple(
+        _reading(tree, latex, extents, text) for extents, text in _choices(tree, latex)
+    )
     return Formula(latex, readings, names)
 
 
@@ -54,7 +63,9 @@ def read_expression(text: str, symbols: Mapping[str, Declared]) -> tuple[Graph, 
     return tuple(build_graph(tree, text, extents) for extents, _ in _choices(tree, text))
 
 
-def _parse(text: str, symbols: Mapping[str, Declared], start: str) -> tuple[Branch, tuple[str, ...]]:
+def _parse(
+    text: str, symbols: Mapping[str, Declared], start: str
+) -> tuple[Branch, tuple[str, ...]]:
     tokens = read_tokens(text, {name: bool(entry.arguments) for name, entry in symbols.items()})
     names = dict.fromkeys(token.value for token in tokens if token.kind in ("SYMBOL", "FUNCTION"))
     return parse_tokens(text, tokens, start), tuple(names)
@@ -64,14 +75,23 @@ def _choices(tree: Branch, text: str) -> Iterator[tuple[dict[int, int], str | No
     """Every combination of what the ambiguous slashes may divide by, with words for it."""
     extents = extents_of(tree, text)
     places = sorted(extents)
-    if len(places) > MOST_AMBIGUOUS_SLASHES or prod(len(extents[place]) for place in places) > MOST_READINGS:
+    if (
+        len(places) > MOST_AMBIGUOUS_SLASHES
+        or prod(len(extents[place]) for place in places) > MOST_READINGS
+    ):
         problem = "too many slashes before juxtaposed factors: write \\frac or brackets"
         raise ReaderError(problem, text, places[0], "/")
-    products = [found for found in tree.iter_subtrees_topdown() if found.data == "product"] if places else []
+    products = (
+        [found for found in tree.iter_subtrees_topdown() if found.data == "product"]
+        if places
+        else []
+    )
     for choice in itertools.product(*(extents[place] for place in places)):
         words = []
         for place, extent in zip(places, choice, strict=True):
-            under = next(filter(None, (extent_text(product, text, place, extent) for product in products)))
+            under = next(
+                filter(None, (extent_text(product, text, place, extent) for product in products))
+            )
             words.append(f"the slash of column {_column(text, place)} divides by {under}")
         yield dict(zip(places, choice, strict=True)), "; ".join(words) or None
 
@@ -99,9 +119,16 @@ def _relations(statements: Branch, text: str, extents: Mapping[int, int]) -> Ite
         for number, operator in enumerate(operators):
             left, right = sides[number], sides[number + 1]
             inner = children(right)[0]
-            if inner.data == "infinity" and operator != "->" or children(left)[0].data == "infinity":
+            if (
+                inner.data == "infinity"
+                and operator != "->"
+                or children(left)[0].data == "infinity"
+            ):
                 raise ReaderError(
-                    "\\infty may only stand alone on the right of an arrow", text, operator.start_pos or 0, "\\infty"
+                    "\\infty may only stand alone on the right of an arrow",
+                    text,
+                    operator.start_pos or 0,
+                    "\\infty",
                 )
             yield Relation(str(operator), _side(left, text, extents), _side(right, text, extents))
 

@@ -36,7 +36,9 @@ def product_parts(tree: Tree[Token], text: str) -> list[Part]:
             raise ReaderError(problem, text, child.meta.start_pos, str(leading.children[0]))
         slashes += child.data == "divided"
         if slashes > MOST_SLASHES:
-            raise ReaderError(f"more than {MOST_SLASHES} slashes in one product", text, child.meta.start_pos, "/")
+            raise ReaderError(
+                f"more than {MOST_SLASHES} slashes in one product", text, child.meta.start_pos, "/"
+            )
         parts.append(Part(str(child.data), child.meta.start_pos, factor))
     return parts
 

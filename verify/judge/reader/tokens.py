@@ -15,7 +15,20 @@ class FormulaToken:
     end: int
 
 
-SPACES = frozenset(("\\quad", "\\qquad", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\displaystyle", "\\limits", "\\nolimits"))
+SPACES = frozenset(
+    (
+        "\\quad",
+        "\\qquad",
+        "\\,",
+        "\\;",
+        "\\:",
+        "\\!",
+        "\\ ",
+        "\\displaystyle",
+        "\\limits",
+        "\\nolimits",
+    )
+)
 SIZES = frozenset(
     "\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")
 ) | {"\\left", "\\right"}

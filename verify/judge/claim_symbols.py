@@ -1,0 +1,208 @@
+"""The symbol tables of a claim file: declarations, definitions in terms of one another, no circles, no shadows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from gainproof.verify.judge.claim_errors import FileText
+from gainproof.verify.judge.claim_fields import Fields, nearest_hint
+from gainproof.verify.judge.claim_record import SymbolEntry, Unit
+from gainproof.verify.judge.claim_units import read_unit
+from gainproof.verify.judge.formula import Formula, Relation
+from gainproof.verify.judge.quantity_names import quantity_names
+from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.reader import read_conditions, read_formula
+
+MOST_SYMBOLS = 500
+MOST_ARGUMENTS = 8
+RESERVED = frozenset(("infinity", "abs", "sum", "select", "and"))
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """A symbol as declared, before the formulas in it are read, since these may use any symbol."""
+
+    entry: SymbolEntry
+    where: str
+    line: int | None
+    definition: str | None
+    domain: str | None
+
+
+def read_declarations(
+    text: FileText, where: str, table: object, start: int = 1
+) -> dict[str, Declaration]:
+    """The table `where`, whose keys are LaTeX tokens, by canonical token."""
+    if not isinstance(table, Mapping):
+        raise text.error(where, "a table of symbols is wanted", start)
+    if len(table) > MOST_SYMBOLS:
+        raise text.error(where, f"{len(table)} symbols, but at most {MOST_SYMBOLS} are read", start)
+    found: dict[str, Declaration] = {}
+    for token, content in table.items():
+        line = text.line_of_key(token, start)
+        place = f"{where}.{token[:80]}"
+        name = _canonical(text, place, token, line)
+        if name in found or name in RESERVED:
+            problem = "is declared twice" if name in found else "is a reserved word"
+            raise text.error(place, f"the symbol {name} {problem}", line)
+        found[name] = _declaration(Fields(text, place, content, line), name)
+    return found
+
+
+def _canonical(text: FileText, place: str, token: str, line: int | None) -> str:
+    try:
+        return canonical_token(token)
+    except ReaderError as error:
+        raise text.error(place, f"not a symbol: {error.problem}", line) from error
+
+
+def _declaration(fields: Fields, name: str) -> Declaration:
+    meaning = fields.required_text("meaning")
+    roles = [role for role in ("quantity", "definition", "undefined") if fields.has(role)]
+    if len(roles) > 1:
+        raise fields.fail("", f"both {roles[0]} and {roles[1]}: a symbol is one thing")
+    role = roles[0] if roles else "free"
+    quantity = fields.text_or_none("quantity")
+    definition = fields.text_or_none("definition")
+    if fields.has("undefined") and not fields.flag("undefined"):
+        raise fields.fail("undefined", "only true can be said here")
+    unit_text, domain = fields.text_or_none("unit"), fields.text_or_none("domain")
+    arguments = fields.texts("arguments", MOST_ARGUMENTS)
+    integer = fields.flag("integer")
+    fields.finish()
+    if arguments and role != "definition":
+        raise fields.fail("arguments", "only a definition can have arguments")
+    if role == "free" and unit_text is None:
+        raise fields.fail("unit", "a free symbol needs a unit, `1` if it has none")
+    entry = SymbolEntry(
+        latex=name,
+        meaning=meaning,
+        role=role,
+        quantity=quantity,
+        unit=_unit(fields, unit_text, quantity),
+        arguments=tuple(
+            _canonical(fields.text, f"{fields.where}.arguments", argument, fields.line)
+            for argument in arguments
+        ),
+        integer=integer or quantity == "sample_number",
+    )
+    return Declaration(entry, fields.where, fields.line, definition, domain)
+
+
+def _unit(fields: Fields, unit_text: str | None, quantity: str | None) -> Unit | None:
+    """The unit said, or that of the quantity, which must not contradict it."""
+    try:
+        said = read_unit(unit_text) if unit_text is not None else None
+    except ValueError as error:
+        raise fields.fail("unit", str(error)) from error
+    if quantity is None:
+        return said
+    known = quantity_names()
+    if quantity not in known:
+        hint = nearest_hint(quantity, list(known))
+        raise fields.fail("quantity", f"{quantity[:80]!r} is no quantity of a model{hint}")
+    return known[quantity].unit if said is None else said
+
+
+def complete_symbols(
+    text: FileText, declarations: Mapping[str, Declaration]
+) -> dict[str, SymbolEntry]:
+    """All entries with their definitions and domains read."""
+    bare = {name: declaration.entry for name, declaration in declarations.items()}
+    complete: dict[str, SymbolEntry] = {}
+    for name, declaration in declarations.items():
+        entry = declaration.entry
+        for argument in entry.arguments:
+            if argument not in bare:
+                problem = f"the argument {argument} is not declared"
+                raise text.error(declaration.where, problem, declaration.line)
+        if len(set(entry.arguments)) != len(entry.arguments):
+            raise text.error(declaration.where, "an argument appears twice", declaration.line)
+        complete[name] = replace(
+            entry,
+            definition=_definition(text, declaration, bare),
+            domain=_domain(text, declaration, bare),
+        )
+    _refuse_circles(text, declarations, complete)
+    return complete
+
+
+def _definition(
+    text: FileText, declaration: Declaration, symbols: Mapping[str, SymbolEntry]
+) -> Formula | None:
+    if declaration.definition is None:
+        return None
+    entry = declaration.entry
+    arguments = f"({', '.join(entry.arguments)})" if entry.arguments else ""
+    head = f"{entry.latex}{arguments} = "
+    where = f"{declaration.where}.definition"
+    try:
+        formula = read_formula(head + declaration.definition, symbols)
+    except ReaderError as error:
+        shifted = ReaderError(
+            error.problem,
+            declaration.definition,
+            max(0, error.position - len(head)),
+            error.token,
+            error.nearest,
+        )
+        raise text.formula_error(
+            where, declaration.definition, shifted, declaration.line
+        ) from error
+    relations = formula.readings[0].relations
+    if len(relations) != 1 or relations[0].operator != "=" or formula.readings[0].conditions:
+        raise text.error(where, "one expression without a relation is wanted", declaration.line)
+    return formula
+
+
+def _domain(
+    text: FileText, declaration: Declaration, symbols: Mapping[str, SymbolEntry]
+) -> tuple[Relation, ...]:
+    if declaration.domain is None:
+        return ()
+    try:
+        return read_conditions(declaration.domain, symbols)
+    except ReaderError as error:
+        where = f"{declaration.where}.domain"
+        raise text.formula_error(where, declaration.domain, error, declaration.line) from error
+
+
+def _refuse_circles(
+    text: FileText, declarations: Mapping[str, Declaration], entries: Mapping[str, SymbolEntry]
+) -> None:
+    """A definition must not come back to itself. Settles one definition after the other, without recursion."""
+    waiting = {name: _uses(entry) for name, entry in entries.items() if entry.definition}
+    while waiting:
+        settled = [name for name, used in waiting.items() if not used & waiting.keys()]
+        if not settled:
+            circle = _one_circle(waiting)
+            where = declarations[circle[0]]
+            raise text.error(
+                where.where, f"definitions go in a circle: {' -> '.join(circle)}", where.line
+            )
+        for name in settled:
+            del waiting[name]
+
+
+def _uses(entry: SymbolEntry) -> set[str]:
+    """The symbols on the right of the definition; the reader's list cannot tell, since it has the left one too."""
+    assert entry.definition is not None
+    used: set[str] = set()
+    for reading in entry.definition.readings:
+        for node in reading.relations[0].right["nodes"]:
+            if node[0] in ("symbol", "call"):
+                used.add(node[1])
+    return used - set(entry.arguments)
+
+
+def _one_circle(waiting: Mapping[str, set[str]]) -> list[str]:
+    path = [next(iter(waiting))]
+    while path[-1] not in path[:-1]:
+        path.append(next(name for name in _in_order(waiting[path[-1]]) if name in waiting))
+    return path[path.index(path[-1]) :]
+
+
+def _in_order(names: Iterable[str]) -> list[str]:
+    return sorted(names)
