@@ -1,0 +1,1 @@
+"""Exact algebra in towers of radicals, and the certificates written from it."""

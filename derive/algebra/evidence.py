@@ -1,0 +1,105 @@
+"""Evidence for relations: the numbers from which the checker decides a statement.
+
+A hint of a step may carry: "form" (an expression that shows a sign), "roots" (the tower value of
+each named square root of a kernel graph), "branches" and "gaps", "ends" (see `towers.End`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.algebra.limits import end_evidence
+from gainproof.derive.algebra.plain import fraction_data
+from gainproof.derive.algebra.positive import positive_form
+from gainproof.derive.algebra.riccati import definite_evidence, riccati_evidence, stable_evidence
+from gainproof.derive.algebra.signs import divisors_shown, shown
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.derivation import Step
+
+Evidence = dict[str, Any]
+
+
+def evidence(step: Step, tower: Tower) -> Evidence:
+    """The evidence of one step's relation in its tower."""
+    return _WRITERS[step.relation.kind](step, tower)
+
+
+def _none(step: Step, tower: Tower) -> Evidence:
+    return {}
+
+
+def _equal(step: Step, tower: Tower) -> Evidence:
+    parts = step.relation.parts
+    wider = tower.with_free(tuple(parts["free"]))
+    return {"nonzero": divisors_shown(wider, parts["left"], parts["right"])}
+
+
+def _positive(step: Step, tower: Tower) -> Evidence:
+    expression = step.relation.parts["expression"]
+    return {
+        "value": shown(tower, step.hint.get("form", expression)),
+        "nonzero": divisors_shown(tower, expression),
+    }
+
+
+def _same_sign(step: Step, tower: Tower) -> Evidence:
+    parts = step.relation.parts
+    return {
+        "factor": shown(tower, step.hint.get("form", parts["left"] / parts["right"])),
+        "nonzero": divisors_shown(tower, parts["left"], parts["right"]),
+    }
+
+
+def _limit(step: Step, tower: Tower) -> Evidence:
+    parts = step.relation.parts
+    return end_evidence(tower, step.hint["ends"][parts["point"]], parts["expression"])
+
+
+def _increasing_onto(step: Step, tower: Tower) -> Evidence:
+    parts, ends = step.relation.parts, step.hint["ends"]
+    return {
+        "derivative": shown(tower, step.hint["form"]),
+        "start": end_evidence(tower, ends["0"], parts["expression"]),
+        "end": end_evidence(tower, ends["infinity"], parts["expression"]),
+        "nonzero": divisors_shown(tower, parts["expression"]),
+    }
+
+
+def _program(step: Step, tower: Tower) -> Evidence:
+    graph = step.hint["graph"]
+    names: Mapping[str, int] = graph.get("names", {})
+
+    def numbered(entry: str) -> dict[str, Any]:
+        values = step.hint.get(entry, {})
+        used = {names[name]: value for name, value in values.items() if name in names}
+        return {str(number): used[number] for number in sorted(used)}
+
+    return {
+        "roots": {key: _root(tower, value) for key, value in numbered("roots").items()},
+        "branches": numbered("branches"),
+        "gaps": {key: _root(tower, value) for key, value in numbered("gaps").items()},
+        "nonzero": step.hint.get("nonzero", []),
+    }
+
+
+def _root(tower: Tower, value: Any) -> dict[str, Any]:
+    return fraction_data(positive_form(tower, sp.sympify(value)))
+
+
+_WRITERS: Mapping[str, Callable[[Step, Tower], Evidence]] = {
+    "equal": _equal,
+    "positive": _positive,
+    "same_sign": _same_sign,
+    "limit": _limit,
+    "increasing_onto": _increasing_onto,
+    "riccati": riccati_evidence,
+    "stable": stable_evidence,
+    "positive_definite": definite_evidence,
+    "program": _program,
+    "sum": _none,
+    "definition": _none,
+    "cited": _none,
+}

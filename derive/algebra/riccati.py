@@ -1,0 +1,103 @@
+"""Evidence for a steady state: Riccati residuals, Schur-Cohn quantities, leading minors."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from gainproof.derive.algebra.cofactors import cofactors
+from gainproof.derive.algebra.plain import poly_data
+from gainproof.derive.algebra.signs import shown
+from gainproof.derive.algebra.tower import Poly, Tower
+from gainproof.derive.derivation import Step
+from gainproof.derive.expression import real
+
+
+def _numbers(rows: list[list[str]]) -> sp.ImmutableDenseMatrix:
+    return sp.ImmutableDenseMatrix([[sp.Rational(entry) for entry in row] for row in rows])
+
+
+def _named(rows: Any) -> sp.ImmutableDenseMatrix:
+    return sp.ImmutableDenseMatrix([[real(name) for name in row] for row in rows])
+
+
+def riccati_evidence(step: Step, tower: Tower) -> dict[str, Any]:
+    """d, A and cofactors of E = s (F A F' - A + d q Q) - F a a' F' with M = A/d, a = A H'."""
+    parts = step.relation.parts
+    model, names = parts["model"], parts["predicted"]
+    entries = [[tower.elements[name] for name in row] for row in names]
+    denominator: Poly = tower.ring.one
+    for row in entries:
+        for entry in row:
+            denominator = denominator.lcm(entry.den)
+    numerators = [[entry.num * denominator.quo(entry.den) for entry in row] for row in entries]
+    size = len(names)
+
+    def matrix(rows: list[list[Any]]) -> DomainMatrix:
+        domain = tower.ring.to_domain()
+        wrapped = [[domain.convert(entry) for entry in row] for row in rows]
+        return DomainMatrix(wrapped, (len(rows), len(rows[0])), domain)
+
+    def given(key: str) -> list[list[Any]]:
+        return [[tower.ring(sp.QQ(*_ratio(entry))) for entry in row] for row in model[key]]
+
+    covariance = matrix(numerators)
+    transition, measured = matrix(given("transition")), matrix(given("measurement"))
+    strength = tower.elements[parts["index"]].num ** 2 * denominator
+    noise = matrix([[entry * strength for entry in row] for row in given("process_noise")])
+    column = covariance * measured.transpose()
+    variance = (measured * column).to_Matrix()[0, 0]
+    scale = tower.ring.from_expr(sp.expand(variance)) + (
+        tower.ring(sp.QQ(*_ratio(model["measurement_noise"][0][0]))) * denominator
+    )
+    moved = transition * column
+    residual = (
+        transition * covariance * transition.transpose() - covariance + noise
+    ) * tower.ring.to_domain().convert(scale) - moved * moved.transpose()
+    found = {
+        f"{i + 1},{j + 1}": [
+            poly_data(part) for part in cofactors(tower, residual[i, j].element)
+        ]
+        for i in range(size)
+        for j in range(i, size)
+    }
+    return {
+        "denominator": poly_data(denominator),
+        "numerators": [[poly_data(entry) for entry in row] for row in numerators],
+        "cofactors": found,
+    }
+
+
+def _ratio(text: str) -> tuple[int, int]:
+    value = sp.Rational(text)
+    return int(value.p), int(value.q)
+
+
+def stable_evidence(step: Step, tower: Tower) -> dict[str, Any]:
+    """Positive forms of the Schur-Cohn quantities of det(zI - F(I - K H))."""
+    model, gain = step.relation.parts["model"], step.relation.parts["gain"]
+    transition, measured = _numbers(model["transition"]), _numbers(model["measurement"])
+    vector = sp.ImmutableDenseMatrix([[real(name)] for name in gain])
+    size = transition.rows
+    z = sp.Symbol("z")
+    closed = z * sp.eye(size) - transition * (sp.eye(size) - vector * measured)
+    coefficients = [sp.expand(entry) for entry in reversed(sp.Poly(closed.det(), z).all_coeffs())]
+    values = []
+    while len(coefficients) > 1:
+        low, high = coefficients[0], coefficients[-1]
+        values += [shown(tower, high - low), shown(tower, high + low)]
+        degree = len(coefficients) - 1
+        coefficients = [
+            sp.expand(high * coefficients[k + 1] - low * coefficients[degree - k - 1])
+            for k in range(degree)
+        ]
+    return {"values": values}
+
+
+def definite_evidence(step: Step, tower: Tower) -> dict[str, Any]:
+    """Positive forms of the leading minors."""
+    matrix = _named(step.relation.parts["matrix"])
+    minors = [sp.expand(matrix[:n, :n].det()) for n in range(1, matrix.rows + 1)]
+    return {"minors": [shown(tower, minor) for minor in minors]}

@@ -1,0 +1,181 @@
+"""Towers of radicals: positive parameters, then positive roots of positive radicands.
+
+Elements are fractions of polynomials over the rationals in all variables of the tower; polynomials
+are kept reduced by the monic relations y^n = radicand, from the highest generator down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.polys.rings import PolyElement, PolyRing
+
+Poly = Any  # sympy.polys.rings.PolyElement; SymPy ships no types for it
+
+
+@dataclass(frozen=True)
+class Fraction:
+    """num/den, both reduced polynomials of one tower; den is not the zero polynomial."""
+
+    num: Poly
+    den: Poly
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A real parameter: greater than `above`, or at least `start` when `above` is None."""
+
+    symbol: str
+    above: str | None = "0"
+    start: str | None = None
+
+
+@dataclass(frozen=True)
+class Generator:
+    """The positive `power`-th root of `radicand`, an expression in earlier variables."""
+
+    symbol: str
+    radicand: sp.Expr
+    power: int = 2
+
+
+class Tower:
+    """Parameters, generators and named elements; immutable after construction.
+
+    `elements` maps a name to its value as an expression in the variables and in elements named
+    before it.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        parameters: tuple[Parameter, ...],
+        generators: tuple[Generator, ...],
+        elements: Mapping[str, sp.Expr],
+        free: tuple[str, ...] = (),
+    ) -> None:
+        self.name = name
+        self.parameters = parameters
+        self.generators = generators
+        self.expressions = dict(elements)
+        self.variables = [entry.symbol for entry in (*parameters, *generators)]
+        self.free = free
+        self.ring = PolyRing([*self.variables, *free], sp.QQ, sp.lex)
+        self.radicands: list[Poly] = []
+        self.elements: dict[str, Fraction] = {}
+        for generator in generators:
+            value = self.fraction(generator.radicand)
+            if value.den != self.ring.one:
+                value = Fraction(value.num.quo(value.den), self.ring.one)
+            self.radicands.append(value.num)
+        for key, expression in elements.items():
+            self.elements[key] = self.fraction(expression)
+
+    def with_free(self, free: tuple[str, ...]) -> Tower:
+        """The same tower with further symbols that stand for anything."""
+        if not free:
+            return self
+        return Tower(self.name, self.parameters, self.generators, self.expressions, free)
+
+    def reduce(self, poly: Poly) -> Poly:
+        """Normal form modulo the relations."""
+        first = len(self.parameters)
+        for position in reversed(range(len(self.radicands))):
+            index = first + position
+            power, radicand = self.generators[position].power, self.radicands[position]
+            while poly.degree(index) >= power:
+                low, high = self.ring.zero, self.ring.zero
+                for exponents, coefficient in poly.terms():
+                    if exponents[index] >= power:
+                        lowered = list(exponents)
+                        lowered[index] -= power
+                        high += self.ring.term_new(tuple(lowered), coefficient)
+                    else:
+                        low += self.ring.term_new(exponents, coefficient)
+                poly = low + high * radicand
+        return poly
+
+    def make(self, num: Poly, den: Poly) -> Fraction:
+        """A reduced fraction, common factors of the polynomials cancelled while signs stay plain.
+
+        Cancelling can turn a polynomial without negative coefficients into one with some, as
+        (x^3 + 1)/(x + 1) shows; then the fraction is left as it came.
+        """
+        num, den = self.reduce(num), self.reduce(den)
+        if not den:
+            raise ZeroDivisionError(f"division by zero in tower {self.name}")
+        if not num:
+            return Fraction(num, self.ring.one)
+        top, bottom = num.cancel(den)
+        if _plain_sign(top) >= _plain_sign(num) and _plain_sign(bottom) >= _plain_sign(den):
+            num, den = top, bottom
+        # One sign and one scale: the denominator's leading coefficient is 1.
+        lead = den.LC
+        return Fraction(num.quo_ground(lead), den.quo_ground(lead))
+
+    def fraction(self, expression: Any) -> Fraction:
+        """Evaluate an expression of variables and element names; roots are not taken here."""
+        value = sp.sympify(expression)
+        one = self.ring.one
+        if isinstance(value, sp.Rational):
+            return Fraction(self.ring.ground_new(sp.QQ(int(value.p), int(value.q))), one)
+        if isinstance(value, sp.Symbol):
+            if value.name in self.elements:
+                return self.elements[value.name]
+            return Fraction(self.ring.gens[self.ring.symbols.index(sp.Symbol(value.name))], one)
+        if isinstance(value, sp.Add):
+            total = Fraction(self.ring.zero, one)
+            for part in value.args:
+                other = self.fraction(part)
+                total = self.make(total.num * other.den + other.num * total.den,
+                                  total.den * other.den)
+            return total
+        if isinstance(value, sp.Mul):
+            product = Fraction(one, one)
+            for part in value.args:
+                other = self.fraction(part)
+                product = self.make(product.num * other.num, product.den * other.den)
+            return product
+        if isinstance(value, sp.Pow) and isinstance(value.exp, sp.Integer):
+            base, power = self.fraction(value.base), int(value.exp)
+            if power < 0:
+                base, power = Fraction(base.den, base.num), -power
+            return self.make(base.num**power, base.den**power)
+        raise TypeError(f"no value in tower {self.name} for {value!r}")
+
+    def is_zero(self, expression: Any) -> bool:
+        """Whether an expression vanishes identically in the tower."""
+        return not self.fraction(expression).num
+
+    def expression(self, value: Fraction) -> sp.Expr:
+        """A fraction as a SymPy expression in real symbols."""
+        symbols = [sp.Symbol(name, real=True) for name in [*self.variables, *self.free]]
+        top = value.num.as_expr(*symbols)
+        return top / value.den.as_expr(*symbols)
+
+
+def _plain_sign(poly: Poly) -> bool:
+    """Whether all coefficients have one sign."""
+    signs = {value > 0 for value in poly.values()}
+    return len(signs) == 1
+
+
+def is_manifestly_positive(poly: PolyElement, parameters: tuple[Parameter, ...]) -> bool:
+    """Whether no coefficient is negative and one term is positive on the whole domain."""
+    shifted = shift_closed(poly, parameters)
+    closed = [n for n, entry in enumerate(parameters) if entry.start is not None]
+    if not shifted or any(value < 0 for value in shifted.values()):
+        return False
+    return any(all(not exponents[n] for n in closed) for exponents in shifted)
+
+
+def shift_closed(poly: Poly, parameters: tuple[Parameter, ...]) -> Poly:
+    """Rewrite a polynomial in k - k0 for every parameter k >= k0."""
+    for number, entry in enumerate(parameters):
+        if entry.start is not None and entry.start != "0":
+            generator = poly.ring.gens[number]
+            poly = poly.compose(generator, generator + sp.QQ(int(entry.start)))
+    return poly

@@ -1,0 +1,38 @@
+"""The catalogue: every subject that can be derived, as a tuple written by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from gainproof.derive.families import (
+    continuous_white_acceleration,
+    least_squares,
+    random_acceleration,
+    random_velocity,
+)
+from gainproof.derive.subject import Subject
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A subject's name, title and how to derive it."""
+
+    name: str
+    title: str
+    build: Callable[[], Subject]
+
+
+CATALOGUE: tuple[Entry, ...] = (
+    Entry(random_velocity.NAME, random_velocity.TITLE, random_velocity.build),
+    Entry(random_acceleration.NAME, random_acceleration.TITLE, random_acceleration.build),
+    Entry(
+        continuous_white_acceleration.NAME,
+        continuous_white_acceleration.TITLE,
+        continuous_white_acceleration.build,
+    ),
+    *(
+        Entry(least_squares.NAMES[degree], least_squares.TITLES[degree], least_squares.builder(degree))
+        for degree in range(3)
+    ),
+)

@@ -1,0 +1,37 @@
+"""Derivations: ordered steps, each a sentence, a relation and the reason that makes it follow."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from gainproof.derive.relation import Relation
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step.
+
+    `hint` is what the certificate writer needs besides the relation (a form that shows a sign,
+    roots, boundary values); it carries no authority: the checker decides from the evidence alone.
+    """
+
+    id: str
+    sentence: str
+    relation: Relation
+    reason: str
+    tower: str = "main"
+    hint: Mapping[str, Any] = field(default_factory=dict)
+    shown: bool = True
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """The steps of one subject, in order, with the keys of the works they rest on."""
+
+    title: str
+    opening: str
+    steps: tuple[Step, ...]
+    sources: tuple[str, ...]
+    latex: Mapping[str, str] = field(default_factory=dict)

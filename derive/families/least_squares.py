@@ -1,0 +1,83 @@
+"""Growing-memory least squares: mean, line and parabola."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.expression import real
+from gainproof.derive.growing_memory import module, steps
+from gainproof.derive.growing_memory.fit import batch_tower, fit, recursion_tower
+from gainproof.derive.relation import Relation
+from gainproof.derive.source import GAUSS_MARKOV, LECTURE
+from gainproof.derive.subject import Program, Subject
+
+NAMES = ("least-squares-mean", "least-squares-line", "least-squares-parabola")
+TITLES = (
+    "Least-squares mean (growing memory)",
+    "Least-squares line (growing memory)",
+    "Least-squares parabola (growing memory)",
+)
+OPENING = (
+    "While a track is young every sample counts alike: fit a polynomial to all of them. The fit at "
+    "the newest sample can be run as a filter whose gains depend on the number of samples only."
+)
+LATEX = {"k": "k", "j": "j", "alpha": r"\alpha_k", "beta": r"\beta_k", "gamma": r"\gamma_k"}
+
+
+def builder(degree: int) -> Callable[[], Subject]:
+    """How the fit of one degree is derived."""
+
+    def build() -> Subject:
+        return _build(degree)
+
+    return build
+
+
+def _build(degree: int) -> Subject:
+    f = fit(degree)
+    graphs = module.kernel_graphs(f)
+    name, title = NAMES[degree], TITLES[degree]
+    programs = [
+        Step(
+            f"kernel-{kernel.replace('_', '-')}",
+            f"The kernel {kernel} computes what it says.",
+            Relation(
+                "program",
+                {
+                    "program": kernel,
+                    "outputs": {entry: real(entry) for entry in graph["outputs"]},
+                },
+            ),
+            "Evaluate the kernel's graph as a rational function.",
+            tower="later" if kernel == "predicted_covariance" else "main",
+            hint={"graph": graph},
+            shown=False,
+        )
+        for kernel, graph in graphs.items()
+    ]
+    derivation = Derivation(
+        title,
+        OPENING,
+        (
+            *steps.batch_steps(f),
+            *steps.recursion_steps(f),
+            *steps.start_steps(f),
+            *steps.end_steps(f),
+            *programs,
+        ),
+        (LECTURE.key, GAUSS_MARKOV.key),
+        LATEX,
+    )
+    towers = (batch_tower(f), recursion_tower(f))
+    return Subject(
+        name=name,
+        title=title,
+        model=None,
+        derivation=derivation,
+        towers={tower.name: tower for tower in towers},
+        programs={
+            kernel: Program({"sample_number": "k"}, graph) for kernel, graph in graphs.items()
+        },
+        module=module.kernel_module(f, name, title, graphs),
+    )

@@ -1,0 +1,1 @@
+"""Growing-memory least squares: gains symbolic in the sample number."""

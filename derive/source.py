@@ -1,0 +1,60 @@
+"""Published works that derivations and kernels rest on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Source:
+    """A bibliographic record; `key` names it in derivations and claim files."""
+
+    key: str
+    authors: str
+    title: str
+    published: str
+    rests_on: str
+
+    def text(self) -> str:
+        """One line as a bibliography prints it."""
+        return f"{self.authors}: {self.title}. {self.published}."
+
+
+KALATA = Source(
+    "kalata-1984",
+    "P. R. Kalata",
+    "The Tracking Index: A Generalized Parameter for alpha-beta and alpha-beta-gamma Target "
+    "Trackers",
+    "IEEE Transactions on Aerospace and Electronic Systems AES-20 (1984), 174-182",
+    "the tracking index and the steady-state alpha-beta filter",
+)
+RICCATI = Source(
+    "lancaster-rodman-1995",
+    "P. Lancaster, L. Rodman",
+    "Algebraic Riccati Equations",
+    "Oxford University Press, 1995",
+    "a discrete algebraic Riccati equation has at most one stabilising solution",
+)
+SPECTRAL = Source(
+    "anderson-moore-1979",
+    "B. D. O. Anderson, J. B. Moore",
+    "Optimal Filtering",
+    "Prentice-Hall, 1979",
+    "the innovation spectrum factors through the closed-loop polynomial",
+)
+LECTURE = Source(
+    "kosuge-slides",
+    "Y. Kosuge",
+    "Fundamental Properties and Problems of Radar Target Tracking (lecture, in Japanese)",
+    "Nagasaki University",
+    "gain tables of the least-squares, random velocity and random acceleration filters",
+)
+GAUSS_MARKOV = Source(
+    "kailath-sayed-hassibi-2000",
+    "T. Kailath, A. H. Sayed, B. Hassibi",
+    "Linear Estimation",
+    "Prentice-Hall, 2000",
+    "recursive least squares is the Kalman filter without process noise",
+)
+
+SOURCES: tuple[Source, ...] = (KALATA, RICCATI, SPECTRAL, LECTURE, GAUSS_MARKOV)

@@ -1,0 +1,1 @@
+"""Steady states by spectral factorisation; methods, no filter family in them."""

@@ -1,0 +1,130 @@
+"""The kernels of a two-state family as expression graphs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
+from gainproof.derive.steady_state import forms, inverses, poles
+from gainproof.derive.steady_state.forms import Basis, times
+
+Names = dict[str, Node]
+SHIFT = 30  # h is taken as 2^30 sqrt(h^2/2^60), so that 16/Lambda cannot overflow
+
+
+def graph_basis(builder: GraphBuilder, e: Fraction, n: Fraction) -> tuple[Basis, Names]:
+    """Lambda, p, h, s and m as nodes, with their names."""
+    index = builder.symbol("tracking_index")
+    p = builder.sqrt(index)
+    names: Names = {"p": p}
+    if e == 0:
+        h = 4 / p
+    else:
+        small = Fraction(16, 4**SHIFT) / index + times(e, index) * Fraction(1, 4**SHIFT)
+        names["h_scaled"] = builder.sqrt(small)
+        h = names["h_scaled"] * 2**SHIFT
+    twice = builder.sqrt(p * (times(1 + e, p) + 2 * h))
+    s = twice / 2
+    m = (p + h) / 2 + s
+    names |= {"h": h, "s_twice": twice, "s": s, "m": m}
+    return Basis(index, p, h, s, m, e, n), names
+
+
+FormsOf = Callable[[Basis], Mapping[str, Any]]
+
+
+def index_graph(e: Fraction, n: Fraction, *parts: FormsOf) -> Graph:
+    """The graph of the outputs of one or more forms; later ones with equal names are prefixed d_."""
+    builder = GraphBuilder()
+    basis, names = graph_basis(builder, e, n)
+    outputs: dict[str, Any] = {}
+    for part in parts:
+        for key, value in part(basis).items():
+            outputs[f"d_{key}" if key in outputs else key] = value
+    return builder.graph(outputs, names)
+
+
+def alpha_graph(e: Fraction, output: str) -> Graph:
+    """beta or the index as a function of alpha."""
+    builder = GraphBuilder()
+    alpha = builder.symbol("alpha")
+    radical = inverses.alpha_radical(alpha, e, builder.sqrt)
+    names = {"alpha_radical": radical}
+    if output == "beta":
+        return builder.graph({"beta": inverses.beta_from_alpha(alpha, radical)}, names)
+    names["root_of_rest"] = builder.sqrt(1 - alpha)
+    index = inverses.index_from_alpha(alpha, radical, names["root_of_rest"])
+    return builder.graph({"tracking_index": index}, names)
+
+
+def beta_graph(e: Fraction, output: str) -> Graph:
+    """alpha or the index as a function of beta."""
+    builder = GraphBuilder()
+    beta = builder.symbol("beta")
+    radical = inverses.beta_radical(beta, e, builder.sqrt)
+    names = {"beta_radical": radical}
+    if output == "alpha":
+        return builder.graph({"alpha": inverses.alpha_from_beta(beta, e, radical)}, names)
+    names["root_of_e"] = builder.sqrt(builder.number(e))
+    rest = inverses.rest_from_beta(beta, e, radical, names["root_of_e"])
+    names["root_of_rest"] = builder.sqrt(rest)
+    return builder.graph({"tracking_index": beta / names["root_of_rest"]}, names)
+
+
+def largest_beta(e: Fraction) -> Graph:
+    """The supremum 2/(1 + sqrt(e)) of the velocity gain as a constant graph."""
+    builder = GraphBuilder()
+    if e in (0, 1):
+        return builder.graph({"value": builder.number(2 / (1 + e))})
+    root = builder.sqrt(builder.number(e))
+    return builder.graph({"value": (2 - 2 * root) / (1 - e)}, {"root_of_e": root})
+
+
+def pole_graph(e: Fraction, n: Fraction) -> Graph:
+    """Both closed-loop poles, each as real and imaginary part, and their moduli."""
+    builder = GraphBuilder()
+    x, names = graph_basis(builder, e, n)
+    mean_modulus = poles.modulus(x)
+    if e == 1:
+        middle, width = poles.centre(x, None), poles.half_width(x, None, None)
+        return builder.graph(_outputs(middle, middle, width, -width, mean_modulus), names)
+    limit = builder.number(8 / (1 - e))
+    names["turning_root"] = builder.sqrt(builder.number(1 - e))
+    turning = builder.number(4) if e == 0 else 4 / names["turning_root"]
+    names["distance"] = builder.absolute(limit - x.index)
+    names["below"] = builder.sqrt(names["distance"])
+    names["above"] = builder.sqrt(limit + x.index)
+    middle = poles.centre(x, turning)
+    width = poles.half_width(x, names["below"], names["above"])
+    names["middle_size"] = builder.absolute(middle)
+    larger = names["middle_size"] + width
+    smaller = (mean_modulus / larger) / x.deviation
+
+    def choose(name: str, complex_pair: Any, real_pair: Any) -> Node:
+        names[name] = builder.select(x.index, limit, complex_pair, real_pair)
+        return names[name]
+
+    zero = builder.number(0)
+    outputs = _outputs(
+        choose("choice_1", middle, -larger),
+        choose("choice_2", middle, -smaller),
+        choose("choice_3", width, zero),
+        choose("choice_4", -width, zero),
+        mean_modulus,
+    )
+    outputs["first_modulus"] = choose("choice_5", mean_modulus, larger)
+    outputs["second_modulus"] = choose("choice_6", mean_modulus, smaller)
+    return builder.graph(outputs, names)
+
+
+def _outputs(first: Any, second: Any, up: Any, down: Any, size: Any) -> dict[str, Any]:
+    return {
+        "first_real": first,
+        "first_imaginary": up,
+        "second_real": second,
+        "second_imaginary": down,
+        "first_modulus": size,
+        "second_modulus": size,
+    }

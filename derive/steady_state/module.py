@@ -1,0 +1,127 @@
+"""The printed module of a two-state family: what each kernel is called and says of itself."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy
+
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
+from gainproof.derive.steady_state import forms
+from gainproof.derive.steady_state.context import Context
+from gainproof.derive.steady_state.kernels import FormsOf, largest_beta
+
+INDEX_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
+    "gains": (forms.gains,),
+    "gain_derivatives": (forms.gain_derivatives,),
+    "gains_with_derivatives": (forms.gains, forms.gain_derivatives),
+    "predictor_gains": (forms.predictor_gains,),
+    "predictor_gain_derivatives": (forms.predictor_gain_derivatives,),
+    "predicted_covariance": (forms.predicted_covariance,),
+    "predicted_covariance_derivatives": (forms.predicted_covariance_derivatives,),
+    "updated_covariance": (forms.updated_covariance,),
+    "updated_covariance_derivatives": (forms.updated_covariance_derivatives,),
+}
+
+SUMMARIES = {
+    "gains": "Steady-state filter gain.",
+    "gain_derivatives": "First derivatives of the filter gain with respect to the tracking index.",
+    "gains_with_derivatives": "Filter gain and its first derivatives in one pass.",
+    "predictor_gains": "Steady-state predictor gain F K.",
+    "predictor_gain_derivatives": "First derivatives of the predictor gain.",
+    "predicted_covariance": "Predicted covariance in units of sigma_v^2 and T.",
+    "predicted_covariance_derivatives": "First derivatives of the predicted covariance.",
+    "updated_covariance": "Updated covariance in units of sigma_v^2 and T.",
+    "updated_covariance_derivatives": "First derivatives of the updated covariance.",
+    "closed_loop_poles": "Poles of the filter: a complex pair or two real numbers.",
+    "index_from_alpha": "The tracking index that belongs to a position gain.",
+    "beta_from_alpha": "The velocity gain that belongs to a position gain.",
+    "index_from_beta": "The tracking index that belongs to a velocity gain.",
+    "alpha_from_beta": "The position gain that belongs to a velocity gain.",
+}
+
+MEANINGS = {
+    "alpha": "position gain",
+    "beta": "velocity gain times the sampling interval",
+    "position": "position entry of F K, alpha + beta",
+    "velocity": "velocity entry of F K times the sampling interval, beta",
+    "tracking_index": "tracking index Lambda",
+    "predicted_11": "variance of the predicted position over sigma_v^2",
+    "predicted_12": "covariance of predicted position and velocity times T/sigma_v^2",
+    "predicted_22": "variance of the predicted velocity times T^2/sigma_v^2",
+    "updated_11": "variance of the updated position over sigma_v^2",
+    "updated_12": "covariance of updated position and velocity times T/sigma_v^2",
+    "updated_22": "variance of the updated velocity times T^2/sigma_v^2",
+    "first_real": "real part of the first pole",
+    "first_imaginary": "imaginary part of the first pole, not negative",
+    "second_real": "real part of the second pole",
+    "second_imaginary": "imaginary part of the second pole, not positive",
+}
+
+
+def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
+    """The module of a family."""
+    return Module(
+        name=c.model.name.replace("-", "_"),
+        title=f"{c.model.title}: steady state with measured position.",
+        command=f"gainproof generate {c.model.name}",
+        derivation=f"gainproof derive {c.model.name}, SymPy {sympy.__version__}",
+        kernels=tuple(_kernel(c, name, graph) for name, graph in graphs.items()),
+    )
+
+
+def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
+    shown = [output for output in graph["outputs"] if not output.endswith("_modulus")]
+    return Kernel(
+        name=name,
+        result="".join(word.capitalize() for word in name.split("_")),
+        summary=SUMMARIES[name],
+        equations=_equations(c, name),
+        inputs=(_input(c, name),),
+        outputs=tuple(_output(name, output) for output in shown),
+        graph=graph,
+        source=f"derivation {c.model.name}",
+    )
+
+
+def _input(c: Context, name: str) -> Input:
+    if name.endswith("from_alpha"):
+        return Input("alpha", "position gain", "0", "1")
+    if name.endswith("from_beta"):
+        return Input("beta", "velocity gain times the sampling interval", "0", largest_beta(c.e))
+    return Input("tracking_index", f"Lambda, with Lambda^2 = {c.model.noise_ratio}")
+
+
+def _output(kernel: str, output: str) -> Output:
+    derivative = output.startswith("d_") or kernel in {
+        "gain_derivatives",
+        "predictor_gain_derivatives",
+        "predicted_covariance_derivatives",
+        "updated_covariance_derivatives",
+    }
+    meaning = MEANINGS[output.removeprefix("d_")]
+    scale = f"{output.split('_')[0]}_modulus" if kernel == "closed_loop_poles" else None
+    return Output(
+        output,
+        f"derivative of the {meaning}" if derivative else meaning,
+        relative_to=scale,
+    )
+
+
+def _equations(c: Context, name: str) -> tuple[str, ...]:
+    e = c.e
+    basis = (
+        f"e = {e}, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),",
+        "s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2",
+    )
+    own = {
+        "gains": ("alpha = 2 s/m, beta = 2 p/m",),
+        "closed_loop_poles": ("z^2 - (2 - alpha - beta) z + (1 - alpha) = 0",),
+        "gain_derivatives": (
+            "d alpha = (1 + e p/h)/(p s sigma^2), d beta = 2 (2 + p/s)/(p h sigma^2)",
+        ),
+    }
+    if "_from_" in name:
+        return (f"{c.spectrum.relation} = 0, Lambda^2 = beta^2/(1 - alpha)",)
+    return (*own.get(name, ()), *basis)

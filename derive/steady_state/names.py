@@ -1,0 +1,47 @@
+"""The named quantities of a two-state steady state, and how they are printed."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from gainproof.derive.expression import real
+
+
+INDEX = real("tracking_index")
+ROOT = real("p")
+ALPHA = real("alpha")
+BETA = real("beta")
+DEVIATION = real("innovation_deviation")
+PREDICTED = ("predicted_11", "predicted_12", "predicted_22")
+UPDATED = ("updated_11", "updated_12", "updated_22")
+Z = real("z")
+
+LATEX = {
+    "tracking_index": r"\Lambda",
+    "p": r"p",
+    "H": r"H",
+    "s": r"s",
+    "alpha": r"\alpha",
+    "beta": r"\beta",
+    "innovation_deviation": r"\sigma",
+    "rest": r"(1-\alpha)",
+    "predictor_position": r"(FK)_1",
+    "z": "z",
+    "v": "v",
+    **{f"predicted_{ij}": rf"M_{{{ij}}}" for ij in ("11", "12", "22")},
+    **{f"updated_{ij}": rf"X_{{{ij}}}" for ij in ("11", "12", "22")},
+    "pole_real": r"\operatorname{Re} z_1",
+    "pole_imaginary": r"\operatorname{Im} z_1",
+    "first_pole": "z_1",
+    "second_pole": "z_2",
+    "g": "g",
+    "x": "x",
+    "k": "k",
+    "j": "j",
+}
+
+
+def symmetric(names: tuple[str, str, str]) -> sp.ImmutableDenseMatrix:
+    """The symmetric 2 x 2 matrix of three named entries 11, 12, 22."""
+    first, cross, second = map(real, names)
+    return sp.ImmutableDenseMatrix([[first, cross], [cross, second]])

@@ -1,0 +1,234 @@
+"""Steps on the closed-loop poles: where they are complex, where real, and what they are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.derivation import Step
+from gainproof.derive.expression import real
+from gainproof.derive.relation import Relation, equal, increasing_onto, positive, same_sign
+from gainproof.derive.steady_state import poles
+from gainproof.derive.steady_state.context import Context
+from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX
+from gainproof.derive.steady_state.pole_towers import (
+    ABOVE,
+    BELOW,
+    SIDE,
+    G,
+    X,
+    complex_ends,
+    complex_tower,
+    middle_size,
+    real_ends,
+    real_tower,
+    turning_root,
+)
+from gainproof.derive.steady_state.towers import rational
+
+DISCRIMINANT = (ALPHA + BETA) ** 2 - 4 * BETA
+FIRST, SECOND = real("first_pole"), real("second_pole")
+RE, IM = real("pole_real"), real("pole_imaginary")
+
+
+def pole_towers(c: Context) -> tuple[Tower, ...]:
+    """The towers of both sides; none where the poles are never real."""
+    return () if c.e == 1 else (complex_tower(c.e, c.n), real_tower(c.e, c.n))
+
+
+def pole_steps(c: Context) -> list[Step]:
+    """Sign of the discriminant, then the poles on each side of its zero."""
+    if c.e == 1:
+        return _never_real(c)
+    limit = rational(8 / (1 - c.e))
+    return [
+        Step(
+            "discriminant",
+            f"The poles are complex below Lambda = {limit}, double there and real above.",
+            same_sign(DISCRIMINANT, INDEX - limit),
+            "The discriminant of c(z) is a positive multiple of Lambda - L1.",
+            hint={
+                "form": (1 - rational(c.e)) ** 2
+                * (INDEX + limit)
+                / (4 * c.basis.s**2 * c.basis.m**2)
+            },
+        ),
+        *_complex(c, limit),
+        *_real(c, limit),
+    ]
+
+
+def _never_real(c: Context) -> list[Step]:
+    width = poles.half_width(c.basis, None, None)
+    return [
+        Step(
+            "discriminant",
+            "The poles are complex for every index.",
+            positive(-DISCRIMINANT),
+            "The discriminant of c(z) is negative.",
+            hint={"form": 4 * width**2},
+        ),
+        Step(
+            "poles",
+            "The poles are z = (2 - alpha - beta)/2 -+ i w, with this w.",
+            equal(-DISCRIMINANT / 4, width**2),
+            "Solve the quadratic c(z) = 0.",
+        ),
+        Step(
+            "pole-modulus",
+            "Their modulus is one over the innovation's standard deviation.",
+            equal(1 - ALPHA, 1 / DEVIATION**2),
+            "The product of the poles is c(0).",
+        ),
+    ]
+
+
+def _complex(c: Context, limit: sp.Rational) -> list[Step]:
+    name = "complex-poles"
+    return [
+        Step(
+            "complex-range",
+            "Below the turning index put Lambda = L1 x^2/(1 + x^2).",
+            increasing_onto(INDEX, sp.Integer(0), limit, variable="x"),
+            "Increasing in x, from 0 to L1.",
+            tower=name,
+            hint={"form": 2 * limit * X / SIDE**2, "ends": complex_ends(c.e)},
+        ),
+        Step(
+            "complex-poles",
+            "There the poles are Re z -+ i Im z with sum 2 - alpha - beta and product 1 - alpha.",
+            equal(
+                sp.ImmutableDenseMatrix([[2 * RE, RE**2 + IM**2]]),
+                sp.ImmutableDenseMatrix([[2 - ALPHA - BETA, 1 - ALPHA]]),
+            ),
+            "Coefficients of c(z).",
+            tower=name,
+        ),
+    ]
+
+
+def _real(c: Context, limit: sp.Rational) -> list[Step]:
+    name = "real-poles"
+    return [
+        Step(
+            "real-range",
+            "Above the turning index put Lambda = L1 + g^2; the border itself follows by "
+            "continuity.",
+            increasing_onto(INDEX, limit, "infinity", variable="g"),
+            "Increasing in g, from L1 without bound.",
+            tower=name,
+            hint={"form": 2 * G, "ends": real_ends(c.e)},
+        ),
+        Step(
+            "real-poles",
+            "There both poles are real and negative, with sum 2 - alpha - beta and product "
+            "1 - alpha.",
+            equal(
+                sp.ImmutableDenseMatrix([[FIRST + SECOND, FIRST * SECOND]]),
+                sp.ImmutableDenseMatrix([[2 - ALPHA - BETA, 1 - ALPHA]]),
+            ),
+            "Coefficients of c(z); the larger modulus is a sum of positive terms.",
+            tower=name,
+        ),
+        Step(
+            "real-order",
+            "The first pole has the larger modulus.",
+            positive(SECOND - FIRST),
+            "Their distance is a positive root.",
+            tower=name,
+            hint={"form": 2 * poles.half_width(c.basis, BELOW, ABOVE)},
+        ),
+    ]
+
+
+def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
+    """The pole kernel computes these poles on each side."""
+    roots = {
+        "p": c.basis.p,
+        "h_scaled": c.basis.h / 2**30,
+        "s_twice": 2 * c.basis.s,
+    }
+    reason = "Evaluate the kernel's graph in the tower."
+    sentence = "The kernel closed_loop_poles computes"
+    if c.e == 1:
+        outputs = _pair(1 - (ALPHA + BETA) / 2, poles.half_width(c.basis, None, None))
+        return [_program("kernel-poles", sentence + " them.", outputs, "main", roots, {}, {}, graph,
+                         reason)]
+    limit = rational(8 / (1 - c.e))
+    roots |= {"turning_root": turning_root(c.e), "below": BELOW, "above": ABOVE}
+    choices = [f"choice_{number}" for number in range(1, 7)]
+    below = {name: "then" for name in choices}
+    above = {name: "else" for name in choices}
+    first = {
+        "first_real": FIRST,
+        "first_imaginary": sp.Integer(0),
+        "second_real": SECOND,
+        "second_imaginary": sp.Integer(0),
+        "first_modulus": -FIRST,
+        "second_modulus": -SECOND,
+    }
+    gap = limit / SIDE
+    return [
+        _program(
+            "kernel-complex-poles",
+            sentence + " the complex poles below the turning index.",
+            _pair(RE, IM),
+            "complex-poles",
+            roots,
+            {**below, "distance": "positive"},
+            {**dict.fromkeys(choices, gap), "distance": gap},
+            graph,
+            reason,
+        ),
+        _program(
+            "kernel-real-poles",
+            sentence + " the real poles above the turning index.",
+            first,
+            "real-poles",
+            roots,
+            {**above, "distance": "negative", "middle_size": "negative"},
+            {
+                **dict.fromkeys(choices, G**2),
+                "distance": G**2,
+                "middle_size": middle_size(c.basis),
+            },
+            graph,
+            reason,
+        ),
+    ]
+
+
+def _pair(middle: sp.Expr, width: sp.Expr) -> dict[str, sp.Expr]:
+    return {
+        "first_real": middle,
+        "first_imaginary": width,
+        "second_real": middle,
+        "second_imaginary": -width,
+        "first_modulus": 1 / DEVIATION,
+        "second_modulus": 1 / DEVIATION,
+    }
+
+
+def _program(
+    name: str,
+    sentence: str,
+    outputs: Mapping[str, sp.Expr],
+    tower: str,
+    roots: Mapping[str, Any],
+    branches: Mapping[str, str],
+    gaps: Mapping[str, Any],
+    graph: Mapping[str, Any],
+    reason: str,
+) -> Step:
+    return Step(
+        name,
+        sentence,
+        Relation("program", {"program": "closed_loop_poles", "outputs": outputs}),
+        reason,
+        tower=tower,
+        hint={"graph": graph, "roots": roots, "branches": branches, "gaps": gaps},
+        shown=False,
+    )

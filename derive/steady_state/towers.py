@@ -1,0 +1,109 @@
+"""Towers of radicals in which the two-state steady state and its limits live."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import sympy as sp
+
+from gainproof.derive.algebra.tower import Generator, Parameter, Tower
+from gainproof.derive.expression import real
+from gainproof.derive.steady_state.forms import Basis, updated_covariance
+from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT
+
+ROOT_16 = real("H")
+ROOT_S = real("s")
+
+
+@dataclass(frozen=True)
+class End:
+    """How a tower behaves where its parameter tends to 0 or to infinity.
+
+    weights: growth of each generator in powers of the parameter (infinity only). constants: square
+    roots of numbers by symbol. boundary: the rescaled generator's value there.
+    """
+
+    weights: Mapping[str, int] = field(default_factory=dict)
+    constants: Mapping[str, int] = field(default_factory=dict)
+    boundary: Mapping[str, sp.Expr] = field(default_factory=dict)
+
+
+def rational(value: Fraction) -> sp.Rational:
+    """A fraction as a SymPy number."""
+    return sp.Rational(value.numerator, value.denominator)
+
+
+def root_of_16(e: Fraction) -> sp.Expr:
+    """sqrt(16 + e Lambda^2): a generator, or 4 when e = 0."""
+    return ROOT_16 if e else sp.Integer(4)
+
+
+def main_tower(e: Fraction, n: Fraction) -> Tower:
+    """p = sqrt(Lambda) > 0, H = sqrt(16 + e p^4), s = sqrt((1 + e) p^2 + 2 H)/2 and the steady state.
+
+    alpha, beta and the innovation's deviation are what factorisation gives; the covariances are
+    those of `forms`.
+    """
+    ratio = rational(e)
+    generators = [Generator("H", 16 + ratio * ROOT**4)] if e else []
+    generators.append(Generator("s", ((1 + ratio) * ROOT**2 + 2 * root_of_16(e)) / 4))
+    return Tower("main", (Parameter("p"),), tuple(generators), steady_elements(e, n, ROOT**2))
+
+
+def steady_elements(e: Fraction, n: Fraction, index: sp.Expr) -> dict[str, sp.Expr]:
+    """The named quantities over p, H and s; predicted entries polynomial, for short cofactors."""
+    p, high, s = ROOT, root_of_16(e), ROOT_S
+    rate = p**3 * (s - rational(n) * p)
+    stable = updated_covariance(symbolic_basis(e, n))["updated_22"]
+    deviation = (p**2 + high + 2 * p * s) / 4
+    return {
+        "tracking_index": index,
+        "innovation_deviation": deviation,
+        "alpha": p * s / DEVIATION,
+        "beta": INDEX / DEVIATION,
+        "predicted_11": p * s * DEVIATION,
+        "predicted_12": INDEX * DEVIATION,
+        "predicted_22": rate + INDEX**2,
+        "updated_11": ALPHA,
+        "updated_12": BETA,
+        "updated_22": stable,
+        "predictor_position": ALPHA + BETA,
+        "rest": 1 / DEVIATION**2,
+    }
+
+
+def symbolic_basis(e: Fraction, n: Fraction) -> Basis:
+    """The basis of the stable forms over the variables of the main tower."""
+    h = root_of_16(e) / ROOT
+    return Basis(INDEX, ROOT, h, ROOT_S, (ROOT + h) / 2 + ROOT_S, e, n)
+
+
+def surd(value: Fraction) -> tuple[sp.Expr, dict[str, int]]:
+    """sqrt(value) as a rational times at most one root of a squarefree integer, with its name."""
+    number = value.numerator * value.denominator
+    outside, inside = 1, 1
+    for prime, power in sp.factorint(number).items():
+        outside *= prime ** (power // 2)
+        inside *= prime ** (power % 2)
+    factor = sp.Rational(outside, value.denominator)
+    if inside == 1:
+        return factor, {}
+    return factor * real(f"root_{inside}"), {f"root_{inside}": inside}
+
+
+def start(e: Fraction) -> End:
+    """Lambda -> 0: H -> 4, s -> sqrt(2)."""
+    boundary: dict[str, sp.Expr] = {"H": sp.Integer(4)} if e else {}
+    boundary["s"] = real("root_2")
+    return End(constants={"root_2": 2}, boundary=boundary)
+
+
+def end(e: Fraction) -> End:
+    """Lambda -> infinity: H/p^2 -> sqrt(e), s/p -> (1 + sqrt(e))/2."""
+    root, constants = surd(e) if e else (sp.Integer(0), {})
+    weights, boundary = {"s": 1}, {"s": (1 + root) / 2}
+    if e:
+        weights, boundary = {"H": 2, **weights}, {"H": root, **boundary}
+    return End(weights=weights, constants=constants, boundary=boundary)

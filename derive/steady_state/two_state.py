@@ -1,0 +1,130 @@
+"""The whole derivation of a two-state family: towers, steps, programs and kernels."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.expression import real
+from gainproof.derive.model import Model
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.relation import Relation
+from gainproof.derive.steady_state.context import Context, context
+from gainproof.derive.steady_state.kernels import alpha_graph, beta_graph, index_graph, pole_graph
+from gainproof.derive.steady_state.module import INDEX_KERNELS, kernel_module
+from gainproof.derive.steady_state.names import INDEX, LATEX
+from gainproof.derive.steady_state.steps_model import gain_steps, model_steps
+from gainproof.derive.steady_state.steps_poles import pole_programs, pole_steps, pole_towers
+from gainproof.derive.steady_state.steps_proof import covariance_steps, proof_steps
+from gainproof.derive.steady_state.steps_use import (
+    derivative_steps,
+    end_steps,
+    inverse_roots,
+    inverse_steps,
+    inverse_tower,
+)
+from gainproof.derive.subject import Program, Subject
+
+OPENING = (
+    "A position is measured at a fixed interval; the state holds the position and its rate. "
+    "How much of each innovation should a filter in its steady state believe?"
+)
+
+
+def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
+    """Derive everything about the steady state of a two-state model with measured position.
+
+    Raises ModelError, naming the reason, for a model outside the method's reach.
+    """
+    c = context(model)
+    graphs = _graphs(c)
+    steps = (
+        *model_steps(c),
+        *gain_steps(c),
+        *covariance_steps(c),
+        *proof_steps(c),
+        *pole_steps(c),
+        *derivative_steps(c),
+        *inverse_steps(c),
+        *end_steps(c),
+        *_program_steps(c, graphs),
+        *pole_programs(c, graphs["closed_loop_poles"]),
+    )
+    towers = (c.tower, inverse_tower(c), *pole_towers(c))
+    return Subject(
+        name=model.name,
+        title=model.title,
+        model=c.model,
+        derivation=Derivation(model.title, OPENING, steps, sources, LATEX),
+        towers={tower.name: tower for tower in towers},
+        programs={
+            name: Program(_inputs(name), graph) for name, graph in graphs.items()
+        },
+        module=kernel_module(c, graphs),
+    )
+
+
+def _inputs(name: str) -> Mapping[str, str]:
+    for gain in ("alpha", "beta"):
+        if name.endswith(f"from_{gain}"):
+            return {gain: gain}
+    return {"tracking_index": "tracking_index"}
+
+
+def _graphs(c: Context) -> dict[str, Graph]:
+    graphs = {name: index_graph(c.e, c.n, *parts) for name, parts in INDEX_KERNELS.items()}
+    return graphs | {
+        "closed_loop_poles": pole_graph(c.e, c.n),
+        "index_from_alpha": alpha_graph(c.e, "tracking_index"),
+        "beta_from_alpha": alpha_graph(c.e, "beta"),
+        "index_from_beta": beta_graph(c.e, "tracking_index"),
+        "alpha_from_beta": beta_graph(c.e, "alpha"),
+    }
+
+
+def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
+    """Every kernel but the poles computes what its outputs are called."""
+    roots = {
+        "p": c.basis.p,
+        "h_scaled": c.basis.h / 2**30,
+        "s_twice": 2 * c.basis.s,
+        **inverse_roots(c),
+    }
+    return [
+        Step(
+            f"kernel-{name.replace('_', '-')}",
+            f"The kernel {name} computes what it says.",
+            Relation(
+                "program",
+                {
+                    "program": name,
+                    "outputs": {output: _meant(name, output) for output in graph["outputs"]},
+                },
+            ),
+            "Evaluate the kernel's graph in the tower.",
+            tower="with-root-of-e" if name == "index_from_beta" else "main",
+            hint={"graph": graph, "roots": roots},
+            shown=False,
+        )
+        for name, graph in graphs.items()
+        if name != "closed_loop_poles"
+    ]
+
+
+def _meant(kernel: str, output: str) -> sp.Expr:
+    """What an output of a kernel stands for."""
+    named = {"position": "predictor_position", "velocity": "beta"}
+    if output.startswith("d_"):
+        return sp.Derivative(real(named.get(output[2:], output[2:])), INDEX)
+    value = real(named.get(output, output))
+    return sp.Derivative(value, INDEX) if kernel.endswith("_derivatives") and (
+        kernel != "gains_with_derivatives"
+    ) else value
+
+
+def model_data(subject: Subject) -> dict[str, Any] | None:
+    """The scaled model of a subject as plain data."""
+    return subject.model.data() if subject.model else None
