@@ -12,7 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gainproof.formula_latex import formula_latex
-from gainproof.formula_text import LONGEST, formula_text, plain_name
+from gainproof.formula_term import LONGEST
+from gainproof.formula_text import formula_text, plain_name
 
 VALUES = {"a": Fraction(3, 7), "b": Fraction(5, 11), "c": Fraction(13, 17)}
 
@@ -63,7 +64,7 @@ def value_of(graph: dict[str, Any]) -> Fraction:
 
 
 def read_back(text: str) -> Fraction:
-    """The value of our text: juxtaposition is a product that binds as tightly as the slash."""
+    """The value of our text: juxtaposed factors are multiplied, then divided by the one after /."""
     python = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", text).replace("^", "**")
     python = re.sub(r"\b(\d+)\b", r"Fraction(\1)", python)
     python = re.sub(r"\*\*Fraction\((\d+)\)", r"**\1", python)
@@ -96,13 +97,32 @@ QUOTIENT = single(["symbol", "a"], ["symbol", "b"], ["mul", 0, 1], ["add", 0, 1]
         (SUM, "a - 1/2 - b", r"a - \frac{1}{2} - b"),
         (QUOTIENT, "a b/(a + b)", r"\frac{a b}{a + b}"),
         (single(["symbol", "a"], ["pow", 0, "1/2"]), "sqrt(a)", r"\sqrt{a}"),
-        (single(["symbol", "a"], ["pow", 0, "-2"]), "a^(-2)", "a^{-2}"),
+        (single(["symbol", "a"], ["pow", 0, "-2"]), "1/a^2", r"\frac{1}{{a}^{2}}"),
+        (
+            single(
+                ["symbol", "a"], ["number", "-3/4"], ["symbol", "b"], ["mul", 1, 0], ["add", 3, 2]
+            ),
+            "b - 3 a/4",
+            r"b - \frac{3 a}{4}",
+        ),
+        (
+            single(["symbol", "a"], ["pow", 0, "2"], ["pow", 1, "3"]),
+            "(a^2)^3",
+            r"{\left({a}^{2}\right)}^{3}",
+        ),
+        (
+            single(
+                ["number", "1/4"], ["symbol", "a"], ["div", 0, 1], ["symbol", "b"], ["div", 2, 3]
+            ),
+            "1/(4 a b)",
+            r"\frac{1}{4 a b}",
+        ),
         (
             single(["symbol", "a"], ["number", "2"], ["matrix", 2, 1, 0, 1]),
             "[a; 2]",
             r"\begin{pmatrix}a \\ 2\end{pmatrix}",
         ),
-        (single(["symbol", "a"], ["derivative", 0, "b"]), "d/db a", r"\frac{d}{db} a"),
+        (single(["symbol", "a"], ["derivative", 0, "b"]), "(d/db) a", r"\frac{d}{db} a"),
         (
             single(["symbol", "a"], ["number", "2"], ["at", 0, "b", 1]),
             "a[b := 2]",

@@ -1,0 +1,59 @@
+"""A derived subject as plain data, which crosses from the process that derives to the one that shows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields
+from typing import Any
+
+Plain = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class DerivedStep:
+    """One step: what is said, why it follows, and the relation as plain data.
+
+    `shown`: false for steps that are checked like all others and would only repeat on a page.
+    """
+
+    id: str
+    kind: str
+    tower: str
+    sentence: str
+    reason: str
+    claim: Plain
+    shown: bool = True
+
+
+@dataclass(frozen=True)
+class Derived:
+    """One subject of the catalogue.
+
+    `symbols`: LaTeX of the names that occur. `model`: the scaled model, or None. `claims`: what the
+    certificate is expected to prove; `domains`: the parameters of each tower, as derived.
+    """
+
+    name: str
+    title: str
+    opening: str
+    model: Plain | None
+    steps: tuple[DerivedStep, ...]
+    symbols: Mapping[str, str]
+    sources: tuple[str, ...]
+    kernels: tuple[Mapping[str, str], ...]
+    certificate: Plain
+    claims: tuple[Plain, ...]
+    domains: Mapping[str, Any]
+
+    def plain(self) -> Plain:
+        """As plain data for a JSON file."""
+        return asdict(self)
+
+
+def derived_from(data: Mapping[str, Any]) -> Derived:
+    """The inverse of `Derived.plain`. Raises KeyError or TypeError for data of another shape."""
+    values = {field.name: data[field.name] for field in fields(Derived)}
+    for name in ("sources", "kernels", "claims"):
+        values[name] = tuple(values[name])
+    values["steps"] = tuple(DerivedStep(**step) for step in values["steps"])
+    return Derived(**values)

@@ -1,0 +1,127 @@
+"""A derivation printed as a lecture page: model, then numbered steps with formula, reason and mark."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Mapping
+
+from gainproof.derived import Derived, DerivedStep
+from gainproof.formula_text import formula_text, plain_name
+from gainproof.relation_text import Writer, matrix_rows, relation_lines
+
+WIDTH = 92
+INDENT = "     "
+
+
+def page(derived: Derived, marks: Mapping[str, str], *, with_steps: bool = True) -> str:
+    """The page as text. `marks`: the checker's word on each step by id (`proved`, `cited`, ...)."""
+    names = {name: plain_name(latex) for name, latex in derived.symbols.items()}
+    writer = Writer(names, formula_text)
+    parts = [heading(derived.title)]
+    if derived.opening:
+        parts.append(paragraph(derived.opening))
+    if derived.model is not None:
+        parts.append(model_text(derived.model))
+    shown = [step for step in derived.steps if step.shown]
+    if with_steps:
+        parts += [step_text(i, step, writer, marks) for i, step in enumerate(shown, 1)]
+    else:
+        parts.append(results(derived, writer, marks))
+    parts.append(closing(derived, marks))
+    return "\n\n".join(parts) + "\n"
+
+
+def heading(title: str) -> str:
+    """A title underlined."""
+    return f"{title}\n{'=' * len(title)}"
+
+
+def paragraph(text: str, indent: str = "") -> str:
+    """Text filled to the width of the page."""
+    return textwrap.fill(text, WIDTH, initial_indent=indent, subsequent_indent=indent)
+
+
+def model_text(model: Mapping[str, object]) -> str:
+    """The matrices of a scaled model side by side with their names."""
+    lines = ["In units T = 1 and sigma_v = 1, with process noise q Q0 and q = Lambda^2:", ""]
+    for label, field in (
+        ("F", "transition"),
+        ("Q0", "process_noise"),
+        ("H", "measurement"),
+        ("R", "measurement_noise"),
+    ):
+        rows = matrix_rows(model[field])
+        for i, row in enumerate(rows):
+            lines.append(f"{INDENT}{label + ' =' if i == 0 else '':>4} {row}")
+    return "\n".join(lines)
+
+
+def step_text(number: int, step: DerivedStep, writer: Writer, marks: Mapping[str, str]) -> str:
+    """One numbered step: the sentence, the formula, the reason, and how it is known."""
+    mark = marks.get(step.id, "not checked")
+    first = f"{number:>3}. "
+    lines = [textwrap.fill(step.sentence, WIDTH, initial_indent=first, subsequent_indent=INDENT)]
+    for formula in relation_lines(step.kind, step.claim, writer):
+        lines += ["", *broken(formula)]
+    lines += ["", *reason_lines(step.reason, f"[{mark}]")]
+    return "\n".join(lines)
+
+
+def reason_lines(reason: str, mark: str) -> list[str]:
+    """The reason, and the mark at the right edge of its last line."""
+    lines = textwrap.wrap(reason, WIDTH - len(INDENT)) or [""]
+    room = WIDTH - len(INDENT) - len(mark)
+    if len(lines[-1]) + 2 > room:
+        lines.append("")
+    lines[-1] = f"{lines[-1]:<{room}}{mark}"
+    return [INDENT + line for line in lines]
+
+
+def broken(formula: str) -> list[str]:
+    """A formula set in from the margin, broken before a sign where it is too long for a line."""
+    indent = INDENT + "   "
+    room = WIDTH - len(indent)
+    lines: list[str] = []
+    rest = formula
+    while len(rest) > room:
+        cut = max((rest.rfind(sign, 1, room) for sign in (" = ", " + ", " - ", "; ")), default=-1)
+        if cut < room // 4:
+            cut = rest.rfind(" ", 1, room)
+        if cut <= 0:
+            break
+        if rest[cut] == ";":
+            cut += 1
+        lines.append(rest[:cut].rstrip())
+        rest = "    " + rest[cut:].lstrip()
+    return [indent + line for line in [*lines, rest]]
+
+
+def results(derived: Derived, writer: Writer, marks: Mapping[str, str]) -> str:
+    """The relations alone, without sentences."""
+    lines = []
+    for step in derived.steps:
+        if step.shown and step.kind not in {"definition", "cited"}:
+            lines.append(f"{step.id}  [{marks.get(step.id, 'not checked')}]")
+            for formula in relation_lines(step.kind, step.claim, writer):
+                lines += broken(formula)
+    return "\n".join(lines)
+
+
+def closing(derived: Derived, marks: Mapping[str, str]) -> str:
+    """How many steps are known in which way, the hidden ones included."""
+    tally = count(marks.get(step.id, "not checked") for step in derived.steps)
+    hidden = sum(not step.shown for step in derived.steps)
+    more = f" ({hidden} of them not shown)" if hidden else ""
+    return paragraph(
+        f"{len(derived.steps)} steps{more}: {tally}, by the checker that uses no computer algebra. "
+        f"`gainproof cite {derived.name}` names the works this rests on."
+    )
+
+
+def count(words: Iterable[str]) -> str:
+    """`12 proved, 1 cited`, the most frequent first."""
+    found: dict[str, int] = {}
+    for word in words:
+        found[word] = found.get(word, 0) + 1
+    ordered = sorted(found.items(), key=lambda item: (-item[1], item[0]))
+    return ", ".join(f"{number} {word}" for word, number in ordered)

@@ -1,0 +1,117 @@
+"""Jobs in fresh Python processes, a few at a time; an interrupt ends them all.
+
+Each job is a new interpreter, started with its environment already set (SymPy reads
+SYMPY_GROUND_TYPES, Python PYTHONHASHSEED, before anything can be changed). Works alike wherever
+Python does, since nothing is forked.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import os
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gainproof.bad_input import BadInputError
+
+REPRODUCIBLE = {"SYMPY_GROUND_TYPES": "python", "PYTHONHASHSEED": "0"}
+"""What makes a derivation come out the same everywhere, whatever else is installed."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """One call of a function of `gainproof.tasks` with plain data; `label` is for people."""
+
+    label: str
+    task: str
+    arguments: Mapping[str, Any]
+
+
+class JobError(Exception):
+    """A job failed by a fault of the program; the message ends with where."""
+
+
+Done = Callable[[Job, float], None]
+
+
+def run(
+    jobs: Sequence[Job],
+    *,
+    on_done: Done | None = None,
+    environment: Mapping[str, str] | None = None,
+    limit: int | None = None,
+) -> list[Any]:
+    """The jobs' results in the order of the jobs; `on_done` hears of each as it ends.
+
+    Raises BadInputError or JobError of the first job that fails, the others being ended.
+    """
+    settings = {**os.environ, **REPRODUCIBLE, **(environment or {})}
+    return asyncio.run(_run(jobs, on_done, settings, limit or processors()))
+
+
+def processors() -> int:
+    """How many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+async def _run(
+    jobs: Sequence[Job], on_done: Done | None, settings: Mapping[str, str], limit: int
+) -> list[Any]:
+    room = asyncio.Semaphore(limit)
+
+    async def one(job: Job) -> Any:
+        async with room:
+            start = asyncio.get_running_loop().time()
+            result = await _call(job, settings)
+            if on_done is not None:
+                on_done(job, asyncio.get_running_loop().time() - start)
+            return result
+
+    started = [asyncio.ensure_future(one(job)) for job in jobs]
+    try:
+        return list(await asyncio.gather(*started))
+    except BaseException:
+        for task in started:
+            task.cancel()
+        await asyncio.gather(*started, return_exceptions=True)
+        raise
+
+
+async def _call(job: Job, settings: Mapping[str, str]) -> Any:
+    process = await asyncio.create_subprocess_exec(
+        sys.executable,
+        *("-m", "gainproof.worker"),
+        stdin=asyncio.subprocess.PIPE,
+        stdout=asyncio.subprocess.PIPE,
+        stderr=asyncio.subprocess.PIPE,
+        env=settings,
+    )
+    request = json.dumps({"task": job.task, "arguments": job.arguments}).encode()
+    try:
+        output, errors = await process.communicate(request)
+    except BaseException:
+        with contextlib.suppress(ProcessLookupError):
+            process.kill()
+        await process.wait()
+        raise
+    return _result(job, process.returncode, output, errors)
+
+
+def _result(job: Job, status: int | None, output: bytes, errors: bytes) -> Any:
+    try:
+        answer = json.loads(output)
+        if "result" in answer:
+            return answer["result"]
+        kind, message, trace = answer["error"], answer["message"], answer["trace"]
+    except (ValueError, KeyError, TypeError):
+        text = errors.decode(errors="replace").strip()
+        raise JobError(f"{job.label}: the process ended with status {status}\n{text}") from None
+    if kind == BadInputError.__name__:
+        raise BadInputError(message)
+    raise JobError(f"{job.label}: {kind}: {message}\n{trace}")
