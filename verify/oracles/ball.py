@@ -1,0 +1,199 @@
+"""A rigorous enclosure of the steady state: balls that contain the Riccati solution.
+
+Independent because it starts from F, Q, H, R as rational numbers and goes by the theorem of
+spectral factorisation: the innovation spectrum, an exact rational polynomial, has its roots in
+pairs z, 1/z, and the n roots inside the unit circle are the closed-loop poles of the stabilising
+solution, which is unique. From the poles follows the predictor gain (pole placement by one
+output is unique for an observable model), from the gain the predicted covariance (the Lyapunov
+equation of the closed loop), and from that the rest by definition. No radical expression of any
+gain is used.
+
+The accuracy is proved, not estimated: the roots are isolated by python-flint (certified), all
+further steps are ball arithmetic, the roots are certified to lie inside the circle, and the
+precision is doubled until every ball returned has the relative radius asked for.
+
+Derivatives with respect to the tracking index are enclosed too: the derivative of the Riccati
+equation is a Lyapunov equation with the same closed loop.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+import flint
+
+from gainproof.verify.oracles.matrices import Matrix
+from gainproof.verify.oracles.spectrum import Spectrum
+from gainproof.verify.oracles.state_space import Index, NotConverged, SteadyState, exact
+
+LARGEST_PRECISION = 1 << 17
+
+
+@dataclass(frozen=True)
+class Enclosure:
+    """The steady state in balls, for the model with process noise ``index**2`` times its own.
+
+    ``state`` holds the quantities, ``slope`` their derivatives with respect to the index;
+    ``predictor_gain`` and ``predictor_slope`` are F K and its derivative; ``poles`` are the
+    closed-loop poles (complex balls, real ones with imaginary part exactly 0, multiple ones
+    repeated) in no particular order; ``bits`` the working precision.
+    """
+
+    index: Fraction
+    state: SteadyState
+    slope: SteadyState
+    predictor_gain: Matrix
+    predictor_slope: Matrix
+    poles: tuple[flint.acb, ...]
+    bits: int
+
+
+class _Unresolved(Exception):
+    """The working precision does not yet decide; more bits are needed."""
+
+
+def enclose(spectrum: Spectrum, tracking_index: Index, digits: int = 40) -> Enclosure:
+    """Balls of relative radius at most 10^-digits round every entry of the steady state.
+
+    ``spectrum`` is that of the model with tracking index 1; the index is taken exactly and must
+    be positive. Raises NotConverged when an entry does not separate from zero (it may be zero).
+    """
+    index = exact(tracking_index)
+    if index <= 0:
+        raise ValueError(f"the tracking index must be positive, got {tracking_index!r}")
+    wanted = digits * 10 // 3 + 1
+    bits = wanted + 64 + abs(index.numerator.bit_length() - index.denominator.bit_length())
+    while bits <= LARGEST_PRECISION:
+        with flint.ctx.workprec(bits):
+            try:
+                return _enclose(spectrum, index, wanted, bits)
+            except (_Unresolved, ZeroDivisionError):
+                bits *= 2
+    raise NotConverged(f"balls: {digits} digits of every entry not reached with {bits // 2} bits")
+
+
+def _enclose(spectrum: Spectrum, index: Fraction, wanted: int, bits: int) -> Enclosure:
+    model = spectrum.model
+    n = model.size
+    ratio = flint.fmpq(index.numerator, index.denominator)
+    distances = _distances(spectrum, ratio * ratio)
+    loop_polynomial = _expand(distances)
+    apart = flint.arb_mat(
+        n, 1, [c - d for c, d in zip(loop_polynomial, spectrum.characteristic, strict=False)][:n]
+    )
+    f = _balls(model.transition)
+    h = _balls(model.measurement)
+    r = _ball(model.measurement_noise[0][0])
+    placed = flint.arb_mat(spectrum.gain_matrix) * apart
+    loop = f - placed * h
+    q0 = _balls(model.process_noise)
+    noise = q0 * flint.arb(ratio * ratio) + placed * placed.transpose() * r
+    predicted, slope = _lyapunov(loop, (noise, q0 * flint.arb(2 * ratio)))
+
+    cross = predicted * h.transpose()
+    innovation = (h * cross)[0, 0] + r
+    gain = cross * (1 / innovation)
+    unit = flint.arb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
+    kept = unit - gain * h
+    updated = predicted - gain * cross.transpose()
+    d_updated = kept * slope * kept.transpose()
+    d_cross = slope * h.transpose()
+    d_gain = kept * d_cross * (1 / innovation)
+    enclosed = Enclosure(
+        index,
+        SteadyState(*map(_rows, (predicted, updated, gain, flint.arb_mat([[innovation]])))),
+        SteadyState(*map(_rows, (slope, d_updated, d_gain, h * d_cross))),
+        _rows(placed),
+        _rows(f * d_gain),
+        tuple(1 - x for x in distances),
+        bits,
+    )
+    _require(enclosed, wanted)
+    return enclosed
+
+
+def _distances(spectrum: Spectrum, q: flint.fmpq) -> list[flint.acb]:
+    """x = 1 - z for each closed-loop pole z, certified inside the unit circle.
+
+    A root v of the spectrum belongs to the pair of roots of x^2 - v x + v = 0, whose z are
+    reciprocal. Kept as distances from 1 because slow filters have all their poles there.
+    """
+    polynomial = spectrum.still + q * spectrum.driven
+    found: list[flint.acb] = []
+    roots: list[tuple[flint.acb, int]] = polynomial.numer().complex_roots()  # type: ignore[assignment]  # its stub names one root
+    for v, multiplicity in roots:
+        if v.abs_lower() == 0:
+            raise _Unresolved
+        # one factor under each root: the product v (v - 4) can be negative for complex v
+        root = v.sqrt() * (v - 4).sqrt()
+        plus, minus = (v + root) / 2, (v - root) / 2
+        larger = plus if plus.abs_lower() > minus.abs_lower() else minus
+        pair = [x for x in (larger, v / larger) if _inside(x)]
+        if len(pair) != 1:
+            raise _Unresolved
+        found += pair * int(multiplicity)
+    # roots v that have gone to infinity are poles z = 0
+    return found + [flint.acb(1)] * (spectrum.model.size - len(found))
+
+
+def _inside(x: flint.acb) -> bool:
+    """Whether |1 - x| < 1 is certain."""
+    return bool(x.real * x.real + x.imag * x.imag < 2 * x.real)
+
+
+def _expand(distances: list[flint.acb]) -> list[flint.arb]:
+    """Coefficients in powers of x of the product of (x_i - x); real because poles pair up."""
+    product = flint.acb_poly([1])
+    for distance in distances:
+        product = product * flint.acb_poly([distance, -1])
+    return [product[k].real for k in range(len(distances) + 1)]
+
+
+def _lyapunov(loop: flint.arb_mat, rights: tuple[flint.arb_mat, ...]) -> tuple[flint.arb_mat, ...]:
+    """Symmetric X with X = A X A' + C for each C, from one linear system in balls."""
+    n = loop.nrows()
+    pairs = [(i, j) for i in range(n) for j in range(i, n)]
+    a = loop.tolist()
+    left = flint.arb_mat(
+        [
+            [
+                int((i, j) == (k, m))
+                - (a[i][k] * a[j][m] if k == m else a[i][k] * a[j][m] + a[i][m] * a[j][k])
+                for k, m in pairs
+            ]
+            for i, j in pairs
+        ]
+    )
+    right = flint.arb_mat([[c[i, j] for c in rights] for i, j in pairs])
+    flat = left.solve(right)
+    place = {pair: number for number, pair in enumerate(pairs)}
+    return tuple(
+        flint.arb_mat([[flat[place[min(i, j), max(i, j)], c] for j in range(n)] for i in range(n)])
+        for c in range(len(rights))
+    )
+
+
+def _require(enclosed: Enclosure, wanted: int) -> None:
+    for state in (enclosed.state, enclosed.slope):
+        for rows in (state.predicted, state.updated, state.gain, state.innovation):
+            for row in rows:
+                if any(entry.rel_accuracy_bits() < wanted for entry in row):
+                    raise _Unresolved
+    for rows in (enclosed.predictor_gain, enclosed.predictor_slope):
+        if any(row[0].rel_accuracy_bits() < wanted for row in rows):
+            raise _Unresolved
+    if any(pole.rel_accuracy_bits() < wanted for pole in enclosed.poles):
+        raise _Unresolved
+
+
+def _ball(value: Fraction) -> flint.arb:
+    return flint.arb(flint.fmpq(value.numerator, value.denominator))
+
+
+def _balls(rows: Matrix) -> flint.arb_mat:
+    return flint.arb_mat([[_ball(x) for x in row] for row in rows])
+
+
+def _rows(balls: flint.arb_mat) -> Matrix:
+    return tuple(tuple(row) for row in balls.tolist())

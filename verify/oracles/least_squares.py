@@ -1,0 +1,88 @@
+"""Batch least squares over the whole track, exact in fractions.
+
+Independent because it fits one polynomial to all samples at once by the normal equations; no
+recursion and no printed gain enters. The accuracy rests on Python's fractions: every number is
+exact.
+
+Samples are taken at times 0, 1, ..., k (unit interval), with equal weight. A fit of degree d is
+described by its value and its first d derivatives at the time of the newest sample, k.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from math import factorial
+
+from gainproof.verify.oracles.matrices import Matrix, Vector, matrix, product, solve, transpose
+from gainproof.verify.oracles.state_space import exact
+
+
+def weights(degree: int, newest: int) -> Matrix:
+    """The (degree + 1) x (newest + 1) matrix that turns samples into value and derivatives at k.
+
+    Row i gives the i-th derivative (per unit interval) at the time of the newest sample.
+    Raises ValueError when there are too few samples for the degree.
+    """
+    if degree < 0 or newest < degree:
+        raise ValueError(
+            f"a fit of degree {degree} needs degree >= 0 and a newest sample number >= degree, "
+            f"got {newest}"
+        )
+    design = tuple(
+        tuple(Fraction(j - newest) ** i / factorial(i) for i in range(degree + 1))
+        for j in range(newest + 1)
+    )
+    normal = product(transpose(design), design)
+    return solve(normal, transpose(design))
+
+
+def fit(degree: int, samples: Sequence[object]) -> Vector:
+    """Value and first ``degree`` derivatives, at the newest sample, of the best polynomial."""
+    column = tuple((exact(sample),) for sample in samples)
+    return tuple(row[0] for row in product(weights(degree, len(samples) - 1), column))
+
+
+def gains(degree: int, newest: int) -> Vector:
+    """The weights of the newest innovation in the fit at sample ``newest``.
+
+    The prediction from older samples does not contain the newest one, so the weight of the
+    innovation (newest sample minus its prediction) is the weight of that sample itself.
+    """
+    return tuple(row[-1] for row in weights(degree, newest))
+
+
+def covariance(degree: int, newest: int) -> Matrix:
+    """The covariance of value and derivatives at k, for samples of variance one."""
+    rows = weights(degree, newest)
+    return product(rows, transpose(rows))
+
+
+def taylor(degree: int) -> Matrix:
+    """The matrix that carries value and derivatives one interval ahead."""
+    return tuple(
+        tuple(Fraction(1, factorial(j - i)) if j >= i else Fraction(0) for j in range(degree + 1))
+        for i in range(degree + 1)
+    )
+
+
+def run(
+    gain_at: Callable[[int], Sequence[object]],
+    samples: Sequence[object],
+    first: int,
+    start: Sequence[object],
+) -> tuple[Vector, ...]:
+    """The states of x = F x + K_k (z_k - H F x), exactly, from given gains and a given start.
+
+    ``start`` is the state (value, derivatives) after sample ``first - 1``; samples ``first`` to
+    the last are then worked in with the gains ``gain_at(k)``. The state after each is returned.
+    """
+    state = tuple(exact(x) for x in start)
+    ahead = taylor(len(state) - 1)
+    states = []
+    for k in range(first, len(samples)):
+        predicted = tuple(row[0] for row in product(ahead, matrix([[x] for x in state])))
+        innovation = exact(samples[k]) - predicted[0]
+        state = tuple(x + exact(g) * innovation for x, g in zip(predicted, gain_at(k), strict=True))
+        states.append(state)
+    return tuple(states)
