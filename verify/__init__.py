@@ -1,1 +1,1 @@
-"""How we know: certificates checked again, independent oracles, and the judge of published formulas."""
+"""How we know: certificates re-checked exactly, independent oracles, the judge of claims."""

@@ -1,0 +1,106 @@
+"""Total derivatives and substitution over a tower."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from gainproof.verify.certificate.field import Field
+from gainproof.verify.certificate.nonzero import Nonzero
+from gainproof.verify.certificate.polynomial import Polynomial
+from gainproof.verify.certificate.ratio import Ratio, number, polynomial, total
+from gainproof.verify.certificate.rejection import RejectedError
+from gainproof.verify.certificate.tower import Tower
+
+
+def derivative(tower: Tower, value: Ratio, symbol: str, nonzero: Nonzero) -> Ratio:
+    """The total derivative of ``value`` by ``symbol``.
+
+    The symbol is a parameter (other parameters and free symbols held), a free symbol (everything
+    else held), or an element x of a tower with one parameter p: then (dE/dp) / (dx/dp).
+    """
+    field = tower.field
+    position = tower.parameter_position(symbol)
+    if position is None and symbol in field.free:
+        position = field.free_positions()[field.free.index(symbol)]
+    if position is not None:
+        tower.used.add(symbol)
+        return by_variable(value, position)
+    if symbol not in tower.elements or len(field.parameters) != 1:
+        raise RejectedError(f"no derivative by {symbol!r}: a parameter is wanted, or an element of "
+                            "a tower with one parameter")
+    return nonzero.quotient(by_variable(value, 0), by_variable(tower.value(symbol), 0))
+
+
+def by_variable(value: Ratio, position: int) -> Ratio:
+    """The total derivative by one parameter or free symbol, generators following."""
+    field = value.field
+    rates = _rates(field, position)
+    result = _along(field, value.numerator, rates)
+    for factor, multiplicity in value.factors.items():
+        share = _along(field, factor, rates) * polynomial(field, value.numerator)
+        share = share * number(field, multiplicity)
+        result = result - Ratio(field, share.numerator, _more(share, factor))
+    return Ratio(field, result.numerator, _merged(result, value))
+
+
+def _rates(field: Field, position: int) -> list[Ratio]:
+    """The derivative of every variable by the one at ``position``."""
+    rates = [number(field, int(i == position)) for i in range(field.ring.size)]
+    for index, generator in enumerate(field.generators):
+        place = field.position(index)
+        slope = _along(field, generator.radicand, rates)
+        below = field.ring.monomial({place: generator.power - 1})
+        rates[place] = slope.over(polynomial(field, below.times(Fraction(generator.power))))
+    return rates
+
+
+def _along(field: Field, value: Polynomial, rates: list[Ratio]) -> Ratio:
+    """The sum of the partial derivatives times the rates of the variables."""
+    return total(field, (
+        polynomial(field, value.partial(i)) * rate
+        for i, rate in enumerate(rates) if not rate.is_zero() and value.occurs(i)
+    ))
+
+
+def _more(value: Ratio, factor: Polynomial) -> dict[Polynomial, int]:
+    factors = dict(value.factors)
+    factors[factor] = factors.get(factor, 0) + 1
+    return factors
+
+
+def _merged(value: Ratio, other: Ratio) -> dict[Polynomial, int]:
+    factors = dict(value.factors)
+    for factor, multiplicity in other.factors.items():
+        factors[factor] = factors.get(factor, 0) + multiplicity
+    return factors
+
+
+def substituted(tower: Tower, value: Ratio, symbol: str, new: Ratio, nonzero: Nonzero) -> Ratio:
+    """``value`` with a parameter or free symbol replaced everywhere, in named elements too.
+
+    Only for towers without generators. Every denominator is shown nonzero again afterwards.
+    """
+    field = tower.field
+    if field.generators:
+        raise RejectedError("substitution is possible only in a tower without generators")
+    if symbol not in field.variables():
+        raise RejectedError(f"{symbol!r} cannot be replaced: it is not a variable of the tower")
+    tower.used.add(symbol)
+    position = field.variables().index(symbol)
+    result = _put(value.numerator, position, new)
+    for factor, multiplicity in value.factors.items():
+        divisor = _put(factor, position, new)
+        for _ in range(multiplicity):
+            result = nonzero.quotient(result, divisor)
+    return result
+
+
+def _put(value: Polynomial, position: int, new: Ratio) -> Ratio:
+    field = new.field
+    parts = value.by_power(position)
+    result = number(field, 0)
+    for exponent in range(max(parts, default=0), -1, -1):
+        result = result * new
+        if exponent in parts:
+            result = result + polynomial(field, parts[exponent])
+    return result

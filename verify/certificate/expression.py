@@ -1,0 +1,160 @@
+"""Evaluating an expression graph over a tower, exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import TypeAlias
+
+from gainproof.verify.certificate.derivative import derivative, substituted
+from gainproof.verify.certificate.graph import (
+    AtNode,
+    Call,
+    DerivativeNode,
+    Graph,
+    MatrixNode,
+    Node,
+    Number,
+    Operation,
+    Power,
+    Symbol,
+)
+from gainproof.verify.certificate.matrix import Matrix
+from gainproof.verify.certificate.nonzero import Nonzero
+from gainproof.verify.certificate.ratio import Ratio, number
+from gainproof.verify.certificate.rejection import RejectedError
+from gainproof.verify.certificate.roots import known_root
+from gainproof.verify.certificate.tower import Tower
+
+Value: TypeAlias = Ratio | Matrix
+
+
+class Evaluation:
+    """Evaluates graphs over one tower, every divisor shown nonzero before use.
+
+    Claims know the names of the tower, and roots of perfect powers and of the generators'
+    radicands. Kernels evaluate with a subclass that takes names, roots and branches from elsewhere.
+    """
+
+    def __init__(self, tower: Tower, nonzero: Nonzero) -> None:
+        self.tower = tower
+        self.nonzero = nonzero
+
+    def outputs(self, graph: Graph, wanted: tuple[str, ...]) -> dict[str, Value]:
+        """The values of the named outputs. Only the nodes they need are evaluated."""
+        ends = {name: graph.outputs[name] for name in wanted}
+        values: dict[int, Value] = {}
+        for index in graph.reachable(ends.values(), self.skipped(graph)):
+            try:
+                values[index] = self._node(graph.nodes[index], index, values)
+            except RejectedError as rejection:
+                raise RejectedError(f"node {index}: {rejection}") from None
+        return {name: values[end] for name, end in ends.items()}
+
+    def value(self, graph: Graph) -> Value:
+        """The value of the output "value"."""
+        return self.outputs(graph, ("value",))["value"]
+
+    def scalar(self, graph: Graph) -> Ratio:
+        """The value of the output "value", which must not be a matrix."""
+        return _scalar(self.value(graph))
+
+    def skipped(self, graph: Graph) -> Mapping[int, int]:
+        """For nodes with branches: the position of the argument not to be evaluated."""
+        del graph
+        return {}
+
+    def symbol(self, name: str) -> Ratio:
+        """The value of a symbol."""
+        return self.tower.value(name)
+
+    def root(self, index: int, base: Ratio, degree: int) -> Ratio:
+        """The nonnegative root of that degree."""
+        del index
+        root = known_root(base, degree)
+        if root is None:
+            raise RejectedError(f"the root of degree {degree} is not known in this tower")
+        return root
+
+    def call(self, index: int, node: Call, values: Mapping[int, Value]) -> Ratio:
+        """The value of a named function."""
+        del index, values
+        raise RejectedError(f"the function {node.function!r} is possible only in programs")
+
+    def _node(self, node: Node, index: int, values: Mapping[int, Value]) -> Value:
+        arguments = node.arguments
+        match node:
+            case Number(value):
+                return number(self.tower.field, value)
+            case Symbol(name):
+                return self.symbol(name)
+            case Operation(operator):
+                return self._operation(operator, [values[a] for a in arguments])
+            case Power(exponent):
+                return self._power(index, _scalar(values[arguments[0]]), exponent)
+            case Call():
+                return self.call(index, node, values)
+            case MatrixNode(_, columns):
+                entries = [_scalar(values[a]) for a in arguments]
+                return Matrix(tuple(tuple(entries[start:start + columns])
+                                    for start in range(0, len(entries), columns)))
+            case DerivativeNode(symbol):
+                inner = values[arguments[0]]
+                if isinstance(inner, Matrix):
+                    return inner.rebuilt([self._derivative(e, symbol) for e in inner.entries()])
+                return self._derivative(inner, symbol)
+            case AtNode(symbol):
+                new = _scalar(values[arguments[1]])
+                inner = values[arguments[0]]
+                if isinstance(inner, Matrix):
+                    return inner.rebuilt([self._at(e, symbol, new) for e in inner.entries()])
+                return self._at(inner, symbol, new)
+
+    def _operation(self, operator: str, arguments: list[Value]) -> Value:
+        result = arguments[0]
+        if operator == "neg":
+            minus_one = number(self.tower.field, -1)
+            return self._multiplied(minus_one, result)
+        for argument in arguments[1:]:
+            if operator == "add":
+                result = _added(result, argument)
+            elif operator == "mul":
+                result = self._multiplied(result, argument)
+            else:
+                divisor = _scalar(argument)
+                one = number(self.tower.field, 1)
+                if isinstance(result, Matrix):
+                    result = result.scaled(self.nonzero.quotient(one, divisor))
+                else:
+                    result = self.nonzero.quotient(result, divisor)
+        return result
+
+    def _multiplied(self, left: Value, right: Value) -> Value:
+        if isinstance(left, Matrix):
+            return left.times(right) if isinstance(right, Matrix) else left.scaled(right)
+        return right.scaled(left) if isinstance(right, Matrix) else left * right
+
+    def _power(self, index: int, base: Ratio, exponent: Fraction) -> Ratio:
+        if exponent.denominator > 1:
+            base = self.root(index, base, exponent.denominator)
+        if exponent < 0:
+            base = self.nonzero.quotient(number(self.tower.field, 1), base)
+        return base.power(abs(exponent.numerator))
+
+    def _derivative(self, value: Ratio, symbol: str) -> Ratio:
+        return derivative(self.tower, value, symbol, self.nonzero)
+
+    def _at(self, value: Ratio, symbol: str, new: Ratio) -> Ratio:
+        return substituted(self.tower, value, symbol, new, self.nonzero)
+
+
+def _scalar(value: Value) -> Ratio:
+    if isinstance(value, Matrix):
+        raise RejectedError("a matrix stands where a number is wanted")
+    return value
+
+
+def _added(left: Value, right: Value) -> Value:
+    if isinstance(left, Matrix) and isinstance(right, Matrix):
+        return left.plus(right)
+    return _scalar(left) + _scalar(right)

@@ -1,0 +1,135 @@
+"""Parameters and positive roots: reduction by the relations, and what is manifestly positive.
+
+A field here is a list of real variables in a fixed order: parameters, each on a half line; then
+generators, each the positive real root ``y^n = radicand`` of a polynomial in earlier variables;
+then free symbols, about which nothing is known. Two polynomials whose difference reduces to zero
+are equal at every point. The converse may fail (when a radicand is a perfect power): then a true
+statement is rejected, never a false one accepted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from gainproof.verify.certificate.polynomial import Polynomial, Ring
+from gainproof.verify.certificate.rejection import RejectedError
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A real variable above ``lower`` (open), or from ``lower`` on (closed)."""
+
+    symbol: str
+    lower: Fraction
+    closed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Generator:
+    """The positive real root y of ``y^power = radicand``."""
+
+    symbol: str
+    power: int
+    radicand: Polynomial
+
+
+class Field:
+    """Variables with their domains and relations.
+
+    Built up one variable at a time by the readers of towers: ``generators`` are only ever appended,
+    after the radicand has been shown manifestly positive.
+    """
+
+    __slots__ = ("free", "generators", "parameters", "ring")
+
+    def __init__(
+        self, ring: Ring, parameters: tuple[Parameter, ...], generators: tuple[Generator, ...],
+        free: tuple[str, ...],
+    ) -> None:
+        self.ring = ring
+        self.parameters = parameters
+        self.generators = generators
+        self.free = free
+
+    def position(self, generator_number: int) -> int:
+        """The place of a generator among all variables."""
+        return len(self.parameters) + generator_number
+
+    def variables(self) -> tuple[str, ...]:
+        """The names of all variables in order."""
+        return (*(p.symbol for p in self.parameters), *(g.symbol for g in self.generators),
+                *self.free)
+
+    def relation(self, generator_number: int) -> Polynomial:
+        """``y^n - radicand``, which vanishes at every point of the field."""
+        generator = self.generators[generator_number]
+        top = self.ring.monomial({self.position(generator_number): generator.power})
+        return top - generator.radicand
+
+    def reduce(self, polynomial: Polynomial) -> Polynomial:
+        """The remainder by the relations: every generator y has an exponent below its n."""
+        for number in range(len(self.generators) - 1, -1, -1):
+            polynomial = self._reduce_by(number, polynomial)
+        return polynomial
+
+    def _reduce_by(self, number: int, polynomial: Polynomial) -> Polynomial:
+        generator, position = self.generators[number], self.position(number)
+        parts = polynomial.by_power(position)
+        if max(parts, default=0) < generator.power:
+            return polynomial
+        result = self.ring.constant(0)
+        for quotient in range(max(parts) // generator.power, -1, -1):
+            result = result * generator.radicand
+            for rest in range(generator.power):
+                part = parts.get(quotient * generator.power + rest)
+                if part is not None:
+                    result = result + part * self.ring.monomial({position: rest})
+        return result
+
+    def is_zero(self, polynomial: Polynomial) -> bool:
+        """Whether the polynomial is shown to vanish everywhere."""
+        return not self.reduce(polynomial)
+
+    def shifted(self, polynomial: Polynomial) -> Polynomial:
+        """The polynomial in the distances x = parameter - lower >= 0."""
+        for position, parameter in enumerate(self.parameters):
+            if parameter.lower and polynomial.occurs(position):
+                distance = self.ring.variable(position) + self.ring.constant(parameter.lower)
+                polynomial = polynomial.substitute(position, distance)
+        return polynomial
+
+    def positive_inside(self, polynomial: Polynomial) -> bool:
+        """Positive wherever no parameter lies at the end of its domain.
+
+        Nonempty, no free symbol, and every coefficient positive in the distances from the ends.
+        """
+        if not polynomial or self.has_free(polynomial):
+            return False
+        return all(c > 0 for c in self.shifted(polynomial).terms.values())
+
+    def positive(self, polynomial: Polynomial) -> bool:
+        """Manifestly positive: positive inside, and one term does not vanish at a closed end."""
+        if not self.positive_inside(polynomial):
+            return False
+        closed = [i for i, parameter in enumerate(self.parameters) if parameter.closed]
+        return any(not any(m[i] for i in closed) for m in self.shifted(polynomial).terms)
+
+    def nonnegative(self, polynomial: Polynomial) -> bool:
+        """Manifestly nonnegative: zero, or positive inside."""
+        return not polynomial or self.positive_inside(polynomial)
+
+    def has_free(self, polynomial: Polynomial) -> bool:
+        """Whether a free symbol occurs."""
+        return any(polynomial.occurs(i) for i in self.free_positions())
+
+    def free_positions(self) -> range:
+        """The places of the free symbols among all variables."""
+        first = len(self.parameters) + len(self.generators)
+        return range(first, first + len(self.free))
+
+    def with_generator(self, generator: Generator) -> Field:
+        """The same field with one more generator, whose radicand must be manifestly positive."""
+        if not self.positive(generator.radicand):
+            raise RejectedError(f"the radicand of {generator.symbol!r} is not manifestly positive")
+        return Field(self.ring, self.parameters, (*self.generators, generator), self.free)

@@ -1,0 +1,153 @@
+"""Kernels: the graph that is printed as code has, in exact arithmetic, the claimed values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gainproof.verify.certificate import schema
+from gainproof.verify.certificate.case import Case, Program
+from gainproof.verify.certificate.expression import Evaluation, Value
+from gainproof.verify.certificate.graph import Call, Graph
+from gainproof.verify.certificate.matrix import Matrix
+from gainproof.verify.certificate.nonzero import Nonzero
+from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.ratio import Ratio
+from gainproof.verify.certificate.rejection import RejectedError
+from gainproof.verify.certificate.tower import Tower
+from gainproof.verify.certificate.written import WrittenFraction
+
+_CHOICES: Mapping[str, tuple[str, ...]] = {
+    "select": ("then", "else"), "abs": ("positive", "negative"),
+}
+
+
+def program(case: Case) -> str:
+    """Each claimed output of the program equals its expression at every point of the tower.
+
+    Claim: program (name), outputs (for each output a graph).
+    Evidence: roots (for each evaluated power with a fractional exponent its root, manifestly
+    nonnegative), branches and gaps (for each evaluated ``select`` and ``abs``), nonzero.
+    """
+    claim = case.claims("program", "outputs")
+    evidence = case.evidences("roots", "branches", "gaps", "nonzero")
+    name = schema.name(claim["program"], f"{case.place}.claim.program")
+    if name not in case.programs:
+        raise RejectedError(f"the program {name!r} is not in the certificate")
+    kernel = case.programs[name]
+    nonzero = case.nonzero(evidence["nonzero"])
+    claimed = schema.table(claim["outputs"], f"{case.place}.claim.outputs")
+    if not claimed:
+        raise RejectedError("no output is claimed")
+    for output in claimed:
+        if output not in kernel.graph.outputs:
+            raise RejectedError(f"the program has no output {output!r}")
+    roots = _fractions(case, evidence["roots"], "roots")
+    branches = _branches(case, evidence["branches"], kernel.graph)
+    gaps = _fractions(case, evidence["gaps"], "gaps")
+    run = _Run(case, nonzero, kernel, roots, branches, gaps)
+    found = run.outputs(kernel.graph, tuple(claimed))
+    run.finish()
+    evaluation = case.evaluation(nonzero)
+    for output, value in found.items():
+        wanted = evaluation.scalar(case.expression(claimed[output], f"outputs.{output}"))
+        if isinstance(value, Matrix) or not value.equals(wanted):
+            raise RejectedError(f"the output {output!r} does not equal the claimed expression")
+    case.finish(nonzero)
+    return "proved"
+
+
+class _Run(Evaluation):
+    """Evaluates a kernel: inputs stand for elements, roots and branches come with evidence."""
+
+    def __init__(
+        self, case: Case, nonzero: Nonzero, kernel: Program,
+        roots: Mapping[int, WrittenFraction], branches: Mapping[int, str],
+        gaps: Mapping[int, WrittenFraction],
+    ) -> None:
+        super().__init__(case.tower, nonzero)
+        self._inputs = _input_values(case.tower, case.evaluation(nonzero), kernel)
+        self._roots = dict(roots)
+        self._branches = dict(branches)
+        self._gaps = dict(gaps)
+        self._visited: set[int] = set()
+
+    def skipped(self, graph: Graph) -> Mapping[int, int]:
+        del graph
+        return {index: 3 if choice == "then" else 2
+                for index, choice in self._branches.items() if choice in ("then", "else")}
+
+    def symbol(self, name: str) -> Ratio:
+        if name not in self._inputs:
+            raise RejectedError(f"the symbol {name!r} is not an input of the program")
+        return self._inputs[name]
+
+    def root(self, index: int, base: Ratio, degree: int) -> Ratio:
+        if index not in self._roots:
+            raise RejectedError("no root is given")
+        self._visited.add(index)
+        root = self._roots[index].nonnegative(self.tower.field)
+        if not root.power(degree).equals(base):
+            raise RejectedError("the root given is not a root of the base")
+        return root
+
+    def call(self, index: int, node: Call, values: Mapping[int, Value]) -> Ratio:
+        if index not in self._branches or index not in self._gaps:
+            raise RejectedError(f"no branch or no gap is given for {node.function!r}")
+        self._visited.add(index)
+        choice, gap = self._branches[index], self._gaps[index]
+        first = self._scalar(values, node.arguments[0])
+        if node.function == "abs":
+            result = first if choice == "positive" else -first
+            self._require(gap.nonnegative(self.tower.field), result)
+            return result
+        second = self._scalar(values, node.arguments[1])
+        if choice == "then":
+            self._require(gap.positive(self.tower.field), second - first)
+            return self._scalar(values, node.arguments[2])
+        self._require(gap.nonnegative(self.tower.field), first - second)
+        return self._scalar(values, node.arguments[3])
+
+    def finish(self) -> None:
+        """Reject evidence for nodes that were not evaluated."""
+        for listed, what in ((self._roots, "roots"), (self._branches, "branches"),
+                             (self._gaps, "gaps")):
+            schema.unused({str(i) for i in listed if i not in self._visited}, "nodes", what)
+
+    def _scalar(self, values: Mapping[int, Value], index: int) -> Ratio:
+        value = values[index]
+        if isinstance(value, Matrix):
+            raise RejectedError("a matrix stands where a number is wanted")
+        return value
+
+    def _require(self, gap: Ratio, difference: Ratio) -> None:
+        if not gap.equals(difference):
+            raise RejectedError("the gap given is not the difference that decides the branch")
+
+
+def _input_values(
+    tower: Tower, evaluation: Evaluation, kernel: Program,
+) -> dict[str, Ratio]:
+    return {
+        name: tower.value(meaning) if isinstance(meaning, str) else evaluation.scalar(meaning)
+        for name, meaning in kernel.inputs.items()
+    }
+
+
+def _fractions(case: Case, value: Plain, field: str) -> dict[int, WrittenFraction]:
+    place = f"{case.place}.evidence.{field}"
+    return {schema.index(key, place): case.fraction(entry, f"{field}.{key}")
+            for key, entry in schema.table(value, place).items()}
+
+
+def _branches(case: Case, value: Plain, graph: Graph) -> dict[int, str]:
+    place = f"{case.place}.evidence.branches"
+    branches: dict[int, str] = {}
+    for key, choice in schema.table(value, place).items():
+        index = schema.index(key, place)
+        node = graph.nodes[index] if index < len(graph.nodes) else None
+        if not isinstance(node, Call):
+            raise RejectedError(f"{place}: node {key} has no branches")
+        if not isinstance(choice, str) or choice not in _CHOICES[node.function]:
+            raise RejectedError(f"{place}.{key}: one of {_CHOICES[node.function]} is wanted")
+        branches[index] = choice
+    return branches

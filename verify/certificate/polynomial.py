@@ -1,0 +1,187 @@
+"""Polynomials with rational coefficients in a fixed number of variables, exactly.
+
+A polynomial is a table from exponents to nonzero integers over one common positive denominator:
+integer products are much faster than products of fractions. Results are always in lowest terms, so
+equal polynomials have equal tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import gcd
+from operator import add
+
+from gainproof.verify.certificate.rejection import (
+    MAXIMUM_COEFFICIENT_BITS,
+    MAXIMUM_EXPONENT,
+    Meter,
+    RejectedError,
+)
+
+Monomial = tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ring:
+    """The polynomials in ``size`` variables, and the meter of the work done with them."""
+
+    size: int
+    meter: Meter
+
+    def constant(self, value: Fraction | int) -> Polynomial:
+        """A number as a polynomial."""
+        return self.polynomial({(0,) * self.size: Fraction(value)})
+
+    def variable(self, position: int) -> Polynomial:
+        """The variable at ``position``."""
+        return self.monomial({position: 1})
+
+    def monomial(self, exponents: Mapping[int, int]) -> Polynomial:
+        """The product of powers of the variables at the given positions."""
+        return self.polynomial({tuple(exponents.get(i, 0) for i in range(self.size)): Fraction(1)})
+
+    def polynomial(self, terms: Mapping[Monomial, Fraction]) -> Polynomial:
+        """The polynomial with these terms; zero coefficients are dropped."""
+        common = 1
+        for coefficient in terms.values():
+            denominator = coefficient.denominator
+            common = common // gcd(common, denominator) * denominator
+        return self.normal({m: c.numerator * (common // c.denominator)
+                            for m, c in terms.items()}, common)
+
+    def normal(self, terms: dict[Monomial, int], denominator: int) -> Polynomial:
+        """Bring integer terms over a positive denominator to lowest terms, within the limits."""
+        terms = {m: c for m, c in terms.items() if c}
+        if denominator != 1:
+            common = gcd(denominator, *terms.values())
+            if common != 1:
+                denominator //= common
+                terms = {m: c // common for m, c in terms.items()}
+        if denominator.bit_length() > MAXIMUM_COEFFICIENT_BITS or any(
+            c.bit_length() > MAXIMUM_COEFFICIENT_BITS for c in terms.values()
+        ):
+            raise RejectedError("a coefficient grew beyond every need")
+        if any(max(m, default=0) > MAXIMUM_EXPONENT for m in terms):
+            raise RejectedError(f"an exponent grew beyond {MAXIMUM_EXPONENT}")
+        return Polynomial(self, terms, denominator)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Polynomial:
+    """``sum terms[m] x^m / denominator``, in lowest terms. Made by a Ring only."""
+
+    ring: Ring
+    terms: Mapping[Monomial, int]
+    denominator: int
+
+    def __bool__(self) -> bool:
+        return bool(self.terms)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Polynomial):
+            return NotImplemented
+        return (self.ring is other.ring and self.denominator == other.denominator
+                and self.terms == other.terms)
+
+    def __hash__(self) -> int:
+        return hash((self.denominator, frozenset(self.terms.items())))
+
+    def __neg__(self) -> Polynomial:
+        return Polynomial(self.ring, {m: -c for m, c in self.terms.items()}, self.denominator)
+
+    def __add__(self, other: Polynomial) -> Polynomial:
+        self._same_ring(other)
+        self.ring.meter.spend(len(self.terms) + len(other.terms))
+        common = gcd(self.denominator, other.denominator)
+        mine, theirs = other.denominator // common, self.denominator // common
+        total = {m: c * mine for m, c in self.terms.items()}
+        for monomial, coefficient in other.terms.items():
+            total[monomial] = total.get(monomial, 0) + coefficient * theirs
+        return self.ring.normal(total, self.denominator * mine)
+
+    def __sub__(self, other: Polynomial) -> Polynomial:
+        return self + -other
+
+    def __mul__(self, other: Polynomial) -> Polynomial:
+        self._same_ring(other)
+        self.ring.meter.spend(self._cost(other))
+        product: dict[Monomial, int] = {}
+        for left, first in self.terms.items():
+            for right, second in other.terms.items():
+                monomial = tuple(map(add, left, right))
+                product[monomial] = product.get(monomial, 0) + first * second
+        return self.ring.normal(product, self.denominator * other.denominator)
+
+    def __pow__(self, exponent: int) -> Polynomial:
+        """A nonnegative integer power."""
+        result = self.ring.constant(1)
+        for _ in range(exponent):
+            result = result * self
+        return result
+
+    def times(self, factor: Fraction) -> Polynomial:
+        """This polynomial times a number."""
+        scaled = {m: c * factor.numerator for m, c in self.terms.items()}
+        return self.ring.normal(scaled, self.denominator * factor.denominator)
+
+    def coefficients(self) -> Iterable[tuple[Monomial, Fraction]]:
+        """The terms as pairs (exponents, coefficient)."""
+        return ((m, Fraction(c, self.denominator)) for m, c in self.terms.items())
+
+    def constant_value(self) -> Fraction | None:
+        """The number this polynomial is, or None if a variable occurs."""
+        if not self.terms:
+            return Fraction(0)
+        if any(any(m) for m in self.terms):
+            return None
+        return Fraction(next(iter(self.terms.values())), self.denominator)
+
+    def occurs(self, position: int) -> bool:
+        """Whether the variable at ``position`` occurs."""
+        return any(m[position] for m in self.terms)
+
+    def by_power(self, position: int) -> dict[int, Polynomial]:
+        """The coefficients of the powers of one variable, itself removed."""
+        parts: dict[int, dict[Monomial, int]] = {}
+        for monomial, coefficient in self.terms.items():
+            rest = (*monomial[:position], 0, *monomial[position + 1:])
+            parts.setdefault(monomial[position], {})[rest] = coefficient
+        return {e: self.ring.normal(part, self.denominator) for e, part in parts.items()}
+
+    def substitute(self, position: int, value: Polynomial) -> Polynomial:
+        """Put a polynomial for one variable (Horner)."""
+        parts = self.by_power(position)
+        result = self.ring.constant(0)
+        for exponent in range(max(parts, default=0), -1, -1):
+            result = result * value
+            if exponent in parts:
+                result = result + parts[exponent]
+        return result
+
+    def partial(self, position: int) -> Polynomial:
+        """The partial derivative by one variable."""
+        lowered = {
+            (*m[:position], m[position] - 1, *m[position + 1:]): c * m[position]
+            for m, c in self.terms.items() if m[position]
+        }
+        return self.ring.normal(lowered, self.denominator)
+
+    def primitive(self) -> tuple[Fraction, Polynomial]:
+        """A positive number and a polynomial of coprime integers whose product this is."""
+        content = gcd(*self.terms.values()) if self.terms else 1
+        factor = Fraction(content, self.denominator)
+        return factor, Polynomial(self.ring, {m: c // content for m, c in self.terms.items()}, 1)
+
+    def _same_ring(self, other: Polynomial) -> None:
+        if self.ring is not other.ring:
+            raise RejectedError("polynomials over different variables met")
+
+    def _cost(self, other: Polynomial) -> int:
+        bits = _bits(self) + _bits(other)
+        return len(self.terms) * len(other.terms) * (1 + bits // 1024) + 1
+
+
+def _bits(polynomial: Polynomial) -> int:
+    return max((c.bit_length() for c in polynomial.terms.values()), default=0)

@@ -1,0 +1,45 @@
+"""The one way a certificate fails, and the limits that keep every failure quick.
+
+A certificate is untrusted input: whatever it holds, checking it ends in bounded time and memory.
+The limits are far above what an honest certificate needs.
+"""
+
+from __future__ import annotations
+
+MAXIMUM_PLAIN_VALUES = 2_000_000
+MAXIMUM_DEPTH = 24
+MAXIMUM_TEXT = 4_000
+MAXIMUM_NUMBER_TEXT = 1_000
+MAXIMUM_STATEMENTS = 1_000
+MAXIMUM_ELEMENTS = 500
+MAXIMUM_VARIABLES = 24
+MAXIMUM_NODES = 4_000
+MAXIMUM_TERMS = 20_000
+MAXIMUM_EXPONENT = 1_000
+MAXIMUM_POWER = 64
+MAXIMUM_ROOT = 12
+MAXIMUM_COEFFICIENT_BITS = 40_000
+MAXIMUM_ORDER = 8
+MAXIMUM_WORK = 20_000_000
+
+
+class RejectedError(Exception):
+    """The certificate, or one statement of it, is not accepted; the text says what was wanted."""
+
+
+class Meter:
+    """Counts the products of terms formed so far and rejects when there are too many.
+
+    One meter serves a whole check, so that a hostile file is given up after a bounded effort.
+    """
+
+    __slots__ = ("remaining",)
+
+    def __init__(self, work: int = MAXIMUM_WORK) -> None:
+        self.remaining = work
+
+    def spend(self, work: int) -> None:
+        """Count ``work`` more products. Raises RejectedError when the allowance is used up."""
+        self.remaining -= work
+        if self.remaining < 0:
+            raise RejectedError("given up: more arithmetic than any certificate needs")

@@ -1,0 +1,37 @@
+"""What came of checking a certificate."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class StatementResult:
+    """One statement: ``status`` is "proved", "cited", "definition" or "rejected".
+
+    ``reason`` is empty unless it was rejected; ``seconds`` is the time its check took.
+    """
+
+    id: str
+    kind: str
+    status: str
+    reason: str
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class CertificateReport:
+    """A whole certificate.
+
+    ``accepted`` holds when the file is well formed, agrees with everything expected of it, has a
+    proved statement, and no statement was rejected. Otherwise ``reason`` says what failed first.
+    """
+
+    subject: str
+    accepted: bool
+    reason: str
+    statements: tuple[StatementResult, ...]
+
+    def count(self, status: str) -> int:
+        """How many statements have this status."""
+        return sum(result.status == status for result in self.statements)
