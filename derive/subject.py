@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -60,19 +60,53 @@ class Subject:
 
     def certificate(self) -> dict[str, Any]:
         """Towers, programs, and every step's claim with its evidence."""
-        used = {step.tower for step in self.derivation.steps}
+        claims = self.claims()
         return {
             "format": FORMAT,
             "subject": self.name,
             "towers": {
-                name: tower_data(tower) for name, tower in self.towers.items() if name in used
+                name: _with_elements(tower_data(tower), self._names(claims, name))
+                for name, tower in self.towers.items()
+                if any(claim["tower"] == name for claim in claims)
             },
             "programs": {
-                name: {"inputs": dict(program.inputs), "graph": program.graph}
+                name: {"inputs": dict(program.inputs), "graph": _unnamed(program.graph)}
                 for name, program in self.programs.items()
             },
             "statements": [
                 {**claim, "evidence": evidence(step, self.towers[step.tower])}
-                for claim, step in zip(self.claims(), self.derivation.steps, strict=True)
+                for claim, step in zip(claims, self.derivation.steps, strict=True)
             ],
         }
+
+    def _names(self, claims: list[dict[str, Any]], tower: str) -> set[str]:
+        """Every text in the claims of one tower and in the inputs of their programs."""
+        found: set[str] = set()
+        for claim in claims:
+            if claim["tower"] == tower:
+                found |= set(_texts(claim["claim"]))
+                if claim["kind"] == "program":
+                    found |= set(self.programs[claim["claim"]["program"]].inputs.values())
+        return found
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping):
+        for entry in value.values():
+            yield from _texts(entry)
+    elif isinstance(value, (list, tuple)):
+        for entry in value:
+            yield from _texts(entry)
+
+
+def _with_elements(data: dict[str, Any], names: set[str]) -> dict[str, Any]:
+    """Only the elements that a statement names: what proves nothing is not kept."""
+    kept = {name: value for name, value in data["elements"].items() if name in names}
+    return {**data, "elements": kept}
+
+
+def _unnamed(graph: Graph) -> dict[str, Any]:
+    """The graph without the names of temporaries, which prove nothing."""
+    return {"nodes": graph["nodes"], "outputs": graph["outputs"]}

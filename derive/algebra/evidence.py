@@ -55,15 +55,18 @@ def _same_sign(step: Step, tower: Tower) -> Evidence:
 
 def _limit(step: Step, tower: Tower) -> Evidence:
     parts = step.relation.parts
-    return end_evidence(tower, step.hint["ends"][parts["point"]], parts["expression"])
+    return {
+        **end_evidence(tower, step.hint["ends"][parts["point"]]),
+        "nonzero": divisors_shown(tower, parts["expression"]),
+    }
 
 
 def _increasing_onto(step: Step, tower: Tower) -> Evidence:
     parts, ends = step.relation.parts, step.hint["ends"]
     return {
         "derivative": shown(tower, step.hint["form"]),
-        "start": end_evidence(tower, ends["0"], parts["expression"]),
-        "end": end_evidence(tower, ends["infinity"], parts["expression"]),
+        "start": end_evidence(tower, ends["0"]),
+        "end": end_evidence(tower, ends["infinity"]),
         "nonzero": divisors_shown(tower, parts["expression"]),
     }
 

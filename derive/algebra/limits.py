@@ -8,22 +8,20 @@ import sympy as sp
 from sympy.polys.rings import PolyRing
 
 from gainproof.derive.algebra.plain import poly_data
-from gainproof.derive.algebra.signs import divisors_shown
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.expression import real
 
 
-def end_evidence(tower: Tower, end: Any, expression: Any) -> dict[str, Any]:
-    """Weights, constants and boundary values of one end, with the divisors that need a sign."""
+def end_evidence(tower: Tower, end: Any) -> dict[str, Any]:
+    """Weights, constants and boundary values of one end of a tower."""
     names = list(end.constants)
     ring = PolyRing([real(name) for name in names], sp.QQ, sp.lex)
     return {
-        "weights": {entry.symbol: end.weights.get(entry.symbol, 0) for entry in tower.generators}
-        if end.weights
-        else {},
+        "weights": {entry.symbol: end.weights.get(entry.symbol, 0) for entry in tower.generators},
         "constants": [
             {
-                "symbol": name,
+                # A name of its own: a root of the same integer may be a generator of the tower.
+                "symbol": name.replace("root", "constant"),
                 "power": 2,
                 "radicand": [[str(end.constants[name]), [0] * len(names)]],
             }
@@ -33,5 +31,4 @@ def end_evidence(tower: Tower, end: Any, expression: Any) -> dict[str, Any]:
             entry.symbol: poly_data(ring.from_expr(sp.sympify(end.boundary[entry.symbol])))
             for entry in tower.generators
         },
-        "nonzero": divisors_shown(tower, expression),
     }

@@ -159,7 +159,6 @@ def start_steps(f: Fit) -> list[Step]:
     errors = tuple(f"d{n}" for n in range(1, size + 1))
     error = sp.ImmutableDenseMatrix([[real(name)] for name in errors])
     first = f.gain.subs(K, f.degree)
-    left = _error_matrix(f, f.degree) * error
     steps = [
         Step(
             "start-gain",
@@ -173,23 +172,23 @@ def start_steps(f: Fit) -> list[Step]:
         Step(
             "start",
             _start_sentence(f.degree),
-            equal(sp.ImmutableDenseMatrix(left), _start_errors(f.degree), free=errors),
+            equal(
+                sp.MatMul(_error_matrix(f, f.degree), error, evaluate=False),
+                _start_errors(f.degree),
+                free=errors,
+            ),
             "(I - K H) F applied to the error (d1, ...) of the state one sample earlier.",
         ),
     ]
     if f.degree:
-        product = sp.eye(size)
-        for number in range(f.degree + 1):
-            product = _error_matrix(f, number) * product
+        factors = [_error_matrix(f, number) for number in range(f.degree, -1, -1)]
         steps.append(
             Step(
                 "any-start",
                 f"Run from sample 0 with the formula's own gains, any start at all is forgotten "
                 f"at sample {f.degree}.",
                 equal(
-                    sp.ImmutableDenseMatrix(product * error),
-                    sp.zeros(size, 1).as_immutable(),
-                    free=errors,
+                    sp.MatMul(*factors, evaluate=False), sp.zeros(size, size).as_immutable()
                 ),
                 f"The product of (I - K H) F over samples 0..{f.degree} vanishes.",
             )
@@ -198,7 +197,7 @@ def start_steps(f: Fit) -> list[Step]:
 
 
 def _error_matrix(f: Fit, number: int) -> sp.ImmutableDenseMatrix:
-    gain = f.gain.subs(K, number)
+    gain = gain_vector(f.size).applyfunc(lambda entry: sp.Subs(entry, K, sp.Integer(number)))
     return sp.ImmutableDenseMatrix((sp.eye(f.size) - gain * f.measurement) * f.transition)
 
 

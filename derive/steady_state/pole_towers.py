@@ -64,7 +64,7 @@ def complex_tower(e: Fraction, n: Fraction) -> Tower:
     basis = symbolic_basis(e, n)
     elements["pole_real"] = 1 - (real("alpha") + real("beta")) / 2
     elements["pole_imaginary"] = poles.half_width(basis, BELOW, ABOVE)
-    return Tower("complex-poles", (Parameter("x"),), tuple(generators), elements)
+    return Tower("complex_poles", (Parameter("x"),), tuple(generators), elements)
 
 
 def complex_ends(e: Fraction) -> dict[str, End]:
@@ -123,7 +123,7 @@ def real_tower(e: Fraction, n: Fraction) -> Tower:
     first = middle_size(basis) + poles.half_width(basis, BELOW, ABOVE)
     elements["first_pole"] = -first
     elements["second_pole"] = real("rest") / real("first_pole")
-    return Tower("real-poles", (Parameter("g"),), tuple(generators), elements)
+    return Tower("real_poles", (Parameter("g"),), tuple(generators), elements)
 
 
 def middle_size(x: Basis) -> sp.Expr:

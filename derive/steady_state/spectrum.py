@@ -46,12 +46,17 @@ def closed_loop_matrix(model: ScaledModel) -> sp.ImmutableDenseMatrix:
     )
 
 
-def noise_numerator(model: ScaledModel) -> sp.Expr:
-    """H adj(zI - F) Q adj(I/z - F)' H' in z, unexpanded in v."""
+def noise_numerator(model: ScaledModel) -> sp.MatMul:
+    """H adj(zI - F) Q adj(I/z - F)' H', not multiplied out."""
     forward = (Z * sp.eye(2) - model.transition).adjugate()
     backward = (sp.eye(2) / Z - model.transition).adjugate()
     row, column = model.measurement * forward, (model.measurement * backward).T
-    return sp.expand((row * model.process_noise * column)[0, 0])
+    return sp.MatMul(
+        sp.ImmutableDenseMatrix(row),
+        model.process_noise,
+        sp.ImmutableDenseMatrix(column),
+        evaluate=False,
+    )
 
 
 def in_v(expression: sp.Expr, degree: int) -> sp.Expr:
@@ -82,7 +87,7 @@ def factorise(model: ScaledModel) -> Spectrum:
             f"model {model.name}: a position and its rate are wanted, with "
             f"det(zI - F) det(I/z - F) = v^2; it is {open_loop}"
         )
-    noise = in_v(noise_numerator(model), 1)
+    noise = in_v(sp.expand(noise_numerator(model).as_explicit()[0, 0]), 1)
     closed_loop = sp.collect(
         sp.expand((Z * sp.eye(2) - closed_loop_matrix(model)).det()), Z
     )

@@ -31,12 +31,13 @@ def model_steps(c: Context) -> list[Step]:
             described(_model_text(c)),
             "This is the model; everything below follows from it.",
         ),
+        *_scaling_steps(c),
         Step(
             "index",
             "In units of the sampling interval and of the measurement's standard deviation the "
             "model has one number left, the tracking index Lambda; its square is the noise ratio.",
             definition(INDEX**2, c.model.noise_ratio),
-            "The units of the state give the scaling.",
+            "What is left of the process noise is this ratio times a matrix of numbers.",
         ),
         Step(
             "open-loop",
@@ -47,7 +48,11 @@ def model_steps(c: Context) -> list[Step]:
         Step(
             "noise-spectrum",
             "The process noise reaches the measured position through this numerator.",
-            equal(noise_numerator(c.model), c.spectrum.noise.subs(V, v), free=("z",)),
+            equal(
+                noise_numerator(c.model),
+                sp.ImmutableDenseMatrix([[c.spectrum.noise.subs(V, v)]]),
+                free=("z",),
+            ),
             "H adj(zI - F) Q adj(I/z - F)' H', written in v.",
         ),
         Step(
@@ -61,6 +66,38 @@ def model_steps(c: Context) -> list[Step]:
             "c(z) = det(zI - F(I - K H)).",
         ),
     ]
+
+
+def _scaling_steps(c: Context) -> list[Step]:
+    """The scaled matrices are the model's own, in the units of the scaling."""
+    forward = sp.diag(*c.model.state_scale).as_immutable()
+    backward = sp.diag(*(1 / entry for entry in c.model.state_scale)).as_immutable()
+    free = tuple(quantity.name for quantity in c.original.quantities)
+    scaled = {
+        "transition": ((backward, c.original.transition, forward), c.model.transition),
+        "process noise": (
+            (backward, c.original.process_noise, backward),
+            c.model.noise_ratio * c.model.process_noise,
+        ),
+    }
+    return [
+        Step(
+            f"scaled-{name.replace(' ', '-')}",
+            f"The {name} in units of the sampling interval and the measurement's deviation.",
+            equal(
+                sp.MatMul(*factors, evaluate=False),
+                sp.ImmutableDenseMatrix(value),
+                free=_used(free, factors),
+            ),
+            "A state of unit m^a s^b is measured in sigma_v^a T^b.",
+        )
+        for name, (factors, value) in scaled.items()
+    ]
+
+
+def _used(names: tuple[str, ...], factors: tuple[sp.ImmutableDenseMatrix, ...]) -> tuple[str, ...]:
+    found = {str(symbol) for factor in factors for symbol in factor.free_symbols}
+    return tuple(name for name in names if name in found)
 
 
 def _model_text(c: Context) -> str:

@@ -87,7 +87,7 @@ def _never_real(c: Context) -> list[Step]:
 
 
 def _complex(c: Context, limit: sp.Rational) -> list[Step]:
-    name = "complex-poles"
+    name = "complex_poles"
     return [
         Step(
             "complex-range",
@@ -111,7 +111,7 @@ def _complex(c: Context, limit: sp.Rational) -> list[Step]:
 
 
 def _real(c: Context, limit: sp.Rational) -> list[Step]:
-    name = "real-poles"
+    name = "real_poles"
     return [
         Step(
             "real-range",
@@ -176,7 +176,7 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
             "kernel-complex-poles",
             sentence + " the complex poles below the turning index.",
             _pair(RE, IM),
-            "complex-poles",
+            "complex_poles",
             roots,
             {**below, "distance": "positive"},
             {**dict.fromkeys(choices, gap), "distance": gap},
@@ -187,7 +187,7 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
             "kernel-real-poles",
             sentence + " the real poles above the turning index.",
             first,
-            "real-poles",
+            "real_poles",
             roots,
             {**above, "distance": "negative", "middle_size": "negative"},
             {

@@ -46,11 +46,13 @@ def derivative_steps(c: Context) -> list[Step]:
 
 
 def inverse_tower(c: Context) -> Tower:
-    """The main tower with sqrt(e) as a further generator where it is irrational."""
+    """The main tower, with sqrt(e) as a further generator where it is irrational."""
     names = surd(c.e)[1] if c.e else {}
+    if not names:
+        return c.tower
     roots = tuple(Generator(name, sp.Integer(number)) for name, number in names.items())
     return Tower(
-        "with-root-of-e", c.tower.parameters, (*roots, *c.tower.generators), c.tower.expressions
+        "with_root_of_e", c.tower.parameters, (*roots, *c.tower.generators), c.tower.expressions
     )
 
 
@@ -107,7 +109,7 @@ def inverse_steps(c: Context) -> list[Step]:
             "1 - alpha from the velocity gain, and with it Lambda = beta/sqrt(1 - alpha).",
             equal(real("rest"), inverses.rest_from_beta(BETA, c.e, from_beta, root_e)),
             "Multiply 1 - alpha by its conjugate; its zeros in beta are where the index ends.",
-            tower="with-root-of-e",
+            tower=inverse_tower(c).name,
         ),
     ]
 

@@ -105,7 +105,7 @@ def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
                 },
             ),
             "Evaluate the kernel's graph in the tower.",
-            tower="with-root-of-e" if name == "index_from_beta" else "main",
+            tower=inverse_tower(c).name if name == "index_from_beta" else "main",
             hint={"graph": graph, "roots": roots},
             shown=False,
         )
