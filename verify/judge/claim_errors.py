@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
+
 from gainproof.verify.judge.reader.errors import ReaderError
 
 
 class ClaimFileError(ValueError):
     """A claim file that is not accepted.
 
-    `path` names the file, `where` the table and field (`claims.table1-2.latex`), `line` and `column` count from 1 and
-    are None where TOML does not tell them; `token` and `nearest` are those of a formula's error.
+    `path` names the file, `where` the table and field (`claims.table1-2.latex`), `line` and
+    `column` count from 1 and are None where TOML does not tell them; `token` and `nearest` are
+    those of a formula's error.
     """
 
     def __init__(
@@ -41,35 +44,34 @@ class FileText:
     def __init__(self, path: str, text: str) -> None:
         self.path = path
         self._lines = text.split("\n")
-
-    def line_of_assignment(self, key: str, value: str, start: int = 1) -> int | None:
-        """The first line from `start` on that reads `key = "value"`, in either kind of quotes."""
-        for number in range(start - 1, len(self._lines)):
-            left, equals, right = self._lines[number].partition("=")
-            if equals and left.strip() == key and right.strip()[1:].startswith(value):
-                rest = right.strip()[1 + len(value) :]
-                if rest[:1] in ("'", '"') and right.strip()[:1] == rest[:1]:
-                    return number + 1
-        return None
+        # looked up once for every symbol and claim, hence indexed once
+        self._keys: dict[str, list[int]] = {}
+        for number, line in enumerate(self._lines, start=1):
+            key = line.partition("=")[0].strip()
+            bare = key[1:-1] if key[:1] in ("'", '"') and key[-1:] == key[:1] else key
+            self._keys.setdefault(bare, []).append(number)
 
     def line_of_key(self, key: str, start: int = 1) -> int | None:
         """The first line from `start` on that begins with the key, bare or quoted."""
-        forms = (key, f"'{key}'", f'"{key}"')
-        for number in range(start - 1, len(self._lines)):
-            left, equals, _ = self._lines[number].partition("=")
-            if equals and left.strip() in forms:
-                return number + 1
+        numbers = self._keys.get(key, [])
+        position = bisect_left(numbers, start)
+        return numbers[position] if position < len(numbers) else None
+
+    def line_of_identifier(self, value: str, start: int = 1) -> int | None:
+        """The first line from `start` on that reads `id = "value"`, in either kind of quotes."""
+        numbers = self._keys.get("id", [])
+        for number in numbers[bisect_left(numbers, start) :]:
+            right = self._lines[number - 1].partition("=")[2].strip()
+            if right.startswith((f"'{value}'", f'"{value}"')):
+                return number
         return None
 
     def line_of_table(self, name: str) -> int | None:
         """The line of `[name]`."""
-        for number, line in enumerate(self._lines):
-            if line.strip().split("#")[0].strip() == f"[{name}]":
-                return number + 1
-        return None
+        return self.line_of_key(f"[{name}]")
 
     def place_of(self, value: str, start: int = 1) -> tuple[int, int] | None:
-        """Line and column where the first line of `value` stands literally, from line `start` on."""
+        """Line and column where the first line of `value` stands, from line `start` on."""
         first = value.lstrip("\n").split("\n", 1)[0]
         for number in range(start - 1, len(self._lines)):
             column = self._lines[number].find(first) if first else -1
@@ -84,7 +86,7 @@ class FileText:
     def formula_error(
         self, where: str, value: str, error: ReaderError, line: int | None
     ) -> ClaimFileError:
-        """A reader's error moved to its place in the file, if the formula stands there literally."""
+        """A reader's error moved to its place in the file, if the formula stands there."""
         place = self.place_of(value, line or 1)
         if place is None:
             shown = f"in the formula, {error}"

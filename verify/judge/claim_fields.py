@@ -1,4 +1,4 @@
-"""Fields of a TOML table taken one by one: each of the wanted type, none missing, none left over."""
+"""Fields of a TOML table taken one by one: each of its type, none missing, none left over."""
 
 from __future__ import annotations
 

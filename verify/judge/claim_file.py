@@ -1,6 +1,7 @@
 """Claim files: one TOML file a source, read into frozen records, everything checked.
 
-A claim file is untrusted input: nothing in it is evaluated, and its size and the number of its parts are limited.
+A claim file is untrusted input: nothing in it is evaluated, and its size and the number of its
+parts are limited.
 """
 
 from __future__ import annotations
@@ -29,7 +30,11 @@ from gainproof.verify.judge.claim_symbols import complete_symbols, read_declarat
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20
 MOST_LINE = 8000
-"""Characters of one line: TOML's dotted keys nest, and a line holds one formula at most."""
+"""Characters of one line, which holds one formula at most."""
+MOST_DOTS = 200
+"""Dots in one line: the keys of TOML nest at dots, and reading them takes time that grows with the
+square.
+"""
 MOST_AUTHORS = 50
 
 __all__ = [
@@ -48,7 +53,9 @@ __all__ = [
 
 
 def read_claim_file(path: str | Path) -> ClaimFile:
-    """The claim file at `path`. Raises ClaimFileError, which says where, for whatever is wrong with it."""
+    """The claim file at `path`. Raises ClaimFileError, which says where, for whatever is wrong with
+    it.
+    """
     name = str(path)
     try:
         with Path(path).open("rb") as stream:
@@ -76,9 +83,9 @@ def read_claim_text(text: str, path: str = "claims") -> ClaimFile:
         raise document.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")
     source = _source(file_text, document.take("source"))
     start = file_text.line_of_table("symbols") or 1
-    shared = read_declarations(file_text, "symbols", document.take("symbols") or {}, start)
-    symbols = complete_symbols(file_text, shared)
-    settings = read_settings(file_text, document.take("settings"), shared)
+    declared = read_declarations(file_text, "symbols", document.take("symbols") or {}, start)
+    symbols = complete_symbols(file_text, declared)
+    settings = read_settings(file_text, document.take("settings"), symbols)
     claims = read_claims(file_text, document.take("claims"), settings)
     document.finish()
     return ClaimFile(path, source, symbols, settings, claims)
@@ -89,6 +96,8 @@ def _refuse_characters(text: str, path: str) -> None:
     for number, line in enumerate(text.split("\n"), start=1):
         if len(line) > MOST_LINE:
             raise ClaimFileError(path, "", f"more than {MOST_LINE} characters in a line", number)
+        if line.count(".") > MOST_DOTS:
+            raise ClaimFileError(path, "", f"more than {MOST_DOTS} dots in a line", number)
         for column, character in enumerate(line, start=1):
             if character.isascii() and (character.isprintable() or character == "\t"):
                 continue

@@ -41,7 +41,7 @@ def read_claims(
     start = 1
     for number, content in enumerate(table, start=1):
         identifier = _identifier(text, number, content)
-        line = text.line_of_assignment("id", identifier, start) or start
+        line = text.line_of_identifier(identifier, start) or start
         if identifier in lines:
             problem = f"this id is already that of the claim of line {lines[identifier]}"
             raise text.error(f"claims.{identifier}.id", problem, line)

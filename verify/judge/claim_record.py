@@ -1,4 +1,4 @@
-"""The records of a claim file: source, symbols, settings, claims. Made and checked by `claim_file`."""
+"""The records of a claim file: source, symbols, settings, claims. `claim_file` makes them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,8 @@ CLAIM_KINDS = (
 * `definition`: nothing to decide but dimensions;
 * `recursion`: holds for every sample of the setting's filter, whose states are those of the batch;
 * `limit`: what the left side tends to where the one condition with an arrow says;
-* `implication`: the relations printed first imply those of the trailing parenthesis (or of the right of an arrow);
+* `implication`: the relations printed first imply those of the trailing parenthesis (or of the
+  right of an arrow);
 * `equivalence`: the same in both directions;
 * `determines`: each symbol of `about` fixes the others in this setting;
 * `remark`: a sentence without decidable content; its note says why.
@@ -62,8 +63,9 @@ class SymbolEntry:
 
     * `quantity`: the quantity of the setting's model that `quantity` names (see `quantity_names`);
     * `free`: any real number of `unit` for which `domain` holds;
-    * `definition`: short for `definition` (one reading or more; each reading has one relation, `token = formula`);
-      with `arguments` it is a function, called in graphs as `["call", latex, ...]`;
+    * `definition`: short for `definition` (one reading or more; each reading has one relation,
+      `token = formula`); with `arguments` it is a function, called in graphs as `["call", latex,
+      ...]`;
     * `undefined`: printed by the source and never defined by it.
     """
 
@@ -92,10 +94,11 @@ class OwnModel:
 class Setting:
     """What claims are about.
 
-    `kind` is `steady_state` (`model` is a catalogue name, `search`, or None with `own_model`), `growing_memory`
-    (least squares over all samples with a polynomial of `degree`), or `algebra` (no model: identities that follow
-    from the definitions). `gain` is `filter`, `predictor` or `search` (the source does not say).
-    `symbols` holds every symbol of the file with this setting's own declarations put over the file's.
+    `kind` is `steady_state` (`model` is a catalogue name, `search`, or None with `own_model`),
+    `growing_memory` (least squares over all samples with a polynomial of `degree`), or `algebra`
+    (no model: identities that follow from the definitions). `gain` is `filter`, `predictor` or
+    `search` (the source does not say). `symbols` holds every symbol of the file with this setting's
+    own declarations put over the file's.
     """
 
     name: str
@@ -113,10 +116,11 @@ class Setting:
 class Claim:
     """One claim in the order of the source.
 
-    `formula` is None for a claim in words, which `text` paraphrases (`latex` is then empty); `about` lists the symbols
-    that a claim of kind `determines` speaks of. `domain` holds the relations of the field `domain` (conditions printed in the
-    formula itself stay with the readings). `given` are relations taken as hypotheses. `line` is the line of the
-    claim's id in the file, 1 for the first.
+    `formula` is None for a claim in words, which `text` paraphrases (`latex` is then empty);
+    `about` lists the symbols that a claim of kind `determines` speaks of. `domain` holds the
+    relations of the field `domain` (conditions printed in the formula itself stay with the
+    readings). `given` are relations taken as hypotheses. `line` is the line of the claim's id in
+    the file, 1 for the first.
     """
 
     id: str

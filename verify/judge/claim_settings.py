@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields
 from gainproof.verify.judge.claim_record import OwnModel, Setting, SymbolEntry
-from gainproof.verify.judge.claim_symbols import Declaration, complete_symbols, read_declarations
+from gainproof.verify.judge.claim_symbols import complete_symbols, read_declarations
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.reader import read_expression
@@ -21,9 +21,9 @@ _MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
 
 
 def read_settings(
-    text: FileText, table: object, shared: Mapping[str, Declaration]
+    text: FileText, table: object, shared: Mapping[str, SymbolEntry]
 ) -> dict[str, Setting]:
-    """All settings by name; `shared` are the declarations of the file's own table of symbols."""
+    """All settings by name; `shared` are the symbols of the file's own table."""
     if not isinstance(table, Mapping) or not table:
         raise text.error("settings", "at least one table [settings.NAME] is wanted")
     if len(table) > MOST_SETTINGS:
@@ -32,7 +32,7 @@ def read_settings(
 
 
 def _setting(
-    text: FileText, name: str, content: object, shared: Mapping[str, Declaration]
+    text: FileText, name: str, content: object, shared: Mapping[str, SymbolEntry]
 ) -> Setting:
     where = f"settings.{name[:80]}"
     fields = Fields(text, where, content, text.line_of_table(where))
@@ -82,20 +82,13 @@ def _check_kind(
 
 
 def _symbols(
-    text: FileText, where: str, table: object, shared: Mapping[str, Declaration]
+    text: FileText, where: str, table: object, shared: Mapping[str, SymbolEntry]
 ) -> dict[str, SymbolEntry]:
     place = f"{where}.symbols"
-    own = {}
-    if table is not None:
-        own = read_declarations(text, place, table, text.line_of_table(place) or 1)
-    for name, declaration in own.items():
-        if name in shared:
-            problem = (
-                f"{name} shadows the symbol of the same name in [symbols]: "
-                "declare it in each setting that uses it, and not there"
-            )
-            raise text.error(place, problem, declaration.line)
-    return complete_symbols(text, {**shared, **own})
+    if table is None:
+        return dict(shared)
+    own = read_declarations(text, place, table, text.line_of_table(place) or 1)
+    return complete_symbols(text, own, shared)
 
 
 def _own_model(
@@ -103,6 +96,7 @@ def _own_model(
 ) -> OwnModel | None:
     if matrices["transition"] is None:
         return None
+    read: dict[str, tuple[tuple[Graph, ...], ...]]
     read = {name: _matrix(fields, name, matrices[name], symbols) for name in _MATRICES}
     states, measured = len(read["transition"]), len(read["measurement"])
     wanted = {

@@ -1,10 +1,14 @@
-"""The symbol tables of a claim file: declarations, definitions in terms of one another, no circles, no shadows."""
+"""The symbol tables of a claim file: declarations, definitions in terms of one another, no circles,
+no shadows.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
+from gainproof.verify.judge.claim_circles import find_circle
 from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields, nearest_hint
 from gainproof.verify.judge.claim_record import SymbolEntry, Unit
@@ -107,11 +111,20 @@ def _unit(fields: Fields, unit_text: str | None, quantity: str | None) -> Unit |
 
 
 def complete_symbols(
-    text: FileText, declarations: Mapping[str, Declaration]
+    text: FileText,
+    declarations: Mapping[str, Declaration],
+    shared: Mapping[str, SymbolEntry] = MappingProxyType({}),
 ) -> dict[str, SymbolEntry]:
-    """All entries with their definitions and domains read."""
-    bare = {name: declaration.entry for name, declaration in declarations.items()}
-    complete: dict[str, SymbolEntry] = {}
+    """The `shared` entries and those declared, whose definitions and domains may use all of them."""
+    for name, declaration in declarations.items():
+        if name in shared:
+            problem = (
+                f"{name} shadows the symbol of the same name in [symbols]: "
+                "declare it in each setting that uses it, and not there"
+            )
+            raise text.error(declaration.where, problem, declaration.line)
+    bare = {**shared, **{name: item.entry for name, item in declarations.items()}}
+    complete = dict(shared)
     for name, declaration in declarations.items():
         entry = declaration.entry
         for argument in entry.arguments:
@@ -125,7 +138,11 @@ def complete_symbols(
             definition=_definition(text, declaration, bare),
             domain=_domain(text, declaration, bare),
         )
-    _refuse_circles(text, declarations, complete)
+    circle = find_circle(complete)
+    if circle:
+        where = declarations[circle[0]]
+        problem = f"definitions go in a circle: {' -> '.join(circle)}"
+        raise text.error(where.where, problem, where.line)
     return complete
 
 
@@ -167,42 +184,3 @@ def _domain(
     except ReaderError as error:
         where = f"{declaration.where}.domain"
         raise text.formula_error(where, declaration.domain, error, declaration.line) from error
-
-
-def _refuse_circles(
-    text: FileText, declarations: Mapping[str, Declaration], entries: Mapping[str, SymbolEntry]
-) -> None:
-    """A definition must not come back to itself. Settles one definition after the other, without recursion."""
-    waiting = {name: _uses(entry) for name, entry in entries.items() if entry.definition}
-    while waiting:
-        settled = [name for name, used in waiting.items() if not used & waiting.keys()]
-        if not settled:
-            circle = _one_circle(waiting)
-            where = declarations[circle[0]]
-            raise text.error(
-                where.where, f"definitions go in a circle: {' -> '.join(circle)}", where.line
-            )
-        for name in settled:
-            del waiting[name]
-
-
-def _uses(entry: SymbolEntry) -> set[str]:
-    """The symbols on the right of the definition; the reader's list cannot tell, since it has the left one too."""
-    assert entry.definition is not None
-    used: set[str] = set()
-    for reading in entry.definition.readings:
-        for node in reading.relations[0].right["nodes"]:
-            if node[0] in ("symbol", "call"):
-                used.add(node[1])
-    return used - set(entry.arguments)
-
-
-def _one_circle(waiting: Mapping[str, set[str]]) -> list[str]:
-    path = [next(iter(waiting))]
-    while path[-1] not in path[:-1]:
-        path.append(next(name for name in _in_order(waiting[path[-1]]) if name in waiting))
-    return path[path.index(path[-1]) :]
-
-
-def _in_order(names: Iterable[str]) -> list[str]:
-    return sorted(names)

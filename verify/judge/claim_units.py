@@ -13,7 +13,7 @@ _MOST_POWER = 64
 def read_unit(text: str) -> Unit:
     """The unit that `text` names. ValueError says what is wrong.
 
-    Factors are `m`, `s`, `rad` or `1`, each with an optional power such as `^-2` or `^1/2`... written `^(1/2)`,
+    Factors are `m`, `s`, `rad` or `1`, each with an optional power such as `^-2` or `^(1/2)`,
     separated by blanks; what follows a slash is divided by, up to the end.
     """
     above, slash, below = text.partition("/") if "(" not in text else (text, "", "")

@@ -1,15 +1,18 @@
-"""What the reader hands over: a formula as relations between expression graphs, one list of them for each reading.
+"""What the reader hands over: a formula as relations between expression graphs, one list of them
+for each reading.
 
 Plain data only. An expression graph is `{"nodes": [...], "outputs": {"value": number}}` with nodes
 
-    ["number", "p/q"]  ["symbol", name]  ["add", i, j, ...]  ["mul", i, j, ...]  ["div", i, j]  ["neg", i]
-    ["pow", i, "p/q"]  ["call", name, i, ...]  ["derivative", i, symbol]
+    ["number", "p/q"]  ["symbol", name]  ["add", i, j, ...]  ["mul", i, j, ...]
+    ["div", i, j]  ["neg", i]  ["pow", i, "p/q"]  ["call", name, i, ...]
+    ["derivative", i, symbol]
 
-in which node numbers refer to earlier nodes and the name of a symbol is its canonical LaTeX token, for
-example `\\dot{x}_{sk-1}`. Equal subexpressions share one node, so two graphs are equal when they were read from
-formulas that differ in spelling only.
+in which node numbers refer to earlier nodes and the name of a symbol is its canonical LaTeX token,
+for example `\\dot{x}_{sk-1}`. Equal subexpressions share one node, so two graphs are equal when
+they were read from formulas that differ in spelling only.
 
-Calls made by the reader: `abs(x)`, `sum(summand, index, lower, upper)`, and the functions that a claim file declares.
+Calls made by the reader: `abs(x)`, `sum(summand, index, lower, upper)`, and the functions that a
+claim file declares.
 """
 
 from __future__ import annotations
@@ -28,7 +31,8 @@ MINUS_INFINITY: Graph = {"nodes": [["symbol", "infinity"], ["neg", 0]], "outputs
 
 @dataclass(frozen=True)
 class Relation:
-    """`left operator right`; the operator is one of `=`, `!=`, `<`, `<=`, `>`, `>=`, `approx`, `->`.
+    """`left operator right`; the operator is one of `=`, `!=`, `<`, `<=`, `>`, `>=`, `approx`,
+    `->`.
 
     A chain `a = b = c` is given as `a = b` and `b = c`.
     """
@@ -42,9 +46,10 @@ class Relation:
 class Reading:
     """One way to read a formula: all of `relations` are said to hold where all of `conditions` do.
 
-    `connective` is `if` for conditions in a trailing parenthesis, `iff` for `A \\Leftrightarrow B` and `implies` for
-    `A \\Rightarrow B`; in the latter two `relations` is A and `conditions` is B. Without conditions it is `if`.
-    `text` names the reading, and is None when the formula has only this one.
+    `connective` is `if` for conditions in a trailing parenthesis, `iff` for `A \\Leftrightarrow B`
+    and `implies` for `A \\Rightarrow B`; in the latter two `relations` is A and `conditions` is B.
+    Without conditions it is `if`. `text` names the reading, and is None when the formula has only
+    this one.
     """
 
     relations: tuple[Relation, ...]
@@ -55,7 +60,8 @@ class Reading:
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula as printed and its readings: several only where a slash stands before juxtaposed factors.
+    """A formula as printed and its readings: several only where a slash stands before juxtaposed
+    factors.
 
     `symbols` are the canonical tokens met, in order of appearance.
     """

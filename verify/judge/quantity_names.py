@@ -1,9 +1,10 @@
 """The quantities of a model that a claim file may name, with their units.
 
-Indices count from 1: `filter_gain.2` is the gain of the velocity. Gains are the dimensionless ones: the gain that
-multiplies the innovation in component i is `filter_gain.i` / T^(i-1). States are those of the filter of the setting:
-at sample k `predicted_state` uses samples 0 to k-1 and `updated_state` samples 0 to k; `previous_state` is the
-updated state of sample k-1. The index k of the first sample is 0.
+Indices count from 1: `filter_gain.2` is the gain of the velocity. Gains are the dimensionless ones:
+the gain that multiplies the innovation in component i is `filter_gain.i` / T^(i-1). States are
+those of the filter of the setting: at sample k `predicted_state` uses samples 0 to k-1 and
+`updated_state` samples 0 to k; `previous_state` is the updated state of sample k-1. The index k of
+the first sample is 0.
 """
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
-"""Brackets paired before parsing: kinds must match, depth is counted, parentheses that hold a relation are marked."""
+"""Brackets paired before parsing: kinds must match, depth is counted, parentheses that hold a
+relation are marked.
+"""
 
 from __future__ import annotations
 
@@ -21,12 +23,18 @@ _RELATIONS = frozenset(("EQUAL", "RELATION"))
 
 
 def pair_brackets(text: str, tokens: Sequence[FormulaToken]) -> tuple[FormulaToken, ...]:
-    """The tokens again, `OPEN` and `CLOSE` become `CONDITION_OPEN` and `CONDITION_CLOSE` where a relation stands
-    directly between them."""
+    """The tokens again, `OPEN` and `CLOSE` become `CONDITION_OPEN` and `CONDITION_CLOSE` where a
+    relation stands directly between them.
+    """
     result = list(tokens)
     stack: list[int] = []
     holds_relation: set[int] = set()
+    prefixes = 0
     for number, token in enumerate(tokens):
+        prefixes += token.kind in ("SUM", "PARTIAL_OPERATOR")
+        if prefixes > MOST_DEPTH:
+            problem = f"more than {MOST_DEPTH} sums and derivatives, which nest"
+            raise ReaderError(problem, text, token.start, token.value)
         if token.kind in _OPENING:
             stack.append(number)
             if len(stack) > MOST_DEPTH:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import cast
 
 from lark import Token, Tree
 
@@ -19,8 +18,9 @@ Branch = Tree[Token]
 
 
 def build_graph(tree: Branch, text: str, extents: Mapping[int, int]) -> Graph:
-    """The graph of one expression. `extents` maps the position of each ambiguous slash to the number of factors it
-    divides by."""
+    """The graph of one expression. `extents` maps the position of each ambiguous slash to the
+    number of factors it divides by.
+    """
     builder = _Builder(text, extents)
     return builder.nodes.graph(builder.value(tree))
 
@@ -92,7 +92,9 @@ class _Builder:
         return self._many("add", numbers)
 
     def _product(self, tree: Branch) -> int:
-        """Factors from left to right; a slash divides what came before by as many factors as its reading says."""
+        """Factors from left to right; a slash divides what came before by as many factors as its
+        reading says.
+        """
         parts = product_parts(tree, self.text)
         factors: list[int] = []
         position = 0
@@ -151,9 +153,11 @@ class _Builder:
 
 
 def extents_of(tree: Branch, text: str) -> dict[int, tuple[int, ...]]:
-    """Every ambiguous slash below `tree` by position, with the numbers of factors that it may divide by."""
+    """Every ambiguous slash below `tree` by position, with the numbers of factors that it may
+    divide by.
+    """
     found: dict[int, tuple[int, ...]] = {}
-    for product in tree.iter_subtrees_topdown():
+    for product in tree.iter_subtrees():
         if product.data == "product":
-            found.update(factors_under(cast(Branch, product), text))
+            found.update(factors_under(product, text))
     return found

@@ -10,7 +10,8 @@ from gainproof.verify.judge.reader.limits import MOST_EXPONENT
 
 
 def constant_value(tree: Tree[Token]) -> Fraction | None:
-    """The value of a number, a quotient of two numbers, or either with a sign; None for anything else.
+    """The value of a number, a quotient of two numbers, or either with a sign; None for anything
+    else.
 
     A number beyond the limit of exponents is given as it is: the caller refuses it.
     """

@@ -11,8 +11,9 @@ _MOST_SHOWN = 100
 class ReaderError(ValueError):
     """A formula that the reader does not accept.
 
-    `line` and `column` count from 1 within the formula; `token` is what was met there, `nearest` the declared names
-    closest to it (best first), `caret` the line of the formula with a mark under the place.
+    `line` and `column` count from 1 within the formula; `token` is what was met there, `nearest`
+    the declared names closest to it (best first), `caret` the line of the formula with a mark under
+    the place.
     """
 
     def __init__(

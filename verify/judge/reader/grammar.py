@@ -1,7 +1,8 @@
 """The grammar, LALR(1) without conflicts, and its parser.
 
-Not Earley: it finds many printed formulas ambiguous and settles them silently. The one ambiguity that is meant to be
-kept, a slash before juxtaposed factors, is left to `build`, which makes every reading of a flat product.
+Not Earley: it finds many printed formulas ambiguous and settles them silently. The one ambiguity
+that is meant to be kept, a slash before juxtaposed factors, is left to `build`, which makes every
+reading of a flat product.
 """
 
 from __future__ import annotations
@@ -52,7 +53,8 @@ divided: SLASH power
          | SYMBOL -> symbol
          | LEFT_BRACE expression RIGHT_BRACE -> group
 
-%declare NUMBER SYMBOL FUNCTION FRAC FRAC_PARTIAL PARTIAL_OPERATOR PARTIAL SQRT ROOT_OPEN ROOT_CLOSE SUM UNDER
+%declare NUMBER SYMBOL FUNCTION FRAC FRAC_PARTIAL PARTIAL_OPERATOR PARTIAL SQRT
+%declare ROOT_OPEN ROOT_CLOSE SUM UNDER
 %declare PLUS MINUS DOT DOT_BEFORE_BIG SLASH POWER COMMA AND CONNECTIVE EQUAL RELATION INFINITY
 %declare OPEN CLOSE CONDITION_OPEN CONDITION_CLOSE LEFT_BRACE RIGHT_BRACE BAR_OPEN BAR_CLOSE
 """
@@ -100,7 +102,7 @@ def parse_tokens(text: str, tokens: Sequence[FormulaToken], start: str) -> Tree[
     if not tokens:
         raise ReaderError("an empty formula", text, 0)
     try:
-        return _parser().parse(tokens, start=start)  # type: ignore[arg-type]  # the own lexer takes tokens
+        return _parser().parse(tokens, start=start)
     except UnexpectedToken as error:
         raise _unexpected(text, tokens, error) from None
     except UnexpectedInput as error:  # pragma: no cover - the own lexer raises nothing else

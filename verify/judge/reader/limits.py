@@ -1,4 +1,6 @@
-"""Limits on a formula, all checked before or while its tokens are made, so that no formula can hang the judge."""
+"""Limits on a formula, all checked before or while its tokens are made, so that no formula can hang
+the judge.
+"""
 
 MOST_CHARACTERS = 4000
 MOST_DEPTH = 40

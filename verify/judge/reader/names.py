@@ -1,55 +1,32 @@
-"""Symbols as printed: accents, letters, primes and subscripts, scanned by hand into one canonical spelling.
+"""Symbols as printed: accents, letters, primes and subscripts, scanned by hand into one canonical
+spelling.
 
 No regular expression: one with nested optional parts can take minutes on a few thousand accents.
-`\\dot x_{s k-1}`, `\\dot{x}_{sk-1}` and `\\dot{{x}}_{sk-1}` are one name, canonically `\\dot{x}_{sk-1}`.
+`\\dot x_{s k-1}`, `\\dot{x}_{sk-1}` and `\\dot{{x}}_{sk-1}` are one name, canonically
+`\\dot{x}_{sk-1}`.
 """
 
 from __future__ import annotations
 
+from gainproof.verify.judge.reader.alphabet import (
+    ACCENTS,
+    BLANKS,
+    GREEK,
+    command_at,
+    is_letter,
+    skip_space,
+)
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
 
-GREEK = frozenset(
-    "\\" + name
-    for name in (
-        "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho"
-        " varrho sigma varsigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi"
-        " Psi Omega ell"
-    ).split()
-)
-ACCENTS = frozenset(
-    "\\" + name
-    for name in (
-        "dot ddot dddot hat widehat tilde widetilde bar vec underline overline mathbf mathrm mathit mathcal boldsymbol"
-    ).split()
-)
-_SPACE = " \t\n"
-_SUBSCRIPT_CHARACTERS = frozenset("+-,()'*.=/")
+_SUBSCRIPT_CHARACTERS = frozenset("+-,()'*.=/_")
 _MOST_ACCENTS = 6
 
 
-def is_letter(character: str) -> bool:
-    """Whether it is an unaccented Latin letter."""
-    return character.isascii() and character.isalpha()
-
-
-def skip_space(text: str, position: int) -> int:
-    """The first position from `position` on that holds no blank."""
-    while position < len(text) and text[position] in _SPACE:
-        position += 1
-    return position
-
-
-def command_at(text: str, position: int) -> str:
-    """The LaTeX command whose backslash stands at `position`, e.g. `\\alpha` or `\\,`."""
-    end = position + 1
-    while end < len(text) and is_letter(text[end]):
-        end += 1
-    return text[position:end] if end > position + 1 else text[position : position + 2]
-
-
 def scan_base(text: str, position: int, accents: int = 0) -> tuple[str, int] | None:
-    """One accented or plain letter at `position` as (canonical text, end), or None where no symbol begins."""
+    """One accented or plain letter at `position` as (canonical text, end), or None where no symbol
+    begins.
+    """
     if position < len(text) and is_letter(text[position]):
         return text[position], position + 1
     if position >= len(text) or text[position] != "\\":
@@ -169,7 +146,7 @@ def _braced(text: str, opening: int) -> tuple[str, int]:
             pieces.append(command)
             position += len(command)
             continue
-        elif character in _SPACE:
+        elif character in BLANKS:
             position += 1
             continue
         elif not (

@@ -8,7 +8,9 @@ Node = tuple[str | int, ...]
 
 
 class NodeList:
-    """Collects nodes in the order in which they are first met; an equal node gets the number it already has."""
+    """Collects nodes in the order in which they are first met; an equal node gets the number it
+    already has.
+    """
 
     def __init__(self) -> None:
         self._numbers: dict[Node, int] = {}

@@ -28,17 +28,21 @@ Branch = Tree[Token]
 
 
 class Declared(Protocol):
-    """What the reader asks of a declared symbol: the names of its arguments, none unless it is a function."""
+    """What the reader asks of a declared symbol: the names of its arguments, none unless it is a
+    function.
+    """
 
     @property
     def arguments(self) -> tuple[str, ...]:
         """Names of the arguments."""
+        ...
 
 
 def read_formula(latex: str, symbols: Mapping[str, Declared]) -> Formula:
     """One or more relations, with conditions in trailing parentheses or joined by an arrow.
 
-    `symbols` maps canonical tokens to their declarations. Raises ReaderError for anything that is not read whole.
+    `symbols` maps canonical tokens to their declarations. Raises ReaderError for anything that is
+    not read whole.
     """
     tree, names = _parse(latex, symbols, "formula")
     readings = tuple(
@@ -48,7 +52,9 @@ def read_formula(latex: str, symbols: Mapping[str, Declared]) -> Formula:
 
 
 def read_conditions(text: str, symbols: Mapping[str, Declared]) -> tuple[Relation, ...]:
-    """Relations joined by commas or `and`, such as a domain. A slash with two readings is refused here."""
+    """Relations joined by commas or `and`, such as a domain. A slash with two readings is refused
+    here.
+    """
     tree, _ = _parse(text, symbols, "conditions")
     extents = extents_of(tree, text)
     if extents:
@@ -82,9 +88,7 @@ def _choices(tree: Branch, text: str) -> Iterator[tuple[dict[int, int], str | No
         problem = "too many slashes before juxtaposed factors: write \\frac or brackets"
         raise ReaderError(problem, text, places[0], "/")
     products = (
-        [found for found in tree.iter_subtrees_topdown() if found.data == "product"]
-        if places
-        else []
+        [found for found in tree.iter_subtrees() if found.data == "product"] if places else []
     )
     for choice in itertools.product(*(extents[place] for place in places)):
         words = []
@@ -119,11 +123,9 @@ def _relations(statements: Branch, text: str, extents: Mapping[int, int]) -> Ite
         for number, operator in enumerate(operators):
             left, right = sides[number], sides[number + 1]
             inner = children(right)[0]
-            if (
-                inner.data == "infinity"
-                and operator != "->"
-                or children(left)[0].data == "infinity"
-            ):
+            if (inner.data == "infinity" and operator != "->") or children(left)[
+                0
+            ].data == "infinity":
                 raise ReaderError(
                     "\\infty may only stand alone on the right of an arrow",
                     text,

@@ -1,4 +1,6 @@
-"""What a slash may divide by: `a/bc` is (a/b)c or a/(bc), and a reader who guesses is wrong half of the time."""
+"""What a slash may divide by: `a/bc` is (a/b)c or a/(bc), and a reader who guesses is wrong half of
+the time.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +13,9 @@ from gainproof.verify.judge.reader.limits import MOST_SLASHES
 
 
 class Part(NamedTuple):
-    """A factor with the way it joins what stands before: `first`, `juxtaposed`, `dotted` or `divided`; `place` is
-    where the operator or the factor begins."""
+    """A factor with the way it joins what stands before: `first`, `juxtaposed`, `dotted` or
+    `divided`; `place` is where the operator or the factor begins.
+    """
 
     operator: str
     place: int
@@ -32,7 +35,7 @@ def product_parts(tree: Tree[Token], text: str) -> list[Part]:
         assert isinstance(factor, Tree)
         leading = factor.children[0] if factor.data == "raised" else factor
         if child.data == "juxtaposed" and isinstance(leading, Tree) and leading.data == "number":
-            problem = "a number right after a factor: put braces round an exponent or a dot before the number"
+            problem = "a number right after a factor: brace an exponent or write a dot"
             raise ReaderError(problem, text, child.meta.start_pos, str(leading.children[0]))
         slashes += child.data == "divided"
         if slashes > MOST_SLASHES:
@@ -44,9 +47,11 @@ def product_parts(tree: Tree[Token], text: str) -> list[Part]:
 
 
 def factors_under(tree: Tree[Token], text: str) -> dict[int, tuple[int, ...]]:
-    """For each ambiguous slash of this product, by position, the numbers of factors that may stand under it.
+    """For each ambiguous slash of this product, by position, the numbers of factors that may stand
+    under it.
 
-    They are the first factor, the factors that follow it without a dot, and all factors up to the next slash.
+    They are the first factor, the factors that follow it without a dot, and all factors up to the
+    next slash.
     """
     parts = product_parts(tree, text)
     found: dict[int, tuple[int, ...]] = {}
@@ -66,7 +71,9 @@ def factors_under(tree: Tree[Token], text: str) -> dict[int, tuple[int, ...]]:
 
 
 def extent_text(tree: Tree[Token], text: str, place: int, extent: int) -> str | None:
-    """The factors that the slash at `place` of this product divides by, as printed; None if it is not there."""
+    """The factors that the slash at `place` of this product divides by, as printed; None if it is
+    not there.
+    """
     parts = product_parts(tree, text)
     for number, part in enumerate(parts):
         if part.operator == "divided" and part.place == place:

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class FormulaToken:
-    """`kind` is a terminal of the grammar, `value` the canonical text, `start` and `end` the place in the formula."""
+    """`kind` is a terminal of the grammar, `value` the canonical text, `start` and `end` the place
+    in the formula.
+    """
 
     kind: str
     value: str
@@ -100,3 +102,13 @@ MARKS = {
     "}": ("RIGHT_BRACE", "}"),
 }
 """One or two characters; the longer is tried first."""
+
+TAKES_ARGUMENTS = {
+    "FRAC": 2,
+    "FRAC_PARTIAL": 2,
+    "PARTIAL_OPERATOR": 2,
+    "SQRT": 1,
+    "POWER": 1,
+    "UNDER": 1,
+}
+"""How many arguments follow a token of this kind."""
