@@ -32,7 +32,9 @@ CATALOGUE: tuple[Entry, ...] = (
         continuous_white_acceleration.build,
     ),
     *(
-        Entry(least_squares.NAMES[degree], least_squares.TITLES[degree], least_squares.builder(degree))
+        Entry(
+            least_squares.NAMES[degree], least_squares.TITLES[degree], least_squares.builder(degree)
+        )
         for degree in range(3)
     ),
 )

@@ -20,7 +20,7 @@ INFINITY = "infinity"
 
 @dataclass(frozen=True)
 class Relation:
-    """One assertion. `parts` holds the claim: SymPy expressions and matrices, text and plain data."""
+    """One assertion; `parts` holds the claim: SymPy expressions, matrices, text, plain data."""
 
     kind: str
     parts: Mapping[str, Any] = field(default_factory=dict)

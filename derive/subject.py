@@ -27,7 +27,7 @@ class Program:
 
 @dataclass(frozen=True)
 class Subject:
-    """What one catalogue entry derives. `model` is None for subjects without a state-space model."""
+    """What one catalogue entry derives; `model` is None where there is no state-space model."""
 
     name: str
     title: str

@@ -27,7 +27,7 @@ def evidence(step: Step, tower: Tower) -> Evidence:
     return _WRITERS[step.relation.kind](step, tower)
 
 
-def _none(step: Step, tower: Tower) -> Evidence:
+def _none(_step: Step, _tower: Tower) -> Evidence:
     return {}
 
 

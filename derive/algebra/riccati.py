@@ -57,9 +57,7 @@ def riccati_evidence(step: Step, tower: Tower) -> dict[str, Any]:
         transition * covariance * transition.transpose() - covariance + noise
     ) * tower.ring.to_domain().convert(scale) - moved * moved.transpose()
     found = {
-        f"{i + 1},{j + 1}": [
-            poly_data(part) for part in cofactors(tower, residual[i, j].element)
-        ]
+        f"{i + 1},{j + 1}": [poly_data(part) for part in cofactors(tower, residual[i, j].element)]
         for i in range(size)
         for j in range(i, size)
     }

@@ -130,8 +130,9 @@ class Tower:
             total = Fraction(self.ring.zero, one)
             for part in value.args:
                 other = self.fraction(part)
-                total = self.make(total.num * other.den + other.num * total.den,
-                                  total.den * other.den)
+                total = self.make(
+                    total.num * other.den + other.num * total.den, total.den * other.den
+                )
             return total
         if isinstance(value, sp.Mul):
             product = Fraction(one, one)

@@ -57,22 +57,19 @@ def fit(degree: int) -> Fit:
     information = sp.ImmutableDenseMatrix(
         size,
         size,
-        lambda a, b: sp.factor(
-            (-1) ** (a + b) * sums[a + b] / (sp.factorial(a) * sp.factorial(b))
-        ),
+        lambda a, b: sp.factor((-1) ** (a + b) * sums[a + b] / (sp.factorial(a) * sp.factorial(b))),
     )
     covariance = sp.ImmutableDenseMatrix(information.inv().applyfunc(sp.factor))
     earlier = covariance.subs(K, K - 1)
-    predicted = sp.ImmutableDenseMatrix(
-        (transition * earlier * transition.T).applyfunc(sp.factor)
-    )
+    predicted = sp.ImmutableDenseMatrix((transition * earlier * transition.T).applyfunc(sp.factor))
     return Fit(degree, transition, measurement, sums, information, covariance, predicted)
 
 
 def entry_names(prefix: str, size: int) -> list[list[str]]:
     """Names of the entries of a symmetric matrix."""
-    return [[f"{prefix}_{min(i, j)}{max(i, j)}" for j in range(1, size + 1)]
-            for i in range(1, size + 1)]
+    return [
+        [f"{prefix}_{min(i, j)}{max(i, j)}" for j in range(1, size + 1)] for i in range(1, size + 1)
+    ]
 
 
 def named(prefix: str, size: int) -> sp.ImmutableDenseMatrix:
@@ -97,8 +94,7 @@ def _elements(f: Fit, predicted: bool) -> dict[str, sp.Expr]:
         for i in range(f.size):
             for j in range(i, f.size):
                 elements[names[i][j]] = matrix[i, j]
-    for name, value in zip(GAIN_NAMES, f.gain, strict=False):
-        elements[name] = value
+    elements |= dict(zip(GAIN_NAMES, f.gain, strict=False))
     return elements
 
 

@@ -22,9 +22,7 @@ def kernel_graphs(f: Fit) -> dict[str, Graph]:
         ("predicted_covariance", f.predicted, f.degree + 1),
     ):
         names = entry_names(kernel.removesuffix("_covariance"), f.size)
-        entries = {
-            names[i][j]: matrix[i, j] for i in range(f.size) for j in range(i, f.size)
-        }
+        entries = {names[i][j]: matrix[i, j] for i in range(f.size) for j in range(i, f.size)}
         graphs[kernel] = _graph(entries, first)
     return graphs
 
@@ -46,13 +44,13 @@ def _product(builder: GraphBuilder, number: Node, value: sp.Expr, first: int) ->
     constant, factors = sp.factor_list(sp.Poly(value, K))
     result: Node | None = None if constant == 1 else builder.number(int(constant))
     for factor, power in factors:
-        part = _horner(builder, number, factor, first)
+        part = _horner(number, factor, first)
         for _ in range(power):
             result = part if result is None else result * part
     return builder.number(1) if result is None else result
 
 
-def _horner(builder: GraphBuilder, number: Node, factor: sp.Poly, first: int) -> Node:
+def _horner(number: Node, factor: sp.Poly, first: int) -> Node:
     """A factor without minus signs: in k if it has none, linear as k - c, else in k - first."""
     coefficients = [int(entry) for entry in factor.all_coeffs()]
     base: Node = number

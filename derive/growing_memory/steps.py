@@ -64,9 +64,9 @@ def batch_steps(f: Fit) -> list[Step]:
                 sp.ImmutableDenseMatrix(
                     size,
                     size,
-                    lambda a, b: (-1) ** (a + b)
-                    * f.power_sums[a + b]
-                    / (sp.factorial(a) * sp.factorial(b)),
+                    lambda a, b: (
+                        (-1) ** (a + b) * f.power_sums[a + b] / (sp.factorial(a) * sp.factorial(b))
+                    ),
                 ),
             ),
             "Sum the squares of the rows (1, -j, j^2/2, ...).",
@@ -187,9 +187,7 @@ def start_steps(f: Fit) -> list[Step]:
                 "any-start",
                 f"Run from sample 0 with the formula's own gains, any start at all is forgotten "
                 f"at sample {f.degree}.",
-                equal(
-                    sp.MatMul(*factors, evaluate=False), sp.zeros(size, size).as_immutable()
-                ),
+                equal(sp.MatMul(*factors, evaluate=False), sp.zeros(size, size).as_immutable()),
                 f"The product of (I - K H) F over samples 0..{f.degree} vanishes.",
             )
         )
@@ -202,13 +200,18 @@ def _error_matrix(f: Fit, number: int) -> sp.ImmutableDenseMatrix:
 
 
 def _start_sentence(degree: int) -> str:
-    return (
+    sentences = (
         "Any start is admitted: the first sample replaces it.",
-        "A start at sample 0 is admitted exactly if its position is the first measurement; its "
-        "velocity does not matter.",
-        "A start at sample 1 is admitted exactly if its position and its velocity less half its "
-        "acceleration (in units T) are those of the line through the first two samples.",
-    )[degree]
+        (
+            "A start at sample 0 is admitted exactly if its position is the first measurement; "
+            "its velocity does not matter."
+        ),
+        (
+            "A start at sample 1 is admitted exactly if its position and its velocity less half "
+            "its acceleration (in units T) are those of the line through the first two samples."
+        ),
+    )
+    return sentences[degree]
 
 
 def _start_errors(degree: int) -> sp.ImmutableDenseMatrix:

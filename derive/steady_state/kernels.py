@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
-from gainproof.derive.steady_state import forms, inverses, poles
+from gainproof.derive.steady_state import inverses, poles
 from gainproof.derive.steady_state.forms import Basis, times
 
 Names = dict[str, Node]
@@ -36,7 +36,7 @@ FormsOf = Callable[[Basis], Mapping[str, Any]]
 
 
 def index_graph(e: Fraction, n: Fraction, *parts: FormsOf) -> Graph:
-    """The graph of the outputs of one or more forms; later ones with equal names are prefixed d_."""
+    """The graph of the outputs of one or more forms; a name met again is prefixed d_."""
     builder = GraphBuilder()
     basis, names = graph_basis(builder, e, n)
     outputs: dict[str, Any] = {}

@@ -6,7 +6,6 @@ import sympy as sp
 
 from gainproof.derive.expression import real
 
-
 INDEX = real("tracking_index")
 ROOT = real("p")
 ALPHA = real("alpha")

@@ -83,8 +83,12 @@ def complex_ends(e: Fraction) -> dict[str, End]:
         boundary = {name: value for name, (value, _) in chosen.items()}
         if e:
             boundary["G"] = high if number else sp.Integer(4)
-        ends[point] = _end(e, boundary, [entry for _, entry in chosen.values()],
-                           {**weights, "G": 2} if number else {})
+        ends[point] = _end(
+            e,
+            boundary,
+            [entry for _, entry in chosen.values()],
+            {**weights, "G": 2} if number else {},
+        )
     return ends
 
 
@@ -94,7 +98,7 @@ def _end(
     constants: list[dict[str, int]],
     weights: dict[str, int],
 ) -> End:
-    root, names = surd(1 - e)
+    names = surd(1 - e)[1]
     merged: dict[str, int] = dict(names)
     for entry in constants:
         merged |= entry

@@ -77,8 +77,7 @@ def factorise(model: ScaledModel) -> Spectrum:
     """
     open_loop = in_v(
         sp.expand(
-            (Z * sp.eye(2) - model.transition).det()
-            * (sp.eye(2) / Z - model.transition).det()
+            (Z * sp.eye(2) - model.transition).det() * (sp.eye(2) / Z - model.transition).det()
         ),
         2,
     )
@@ -88,9 +87,7 @@ def factorise(model: ScaledModel) -> Spectrum:
             f"det(zI - F) det(I/z - F) = v^2; it is {open_loop}"
         )
     noise = in_v(sp.expand(noise_numerator(model).as_explicit()[0, 0]), 1)
-    closed_loop = sp.collect(
-        sp.expand((Z * sp.eye(2) - closed_loop_matrix(model)).det()), Z
-    )
+    closed_loop = sp.collect(sp.expand((Z * sp.eye(2) - closed_loop_matrix(model)).det()), Z)
     variance, ratio = sp.symbols("S q")
     product = in_v(sp.expand(closed_loop * closed_loop.subs(Z, 1 / Z)), 2)
     difference = sp.Poly(V**2 + ratio * noise - variance * product, V)

@@ -155,13 +155,16 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
     sentence = "The kernel closed_loop_poles computes"
     if c.e == 1:
         outputs = _pair(1 - (ALPHA + BETA) / 2, poles.half_width(c.basis, None, None))
-        return [_program("kernel-poles", sentence + " them.", outputs, "main", roots, {}, {}, graph,
-                         reason)]
+        return [
+            _program(
+                "kernel-poles", sentence + " them.", outputs, "main", roots, {}, {}, graph, reason
+            )
+        ]
     limit = rational(8 / (1 - c.e))
     roots |= {"turning_root": turning_root(c.e), "below": BELOW, "above": ABOVE}
     choices = [f"choice_{number}" for number in range(1, 7)]
-    below = {name: "then" for name in choices}
-    above = {name: "else" for name in choices}
+    below = dict.fromkeys(choices, "then")
+    above = dict.fromkeys(choices, "else")
     first = {
         "first_real": FIRST,
         "first_imaginary": sp.Integer(0),

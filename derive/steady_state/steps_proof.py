@@ -48,9 +48,7 @@ def covariance_steps(c: Context) -> list[Step]:
             "The updated covariance in terms of the gains.",
             equal(
                 sp.ImmutableDenseMatrix([[x11, x12, x22]]),
-                sp.ImmutableDenseMatrix(
-                    [[ALPHA, BETA, BETA * (ALPHA - n * BETA) / (1 - ALPHA)]]
-                ),
+                sp.ImmutableDenseMatrix([[ALPHA, BETA, BETA * (ALPHA - n * BETA) / (1 - ALPHA)]]),
             ),
             "X = (I - K H) M.",
         ),
@@ -106,7 +104,7 @@ def proof_steps(c: Context) -> list[Step]:
         ),
         Step(
             "uniqueness",
-            "So this is the steady state: no other solution of the Riccati equation is stabilising.",
+            "So this is the steady state: no other solution of the Riccati equation stabilises.",
             cited(
                 "A discrete algebraic Riccati equation has at most one stabilising solution.",
                 RICCATI.text(),

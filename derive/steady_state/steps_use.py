@@ -136,9 +136,7 @@ def end_steps(c: Context) -> list[Step]:
         "predicted-11": (m11 / INDEX**2, sp.expand(far**2)),
         "predicted-12": (m12 / INDEX**2, far),
         "predicted-22": (m22 / INDEX**2, far + 1 - n),
-        "updated-22": (x22 / INDEX**2, far - n)
-        if far != n
-        else (x22 / INDEX, sp.Integer(2)),
+        "updated-22": (x22 / INDEX**2, far - n) if far != n else (x22 / INDEX, sp.Integer(2)),
     }
     words = {"0": "As the index falls to zero", "infinity": "As the index grows without bound"}
     steps = []

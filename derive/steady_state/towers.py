@@ -41,7 +41,7 @@ def root_of_16(e: Fraction) -> sp.Expr:
 
 
 def main_tower(e: Fraction, n: Fraction) -> Tower:
-    """p = sqrt(Lambda) > 0, H = sqrt(16 + e p^4), s = sqrt((1 + e) p^2 + 2 H)/2 and the steady state.
+    """p = sqrt(Lambda), H = sqrt(16 + e p^4), s = sqrt((1 + e) p^2 + 2 H)/2; the steady state.
 
     alpha, beta and the innovation's deviation are what factorisation gives; the covariances are
     those of `forms`.

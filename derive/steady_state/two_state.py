@@ -60,9 +60,7 @@ def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
         model=c.model,
         derivation=Derivation(model.title, OPENING, steps, sources, LATEX),
         towers={tower.name: tower for tower in towers},
-        programs={
-            name: Program(_inputs(name), graph) for name, graph in graphs.items()
-        },
+        programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
     )
 
@@ -120,9 +118,11 @@ def _meant(kernel: str, output: str) -> sp.Expr:
     if output.startswith("d_"):
         return sp.Derivative(real(named.get(output[2:], output[2:])), INDEX)
     value = real(named.get(output, output))
-    return sp.Derivative(value, INDEX) if kernel.endswith("_derivatives") and (
-        kernel != "gains_with_derivatives"
-    ) else value
+    return (
+        sp.Derivative(value, INDEX)
+        if kernel.endswith("_derivatives") and (kernel != "gains_with_derivatives")
+        else value
+    )
 
 
 def model_data(subject: Subject) -> dict[str, Any] | None:

@@ -60,8 +60,9 @@ def _model(noise: list[list[sp.Expr]], units=(METRE, METRE / SECOND)) -> Model: 
 
 def test_units_that_do_not_fit_are_refused() -> None:
     with pytest.raises(ModelError, match="transition should be numbers"):
-        context(_model([[sp.Integer(0), sp.Integer(0)], [sp.Integer(0), sp.Integer(1)]],
-                       (METRE, METRE)))
+        context(
+            _model([[sp.Integer(0), sp.Integer(0)], [sp.Integer(0), sp.Integer(1)]], (METRE, METRE))
+        )
 
 
 def test_two_noise_strengths_are_refused() -> None:
