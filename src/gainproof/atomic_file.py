@@ -11,8 +11,8 @@ from pathlib import Path
 def write_bytes(path: Path, content: bytes) -> None:
     """Put `content` at `path`, folders made as needed.
 
-    An interrupt at any moment leaves the old file or the new one, never a part of it. Raises OSError
-    when the place cannot be written.
+    An interrupt at any moment leaves the old file or the new one, never a part of it. Raises
+    OSError when the place cannot be written.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, partial = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".partial", dir=path.parent)

@@ -1,7 +1,8 @@
 """Results kept between runs, in the user's cache folder.
 
-An entry is used only if it names the key asked for and its checksum is that of its content; whatever
-else is found there is treated as absent. A key is a digest of everything the result depends on.
+An entry is used only if it names the key asked for and its checksum is that of its content;
+whatever else is found there is treated as absent. A key is a digest of everything the result
+depends on.
 """
 
 from __future__ import annotations

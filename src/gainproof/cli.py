@@ -1,19 +1,100 @@
-"""The command line: `gainproof COMMAND`. Nothing heavy is imported before a command needs it."""
+"""The command line: `gainproof COMMAND`. Nothing heavy is imported before a command needs it.
+
+Exit status: 0 all is well, 1 the answer is no (see each command), 2 bad input, 3 a fault of the
+program, 130 interrupted.
+"""
 
 from __future__ import annotations
 
 import argparse
+import os
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Mapping, Sequence
+from types import FrameType, ModuleType
 
+from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.commands import bench, check, cite, derive, explain, generate, listing, run
 from gainproof.version import VERSION
+
+COMMANDS: Mapping[str, ModuleType] = {
+    "run": run,
+    "derive": derive,
+    "generate": generate,
+    "check": check,
+    "explain": explain,
+    "cite": cite,
+    "list": listing,
+    "bench": bench,
+}
+DESCRIPTION = """\
+Steady-state gains of tracking filters: derived step by step, proved by certificates, printed as
+NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """The parser of the whole command line."""
+    parser = argparse.ArgumentParser(
+        prog="gainproof",
+        description=DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--version", action="version", version=f"gainproof {VERSION}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    for name, module in COMMANDS.items():
+        command = commands.add_parser(
+            name,
+            help=module.HELP,
+            description=module.DESCRIPTION,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+        )
+        module.configure(command)
+        command.set_defaults(run=module.run)
+    return parser
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="gainproof")
-    parser.add_argument("--version", action="version", version=f"gainproof {VERSION}")
-    parser.parse_args(arguments)
-    return 0
+    """Run one command and return its exit status."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, _interrupted)
+    try:
+        if given and not given[0].startswith("-") and given[0] not in COMMANDS:
+            raise unknown_name("command", given[0], COMMANDS)
+        options = make_parser().parse_args(given)
+        status: int = options.run(options)
+        sys.stdout.flush()
+    except BadInputError as error:
+        print(f"gainproof: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("gainproof: interrupted", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        # whoever read our output has stopped; keep Python from complaining at exit
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except Exception as error:  # noqa: BLE001 (the last stop: every fault gets its own exit status)
+        return _fault(error)
+    return status
+
+
+def _interrupted(_number: int, _frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
+
+
+def _fault(error: Exception) -> int:
+    import traceback
+
+    from gainproof.workers import JobError
+
+    if isinstance(error, JobError):
+        print(f"gainproof: {error}", file=sys.stderr)
+    else:
+        traceback.print_exception(error)
+    print("gainproof: a fault of the program, please report it", file=sys.stderr)
+    return 3
 
 
 if __name__ == "__main__":

@@ -1,26 +1,39 @@
-"""A digest of the code and versions that results depend on: the key of the cache."""
+"""A digest of the code and versions that results depend on: part of every key of the cache."""
 
 from __future__ import annotations
 
 import hashlib
 import platform
+from collections.abc import Iterable
 from importlib import metadata
 from pathlib import Path
 
+from gainproof.places import package_folder
 from gainproof.version import VERSION
 
 PACKAGES = ("sympy", "numpy", "mpmath", "python-flint", "lark")
 SUFFIXES = frozenset({".py", ".lark"})
 
 
-def of_folders(*folders: Path) -> str:
-    """Digest of every source file under the folders, by path and content."""
+def of_everything() -> str:
+    """Digest of the code of derive, verify and the front door, and of all versions."""
+    front = Path(__file__).resolve().parent
+    parts = [
+        of_files(package_folder("derive"), package_folder("derive").rglob("*")),
+        of_files(package_folder("verify"), package_folder("verify").rglob("*")),
+        of_files(front, front.glob("*")),
+        *(f"{name} {version}" for name, version in versions().items()),
+    ]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+
+def of_files(folder: Path, paths: Iterable[Path]) -> str:
+    """Digest of the source files among the paths, by name and content."""
     digest = hashlib.sha256()
-    for folder in folders:
-        for path in sorted(p for p in folder.rglob("*") if p.suffix in SUFFIXES and p.is_file()):
-            content = path.read_bytes()
-            name = f"{folder.name}/{path.relative_to(folder).as_posix()}"
-            digest.update(f"{name} {len(content)}\n".encode() + content)
+    for path in sorted(p for p in paths if p.suffix in SUFFIXES and p.is_file()):
+        content = path.read_bytes()
+        name = path.relative_to(folder).as_posix()
+        digest.update(f"{name} {len(content)}\n".encode() + content)
     return digest.hexdigest()
 
 

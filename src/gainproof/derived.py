@@ -1,4 +1,4 @@
-"""A derived subject as plain data, which crosses from the process that derives to the one that shows."""
+"""A derived subject as plain data: crosses from the process that derives to the one that shows."""
 
 from __future__ import annotations
 
@@ -29,8 +29,11 @@ class DerivedStep:
 class Derived:
     """One subject of the catalogue.
 
-    `symbols`: LaTeX of the names that occur. `model`: the scaled model, or None. `claims`: what the
-    certificate is expected to prove; `domains`: the parameters of each tower, as derived.
+    `symbols`: LaTeX of the names that occur. `model`: the scaled model, or None. `sources`: records
+    of the works this rests on (key, text, rests_on). `kernels`: name, summary and module of each.
+
+    What the certificate is expected to prove: `claims`; for the parameters in `domains`, by tower;
+    of the `programs`, whose graphs are those that the kernels are printed from.
     """
 
     name: str
@@ -39,11 +42,12 @@ class Derived:
     model: Plain | None
     steps: tuple[DerivedStep, ...]
     symbols: Mapping[str, str]
-    sources: tuple[str, ...]
+    sources: tuple[Mapping[str, str], ...]
     kernels: tuple[Mapping[str, str], ...]
     certificate: Plain
     claims: tuple[Plain, ...]
     domains: Mapping[str, Any]
+    programs: Mapping[str, Any]
 
     def plain(self) -> Plain:
         """As plain data for a JSON file."""

@@ -6,6 +6,7 @@ from typing import Any
 
 from gainproof.bad_input import unknown_name
 from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.source import SOURCES
 from gainproof.derive.subject import Subject
 from gainproof.derived import Derived, DerivedStep
 
@@ -13,6 +14,31 @@ from gainproof.derived import Derived, DerivedStep
 def catalogue_names() -> list[str]:
     """Every subject that can be derived, in the order of the catalogue."""
     return [entry.name for entry in CATALOGUE]
+
+
+def overview() -> list[dict[str, Any]]:
+    """{"name", "title", "sources", "kernels", "cited"} of every subject; no certificate is made."""
+    return [_overview(entry.build()) for entry in CATALOGUE]
+
+
+def _overview(subject: Subject) -> dict[str, Any]:
+    derivation = subject.derivation
+    return {
+        "name": subject.name,
+        "title": derivation.title or subject.title,
+        "sources": [_source(key) for key in derivation.sources],
+        "kernels": _kernels(subject),
+        "cited": [
+            step.relation.claim() for step in derivation.steps if step.relation.kind == "cited"
+        ],
+    }
+
+
+def _kernels(subject: Subject) -> list[dict[str, str]]:
+    return [
+        {"name": kernel.name, "summary": kernel.summary, "module": subject.module.name}
+        for kernel in subject.module.kernels
+    ]
 
 
 def build(name: str) -> Subject:
@@ -49,11 +75,32 @@ def plain_subject(subject: Subject) -> Derived:
             for step in derivation.steps
         ),
         symbols=dict(derivation.latex),
-        sources=derivation.sources,
-        kernels=tuple(
-            {"name": kernel.name, "summary": kernel.summary} for kernel in subject.module.kernels
-        ),
+        sources=tuple(_source(key) for key in derivation.sources),
+        kernels=tuple(_kernels(subject)),
         certificate=subject.certificate(),
         claims=tuple(subject.claims()),
         domains=subject.domains(),
+        programs=_programs(subject),
     )
+
+
+def _programs(subject: Subject) -> dict[str, Any]:
+    """The programs that must be proved: with the graphs that the kernels are printed from.
+
+    Raises LookupError for a kernel that no program describes: it would ship unproved.
+    """
+    printed = {kernel.name: kernel.graph for kernel in subject.module.kernels}
+    unproved = sorted(set(printed) - set(subject.programs))
+    if unproved:
+        raise LookupError(f"{subject.name}: kernels without a program to prove: {unproved}")
+    return {
+        name: {"inputs": dict(program.inputs), "graph": printed.get(name, program.graph)}
+        for name, program in subject.programs.items()
+    }
+
+
+def _source(key: str) -> dict[str, str]:
+    for source in SOURCES:
+        if source.key == key:
+            return {"key": key, "text": source.text(), "rests_on": source.rests_on}
+    raise LookupError(f"no source of gainproof.derive.source has the key {key!r}")

@@ -1,7 +1,7 @@
 """Expression graphs laid out as people write them: one sign, one number, factors above and below.
 
-Layout only: a quotient of quotients becomes one quotient, a negative power goes below the line, a sum
-does not start with a minus sign if it can start without. The value stays that of the graph.
+Layout only: a quotient of quotients becomes one quotient, a negative power goes below the line, a
+sum does not start with a minus sign if it can start without. The value stays that of the graph.
 """
 
 from __future__ import annotations
@@ -86,9 +86,9 @@ def _as_factor(term: Term, style: Style) -> str:
     """The term as a single factor."""
     if term.total is None and term.number == 1 and len(term.top) == 1 and not term.bottom:
         return term.top[0]
-    if term.total is None and not term.top and not term.bottom and term.number >= 0:
-        if term.number.denominator == 1:
-            return str(term.number)
+    whole = term.number >= 0 and term.number.denominator == 1
+    if term.total is None and whole and not term.top and not term.bottom:
+        return str(term.number)
     return style.group(written(term, style))
 
 

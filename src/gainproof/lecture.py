@@ -1,4 +1,4 @@
-"""A derivation printed as a lecture page: model, then numbered steps with formula, reason and mark."""
+"""A derivation as a lecture page: model, then numbered steps with formula, reason and mark."""
 
 from __future__ import annotations
 
@@ -61,8 +61,9 @@ def step_text(number: int, step: DerivedStep, writer: Writer, marks: Mapping[str
     mark = marks.get(step.id, "not checked")
     first = f"{number:>3}. "
     lines = [textwrap.fill(step.sentence, WIDTH, initial_indent=first, subsequent_indent=INDENT)]
+    lines.append("")
     for formula in relation_lines(step.kind, step.claim, writer):
-        lines += ["", *broken(formula)]
+        lines += broken(formula)
     lines += ["", *reason_lines(step.reason, f"[{mark}]")]
     return "\n".join(lines)
 

@@ -32,6 +32,14 @@ def claim_files() -> tuple[Path, ...]:
     return tuple(sorted(claims_folder().glob("*.toml")))
 
 
+def shown(path: str | Path) -> str:
+    """A path as people type it: relative where it lies below the working folder."""
+    try:
+        return Path(path).resolve().relative_to(Path.cwd()).as_posix()
+    except ValueError:
+        return str(path)
+
+
 def snapshot_of(claim_file: Path) -> Path:
     """The snapshot of verdicts that belongs to a claim file."""
     return claim_file.with_name(f"{claim_file.stem}.verdicts.json")

@@ -13,12 +13,15 @@ Claim = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Writer:
-    """How formulas are written: `formula(graph, names, output)` with these names."""
+    """How formulas are written: `formula(graph, names, output)` with these names.
+
+    `words` sets words among formulas, `plain` a whole line without formulas.
+    """
 
     names: Mapping[str, str]
     formula: Callable[[Graph, Mapping[str, str], str], str]
-    equals: str = "="
-    greater: str = ">"
+    words: Callable[[str], str] = str
+    plain: Callable[[str], str] = str
     tends: str = "->"
     infinity: str = "infinity"
 
@@ -49,17 +52,17 @@ def matrix_rows(rows: Any) -> list[str]:
 
 def _equal(claim: Claim, w: Writer) -> list[str]:
     left, right = claim["left"], claim["right"]
-    pairs = _entries(left, right)
-    if pairs is not None:
-        return [f"{w.value(a)} {w.equals} {w.value(b)}" for a, b in pairs]
-    return [f"{w.value(left)} {w.equals} {w.value(right)}"]
+    pairs = [(w.value(a), w.value(b)) for a, b in _entries(left, right)]
+    # entries that read alike on both sides say nothing to a reader
+    telling = [(a, b) for a, b in pairs if a != b] or pairs[:1]
+    return [f"{a} = {b}" for a, b in telling]
 
 
-def _entries(left: Graph, right: Graph) -> list[tuple[Graph, Graph]] | None:
-    """Pairs of entries, where both sides are matrices written out; else None."""
+def _entries(left: Graph, right: Graph) -> list[tuple[Graph, Graph]]:
+    """Pairs of entries where both sides are matrices written out, else the two sides."""
     tops = [graph["nodes"][graph["outputs"]["value"]] for graph in (left, right)]
     if any(top[0] != "matrix" for top in tops):
-        return None
+        return [(left, right)]
     return [
         (_part(left, i), _part(right, j)) for i, j in zip(tops[0][3:], tops[1][3:], strict=True)
     ]
@@ -69,77 +72,86 @@ def _part(graph: Graph, number: int) -> Graph:
     return {"nodes": graph["nodes"], "outputs": {"value": number}}
 
 
+def _matrix(rows: Sequence[Sequence[str]], w: Writer) -> str:
+    """A matrix of named quantities."""
+    nodes: list[list[Any]] = [["symbol", name] for row in rows for name in row]
+    nodes.append(["matrix", len(rows), len(rows[0]), *range(len(nodes))])
+    return w.value({"nodes": nodes, "outputs": {"value": len(nodes) - 1}})
+
+
+def _column(names: Sequence[str], w: Writer) -> str:
+    return _matrix([[name] for name in names], w)
+
+
 def _positive(claim: Claim, w: Writer) -> list[str]:
-    return [f"{w.value(claim['expression'])} {w.greater} 0"]
+    return [f"{w.value(claim['expression'])} > 0"]
 
 
 def _same_sign(claim: Claim, w: Writer) -> list[str]:
-    return [f"sign of {w.value(claim['left'])} {w.equals} sign of {w.value(claim['right'])}"]
+    sign = w.words("sign of ")
+    return [f"{sign}{w.value(claim['left'])} = {sign}{w.value(claim['right'])}"]
 
 
 def _limit(claim: Claim, w: Writer) -> list[str]:
     variable, point = w.name(claim["variable"]), w.value(claim["point"])
     value = w.value(claim["value"])
-    return [f"{w.value(claim['expression'])} {w.tends} {value} as {variable} {w.tends} {point}"]
+    where = f"{w.words(' as ')}{variable} {w.tends} {point}"
+    return [f"{w.value(claim['expression'])} {w.tends} {value}{where}"]
 
 
 def _increasing_onto(claim: Claim, w: Writer) -> list[str]:
     start, end = w.value(claim["from"]), w.value(claim["to"])
-    return [
-        f"{w.value(claim['expression'])} increases from {start} to {end} "
-        f"as {w.name(claim['variable'])} goes from 0 to {w.infinity}"
-    ]
-
-
-def _names(rows: Sequence[Sequence[str]], w: Writer) -> str:
-    return "[" + "; ".join(", ".join(w.name(name) for name in row) for row in rows) + "]"
+    value, variable = w.value(claim["expression"]), w.name(claim["variable"])
+    rise = f"{value}{w.words(' increases from ')}{start}{w.words(' to ')}{end}"
+    way = f"{w.words(' as ')}{variable}{w.words(' goes from ')}0{w.words(' to ')}{w.infinity}"
+    return [rise + way]
 
 
 def _riccati(claim: Claim, w: Writer) -> list[str]:
-    gain = ", ".join(w.name(name) for name in claim["gain"])
     return [
-        f"M = F X F' + {w.name(claim['index'])}^2 Q0, X = (I - K H) M, K = M H'/(H M H' + R)",
-        f"with K = [{gain}]', M = {_names(claim['predicted'], w)}, "
-        f"X = {_names(claim['updated'], w)}",
+        f"M = F X F' + {w.name(claim['index'])}^2 Q0",
+        "X = (I - K H) M",
+        "K = M H'/(H M H' + R)",
+        f"K = {_column(claim['gain'], w)}",
+        f"M = {_matrix(claim['predicted'], w)}",
+        f"X = {_matrix(claim['updated'], w)}",
     ]
 
 
 def _stable(claim: Claim, w: Writer) -> list[str]:
-    gain = ", ".join(w.name(name) for name in claim["gain"])
-    return [f"det(zI - F (I - K H)) = 0 only for |z| < 1, K = [{gain}]'"]
+    only = w.words(" only for ")
+    return [f"det(zI - F (I - K H)) = 0{only}|z| < 1", f"K = {_column(claim['gain'], w)}"]
 
 
 def _definite(claim: Claim, w: Writer) -> list[str]:
-    return [f"{_names(claim['matrix'], w)} is positive definite"]
+    return [f"{_matrix(claim['matrix'], w)}{w.words(' is positive definite')}"]
 
 
 def _program(claim: Claim, w: Writer) -> list[str]:
+    kernel = w.words(f"kernel {claim['program']}, ")
     return [
-        f"kernel {claim['program']}: {output} {w.equals} {w.value(graph)}"
+        f"{kernel}{w.words(output)} = {w.value(graph)}"
         for output, graph in claim["outputs"].items()
     ]
 
 
 def _sum(claim: Claim, w: Writer) -> list[str]:
     index, upper = w.name(claim["index"]), w.name(claim["upper"])
-    return [
-        f"sum of {w.value(claim['summand'])} over {index} {w.equals} {claim['start']}..{upper} "
-        f"{w.equals} {w.value(claim['closed'])}"
-    ]
+    terms = f"{w.words('sum of ')}{w.value(claim['summand'])}"
+    over = f"{w.words(' over ')}{index} = {claim['start']}..{upper}"
+    return [f"{terms}{over}{w.words(' is ')}{w.value(claim['closed'])}"]
 
 
 def _definition(claim: Claim, w: Writer) -> list[str]:
-    if "text" in claim:
-        return [str(claim["text"])]
-    return _equal(claim, w)
+    return [w.plain(str(claim["text"]))] if "text" in claim else _equal(claim, w)
 
 
 def _cited(claim: Claim, w: Writer) -> list[str]:
-    return [str(claim["theorem"]), f"({claim['reference']})"]
+    return [w.plain(str(claim["theorem"])), w.plain(f"({claim['reference']})")]
 
 
 def _unknown(kind: str) -> Callable[[Claim, Writer], list[str]]:
-    return lambda claim, w: [f"({kind})"]
+    return lambda _, w: [w.plain(f"({kind})")]
 
 
 _KINDS: Mapping[str, Callable[[Claim, Writer], list[str]]] = {

@@ -1,11 +1,27 @@
-"""What worker processes do: functions of plain data, by name. Everything heavy is imported inside."""
+"""What worker processes do: functions of plain data, by name; what is heavy is imported inside."""
 
 from __future__ import annotations
 
+import os
+import time
 from collections.abc import Callable, Mapping
 from typing import Any
 
 Plain = dict[str, Any]
+
+
+def catalogue() -> list[str]:
+    """Names of all subjects, in the order of the catalogue."""
+    from gainproof.deriving import catalogue_names
+
+    return catalogue_names()
+
+
+def overview() -> list[Plain]:
+    """Every subject with its kernels and sources, without certificates."""
+    from gainproof.deriving import overview as describe
+
+    return describe()
 
 
 def derive(name: str) -> Plain:
@@ -15,4 +31,37 @@ def derive(name: str) -> Plain:
     return derive_subject(name).plain()
 
 
-TASKS: Mapping[str, Callable[..., Any]] = {"derive": derive}
+def derive_file(path: str) -> Plain:
+    """Derive the model of a user's file: `Derived` as plain data. The file is executed."""
+    from gainproof.model_file import derive_model_file
+
+    return derive_model_file(path).plain()
+
+
+def recheck(certificate: Any, expected: Plain) -> Plain:
+    """Check a certificate against what it is expected to prove. No SymPy in this process."""
+    from gainproof.rechecking import recheck as decide
+
+    return decide(certificate, expected)
+
+
+def environment(names: list[str]) -> dict[str, str | None]:
+    """Settings as this process sees them."""
+    return {name: os.environ.get(name) for name in names}
+
+
+def wait(seconds: float) -> float:
+    """Do nothing for a while: a job whose length is known."""
+    time.sleep(seconds)
+    return seconds
+
+
+TASKS: Mapping[str, Callable[..., Any]] = {
+    "catalogue": catalogue,
+    "overview": overview,
+    "derive": derive,
+    "derive_file": derive_file,
+    "recheck": recheck,
+    "environment": environment,
+    "wait": wait,
+}

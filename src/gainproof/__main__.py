@@ -1,0 +1,8 @@
+"""`python -m gainproof` is the command line too."""
+
+import sys
+
+from gainproof.cli import main
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,116 @@
+"""What there is, and what it rests on, as text."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from gainproof import derivations, places
+from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.verify.judge.claim_file import ClaimFile, ClaimFileError, read_claim_file
+from gainproof.workshop import Workshop
+
+WIDTH = 92
+
+Subject = Mapping[str, Any]
+
+
+def listing(shop: Workshop) -> str:
+    """Derivations with their kernels, works, claim files with their claims."""
+    subjects = derivations.overview(shop)
+    parts = ["Derivations (gainproof derive NAME --steps) and their kernels", ""]
+    for subject in subjects:
+        parts.append(f"  {subject['name']}: {subject['title']}")
+        modules = sorted({kernel["module"] for kernel in subject["kernels"]})
+        parts.append(f"      gainproof.generated.{', '.join(modules)}")
+        parts += _filled(", ".join(kernel["name"] for kernel in subject["kernels"]), "      ")
+    parts += ["", "Works (gainproof cite NAME)", ""]
+    for key, record in sorted(_works(subjects).items()):
+        parts += _filled(f"{key}: {record['text']}", "  ")
+    parts += ["", "Claim files (gainproof check FILE)", ""]
+    for file in _claim_files():
+        parts += _filled(f"{file.source.key}: {_authors(file)}: {file.source.title}", "  ")
+        parts.append(f"      {len(file.claims)} claims in {places.shown(file.path)}")
+        parts += _filled(", ".join(claim.id for claim in file.claims), "      ")
+    return "\n".join(parts) + "\n"
+
+
+def citation(name: str, shop: Workshop) -> str:
+    """What `name` rests on. Raises BadInputError with the nearest names."""
+    subjects = derivations.overview(shop)
+    works, files = _works(subjects), {file.source.key: file for file in _claim_files()}
+    resting = {subject["name"]: [subject] for subject in subjects}
+    for subject in subjects:
+        for kernel in subject["kernels"]:
+            full = f"{kernel['module']}.{kernel['name']}"
+            resting[full] = [subject]
+            resting.setdefault(kernel["name"], []).append(subject)
+    if name in resting:
+        return "\n".join(_subject_citation(subject) for subject in resting[name])
+    found = [_work_citation(works[name], subjects)] if name in works else []
+    found += [_file_citation(files[name])] if name in files else []
+    if not found:
+        raise unknown_name(
+            "derivation, kernel, work or claim file", name, [*resting, *works, *files]
+        )
+    return "\n".join(found)
+
+
+def _subject_citation(subject: Subject) -> str:
+    lines = [f"{subject['name']}: {subject['title']}", ""]
+    if not subject["sources"]:
+        lines.append("  rests on no published work")
+    for source in subject["sources"]:
+        lines += _filled(source["text"], "  ")
+        lines += _filled(f"for: {source['rests_on']}", "      ")
+    if subject["cited"]:
+        lines += ["", "  Used and not proved here:"]
+        for theorem in subject["cited"]:
+            lines += _filled(f"{theorem['theorem']} ({theorem['reference']})", "      ")
+    return "\n".join(lines) + "\n"
+
+
+def _work_citation(record: Mapping[str, str], subjects: Iterable[Subject]) -> str:
+    users = [d["name"] for d in subjects if any(s["key"] == record["key"] for s in d["sources"])]
+    lines = [*_filled(record["text"], ""), *_filled(f"for: {record['rests_on']}", "  ")]
+    return "\n".join([*lines, *_filled(f"used by: {', '.join(users)}", "  ")]) + "\n"
+
+
+def _file_citation(file: ClaimFile) -> str:
+    source = file.source
+    year = f", {source.year}" if source.year else ""
+    lines = _filled(f"{_authors(file)}: {source.title}. {source.publication}{year}.", "")
+    lines += [
+        f"  {label}: {value}"
+        for label, value in (("doi", source.doi), ("url", source.url))
+        if value
+    ]
+    lines.append(f"  {len(file.claims)} claims in {places.shown(file.path)}")
+    return "\n".join(lines) + "\n"
+
+
+def _authors(file: ClaimFile) -> str:
+    return ", ".join(file.source.authors)
+
+
+def _works(subjects: Iterable[Subject]) -> dict[str, Mapping[str, str]]:
+    return {source["key"]: source for subject in subjects for source in subject["sources"]}
+
+
+def _claim_files() -> list[ClaimFile]:
+    try:
+        return [read_claim_file(path) for path in places.claim_files()]
+    except ClaimFileError as error:
+        raise BadInputError(str(error)) from None
+
+
+def _filled(text: str, indent: str) -> list[str]:
+    return textwrap.wrap(
+        text,
+        WIDTH,
+        initial_indent=indent,
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )

@@ -1,0 +1,23 @@
+"""`gainproof cite`: the works that something rests on."""
+
+from __future__ import annotations
+
+import argparse
+
+HELP = "name the works that a derivation, a kernel or a claim file rests on"
+DESCRIPTION = """\
+NAME is a derivation, a kernel (`gains`, or `random_velocity.gains`), a work (`gainproof list` shows
+its key) or the key of a claim file."""
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("name", metavar="NAME", help="what to find the sources of")
+
+
+def run(options: argparse.Namespace) -> int:
+    """0, or 2 for a name that nothing has."""
+    from gainproof import citing
+    from gainproof.workshop import open_workshop
+
+    print(citing.citation(options.name, open_workshop(quiet=True)), end="")
+    return 0

@@ -1,0 +1,36 @@
+"""`gainproof derive`: a derivation as a page to read."""
+
+from __future__ import annotations
+
+import argparse
+
+HELP = "print a derivation, each step checked"
+DESCRIPTION = """\
+Derives a subject of the catalogue (`gainproof list`) and prints it. Every relation is marked by the
+checker, which uses no computer algebra: [proved], [cited] or [definition].
+
+FILE is a Python file that defines MODEL, a gainproof.derive.model.Model; the file is executed."""
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("subject", metavar="NAME|FILE", help="a subject's name or a model file")
+    form = parser.add_mutually_exclusive_group()
+    form.add_argument("--steps", action="store_true", help="with every step's sentence and reason")
+    form.add_argument("--latex", action="store_true", help="the same as a LaTeX document")
+    parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
+
+
+def run(options: argparse.Namespace) -> int:
+    """0 if the checker accepts every step, else 1."""
+    from gainproof import derivations, lecture, lecture_latex
+    from gainproof.workshop import open_workshop
+
+    shop = open_workshop(fresh=options.fresh, quiet=True)
+    derived = derivations.one(options.subject, shop)
+    marks = derivations.marks(derived, shop)
+    if options.latex:
+        print(lecture_latex.document(derived, marks), end="")
+    else:
+        print(lecture.page(derived, marks, with_steps=options.steps), end="")
+    accepted = {"proved", "cited", "definition"}
+    return 0 if all(marks.get(step.id) in accepted for step in derived.steps) else 1

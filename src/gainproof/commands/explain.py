@@ -1,0 +1,11 @@
+"""stub"""
+
+import argparse
+
+HELP = "explain"
+DESCRIPTION = "explain"
+
+
+def configure(parser: argparse.ArgumentParser) -> None: ...
+def run(options: argparse.Namespace) -> int:
+    return 0

@@ -1,0 +1,78 @@
+"""Derived subjects for whoever asks, each from a worker process or the cache."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from gainproof import workers
+from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.derived import Derived, derived_from
+from gainproof.rechecking import expected_of
+from gainproof.workshop import Workshop
+
+
+def catalogue(shop: Workshop) -> list[str]:
+    """Names of all subjects, in the order of the catalogue."""
+    (found,) = shop.results("read", [workers.Job("the catalogue", "catalogue", {})])
+    return list(found)
+
+
+def overview(shop: Workshop) -> list[dict[str, Any]]:
+    """{"name", "title", "sources", "kernels", "cited"} of every subject."""
+    (found,) = shop.results("read", [workers.Job("all subjects", "overview", {})])
+    return list(found)
+
+
+def derive(names: Sequence[str], shop: Workshop) -> list[Derived]:
+    """The subjects of these names. Raises BadInputError for a name the catalogue does not have."""
+    known = catalogue(shop)
+    for name in names:
+        if name not in known:
+            raise unknown_name("derivation", name, known)
+    jobs = [workers.Job(name, "derive", {"name": name}) for name in names]
+    return [derived_from(data) for data in shop.results("derived", jobs)]
+
+
+def derive_file(path: Path, shop: Workshop) -> Derived:
+    """The subject of a user's model file, which is executed. Raises BadInputError."""
+    try:
+        text = path.read_bytes()
+    except OSError as error:
+        raise BadInputError(f"{path}: cannot be read: {error.strerror or error}") from None
+    job = workers.Job(str(path), "derive_file", {"path": str(path.resolve())})
+    (found,) = shop.results("derived", [job], text)
+    return derived_from(found)
+
+
+def one(name_or_file: str, shop: Workshop) -> Derived:
+    """A subject by name, or that of a model file: what ends in .py or has a folder before it."""
+    if is_file(name_or_file):
+        return derive_file(Path(name_or_file), shop)
+    (found,) = derive([name_or_file], shop)
+    return found
+
+
+def is_file(name_or_file: str) -> bool:
+    """Whether the user means a file."""
+    return name_or_file.endswith(".py") or Path(name_or_file).name != name_or_file
+
+
+def recheck(pairs: Sequence[tuple[Any, Derived]], shop: Workshop) -> list[dict[str, Any]]:
+    """Reports on certificates (parsed JSON), each against what its subject is expected to prove."""
+    jobs = [
+        workers.Job(
+            derived.name,
+            "recheck",
+            {"certificate": certificate, "expected": expected_of(derived)},
+        )
+        for certificate, derived in pairs
+    ]
+    return shop.results("certificate checked", jobs)
+
+
+def marks(derived: Derived, shop: Workshop) -> dict[str, str]:
+    """The checker's word on each step, by id."""
+    (report,) = recheck([(derived.certificate, derived)], shop)
+    return {entry["id"]: entry["status"] for entry in report["statements"]}

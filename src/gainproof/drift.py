@@ -1,0 +1,65 @@
+"""Generated files against a fresh derivation, byte for byte; files nobody makes are drift too."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+CURE = "run `gainproof generate` and commit what it writes"
+
+
+@dataclass(frozen=True)
+class Difference:
+    """One file that is not as it should be; `kind` is missing, different or stale."""
+
+    name: str
+    kind: str
+    detail: str
+
+    def text(self) -> str:
+        """One line for people."""
+        return f"{self.name}: {self.kind}{', ' + self.detail if self.detail else ''}"
+
+
+def compare(fresh: Mapping[str, bytes], folder: Path, *, only: bool = False) -> list[Difference]:
+    """How `folder` differs from the files it should hold (names relative to it).
+
+    `only`: other files in the folder are none of our business.
+    """
+    found = []
+    for name, wanted in sorted(fresh.items()):
+        path = folder / name
+        if not path.is_file():
+            found.append(Difference(name, "missing", ""))
+        elif (content := path.read_bytes()) != wanted:
+            found.append(Difference(name, "different", first_difference(content, wanted)))
+    if not only:
+        stale = sorted(set(files_in(folder)) - set(fresh))
+        found += [Difference(name, "stale", "no derivation makes this file") for name in stale]
+    return found
+
+
+def files_in(folder: Path) -> list[str]:
+    """Every file below the folder but Python's own caches, relative, with forward slashes."""
+    if not folder.is_dir():
+        return []
+    return [
+        path.relative_to(folder).as_posix()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and "__pycache__" not in path.parts
+    ]
+
+
+def first_difference(content: bytes, wanted: bytes) -> str:
+    """The first line that differs."""
+    old, new = content.split(b"\n"), wanted.split(b"\n")
+    for number, (left, right) in enumerate(zip(old, new, strict=False), start=1):
+        if left != right:
+            return f"first in line {number}: {_shown(left)} instead of {_shown(right)}"
+    return f"{len(old)} lines instead of {len(new)}"
+
+
+def _shown(line: bytes) -> str:
+    text = line.decode("utf-8", errors="replace").strip()
+    return repr(text if len(text) <= 60 else text[:57] + "...")

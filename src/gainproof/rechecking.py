@@ -1,0 +1,68 @@
+"""Certificates checked against what the derivation is expected to prove, as plain data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from gainproof.derived import Derived
+from gainproof.verify.certificate import check
+
+
+def expected_of(derived: Derived) -> dict[str, Any]:
+    """What a certificate of this subject has to prove, taken from a derivation made afresh."""
+    return {
+        "subject": derived.name,
+        "claims": list(derived.claims),
+        "model": derived.model,
+        "domain": dict(derived.domains),
+        "programs": dict(derived.programs),
+        "kernels": [kernel["name"] for kernel in derived.kernels],
+    }
+
+
+def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
+    """{"subject", "accepted", "reason", "statements"}: the checker's report as plain data.
+
+    A statement is {"id", "kind", "status", "reason", "seconds"}. Rejected too: a certificate that
+    proves nothing of one of the kernels.
+    """
+    report = check(
+        certificate,
+        claims=expected["claims"],
+        model=expected["model"],
+        domain=expected["domain"],
+        programs=expected["programs"],
+    )
+    statements = [
+        {
+            "id": result.id,
+            "kind": result.kind,
+            "status": result.status,
+            "reason": result.reason,
+            "seconds": result.seconds,
+        }
+        for result in report.statements
+    ]
+    reason = report.reason
+    if report.accepted:
+        reason = _unproved_kernels(expected) or _other_subject(report.subject, expected)
+    return {
+        "subject": expected["subject"],
+        "accepted": report.accepted and not reason,
+        "reason": reason,
+        "statements": statements,
+    }
+
+
+def _unproved_kernels(expected: Mapping[str, Any]) -> str:
+    claimed = {
+        entry["claim"]["program"] for entry in expected["claims"] if entry["kind"] == "program"
+    }
+    missing = sorted(set(expected["kernels"]) - claimed)
+    return f"no statement says what these kernels compute: {', '.join(missing)}" if missing else ""
+
+
+def _other_subject(subject: str, expected: Mapping[str, Any]) -> str:
+    wanted = expected["subject"]
+    return "" if subject == wanted else f"the subject {wanted!r} is expected, {subject!r} found"

@@ -1,0 +1,53 @@
+"""What the commands work with: the cache, where progress goes, and the digest of our code."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gainproof import code_digest, workers
+from gainproof.cache import Cache, default_folder, key_of
+from gainproof.progress import Progress
+
+
+@dataclass(frozen=True)
+class Workshop:
+    """Runs jobs in worker processes, or takes what they would answer from the cache."""
+
+    cache: Cache
+    progress: Progress
+    code: str
+
+    def results(self, work: str, jobs: Sequence[workers.Job], *depends: bytes) -> list[Any]:
+        """What the jobs answer, in their order; `work` is for people.
+
+        A result is known if the job, all code and versions, and whatever else it `depends` on are
+        the same. Raises BadInputError or JobError of the first job that fails.
+        """
+        keys = [key_of(job.task, self.code, _text(job), *depends) for job in jobs]
+        found = [self.cache.load(key) for key in keys]
+        missing = [i for i, result in enumerate(found) if result is None]
+
+        def done(job: workers.Job, seconds: float) -> None:
+            self.progress.say(f"{work} {job.label} ({seconds:.1f} s)")
+
+        if missing:
+            for i, result in zip(
+                missing, workers.run([jobs[i] for i in missing], on_done=done), strict=True
+            ):
+                found[i] = result
+                self.cache.store(keys[i], result)
+        if len(missing) < len(jobs):
+            self.progress.say(f"{work}: {len(jobs) - len(missing)} unchanged")
+        return found
+
+
+def open_workshop(*, fresh: bool = False, quiet: bool = False) -> Workshop:
+    """The workshop of this user. `fresh`: nothing is taken from the cache."""
+    return Workshop(Cache(default_folder(), fresh), Progress(quiet), code_digest.of_everything())
+
+
+def _text(job: workers.Job) -> str:
+    return json.dumps([job.task, job.arguments], sort_keys=True)

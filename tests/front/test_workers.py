@@ -1,0 +1,73 @@
+"""Jobs in processes of their own."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+
+import pytest
+
+from gainproof import workers
+from gainproof.bad_input import BadInputError
+from gainproof.workers import Job, JobError
+
+UNKNOWN = Job("x", "derive", {"name": "random-velocty"})
+
+
+def test_results_come_in_the_order_of_the_jobs() -> None:
+    jobs = [Job("a", "environment", {"names": [name]}) for name in ("PYTHONHASHSEED", "NO_SUCH")]
+    assert workers.run(jobs) == [{"PYTHONHASHSEED": "0"}, {"NO_SUCH": None}]
+
+
+def test_a_derivation_uses_the_same_arithmetic_everywhere() -> None:
+    """SymPy would silently take python-flint, which is installed; asked in the process itself."""
+    (found,) = workers.run([Job("a", "environment", {"names": ["SYMPY_GROUND_TYPES"]})])
+    assert found == {"SYMPY_GROUND_TYPES": "python"}
+
+
+def test_settings_can_be_given() -> None:
+    job = Job("a", "environment", {"names": ["PYTHONHASHSEED"]})
+    assert workers.run([job], environment={"PYTHONHASHSEED": "7"}) == [{"PYTHONHASHSEED": "7"}]
+
+
+def test_bad_input_comes_back_as_bad_input() -> None:
+    with pytest.raises(BadInputError, match="nearest: random-velocity"):
+        workers.run([UNKNOWN])
+
+
+def test_a_fault_names_the_job_and_the_place() -> None:
+    with pytest.raises(JobError, match=r"(?s)the job: TypeError.*Traceback"):
+        workers.run([Job("the job", "derive", {"wrong": 1})])
+
+
+def test_a_process_that_dies_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "executable", "/bin/false")
+    with pytest.raises(JobError, match="ended with status"):
+        workers.run([UNKNOWN])
+
+
+def test_the_first_failure_ends_the_others() -> None:
+    start = time.monotonic()
+    with pytest.raises(BadInputError):
+        workers.run([Job("slow", "wait", {"seconds": 60}), UNKNOWN], limit=2)
+    assert time.monotonic() - start < 30
+
+
+def test_done_is_told_of_every_job() -> None:
+    told: list[str] = []
+    jobs = [Job(str(i), "wait", {"seconds": 0}) for i in range(3)]
+    workers.run(jobs, on_done=lambda job, _: told.append(job.label))
+    assert sorted(told) == ["0", "1", "2"]
+
+
+def test_works_from_a_program_without_a_main_guard() -> None:
+    """Unlike multiprocessing with spawn: the script of the user is not imported again."""
+    script = (
+        "from gainproof import workers\n"
+        "print(workers.run([workers.Job('a', 'wait', {'seconds': 0})]))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == "[0]"
