@@ -115,7 +115,7 @@ def complete_symbols(
     declarations: Mapping[str, Declaration],
     shared: Mapping[str, SymbolEntry] = MappingProxyType({}),
 ) -> dict[str, SymbolEntry]:
-    """The `shared` entries and those declared, whose definitions and domains may use all of them."""
+    """The `shared` entries and those declared; definitions and domains may use all of them."""
     for name, declaration in declarations.items():
         if name in shared:
             problem = (

@@ -70,7 +70,7 @@ def scan_mark(text: str, start: int, before: Sequence[FormulaToken]) -> Scanned:
                 kind = "ROOT_OPEN"
             elif value == "]" and len(before) > 1 and before[-2].kind == "ROOT_OPEN":
                 kind = "ROOT_CLOSE"
-            return Scanned(kind, value, start + length)
+            return Scanned(kind, value, start + len(mark))
     character = text[start]
     problems = {
         "_": "this subscript belongs to no symbol",

@@ -1,0 +1,156 @@
+"""What the reader refuses, and how it says so."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import pytest
+
+from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.reader import read_conditions, read_formula
+
+
+@dataclass(frozen=True)
+class Declared:
+    arguments: tuple[str, ...] = ()
+
+
+TOKENS = ("\\alpha", "\\alpha_k", "\\beta", *"kTabcx", "\\dot{x}_{sk-1}")
+SYMBOLS: dict[str, Declared] = {canonical_token(token): Declared() for token in TOKENS}
+SYMBOLS["S"] = Declared(("a", "b"))
+
+
+def refusal(text: str) -> ReaderError:
+    with pytest.raises(ReaderError) as caught:
+        read_formula(text, SYMBOLS)
+    return caught.value
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column", "token", "nearest"),
+    [
+        (r"\alpha_j = 1", 1, 1, r"\alpha_j", r"\alpha_k"),
+        ("a = b +\n  \\alpha_{kk} c", 2, 3, r"\alpha_{kk}", r"\alpha_k"),
+        (r"a = \dot{x}_{sk}", 1, 5, r"\dot{x}_{sk}", r"\dot{x}_{sk-1}"),
+        (r"a = \alpa", 1, 5, r"\alpa", r"\alpha"),
+        ("a = y", 1, 5, "y", None),
+        (r"a = \dot x", 1, 5, r"\dot{x}", r"\dot{x}_{sk-1}"),
+    ],
+)
+def test_undeclared(text: str, line: int, column: int, token: str, nearest: str | None) -> None:
+    error = refusal(text)
+    assert (error.line, error.column, error.token) == (line, column, token)
+    assert error.nearest[0] == nearest if nearest else not error.nearest
+    shown, mark = error.caret.split("\n")
+    assert shown[mark.index("^") :].startswith(text.split("\n")[line - 1][column - 1 :][:1])
+    assert str(error).startswith(f"line {line}, column {column}: ")
+
+
+@pytest.mark.parametrize(
+    ("text", "column", "problem"),
+    [
+        ("", 1, "empty"),
+        ("a", 2, "ends too early"),
+        ("a =", 4, "ends too early"),
+        ("a = b = ", 8, "ends too early"),
+        ("a = (b", 5, "never closed"),
+        ("a = b)", 6, "never opened"),
+        ("a = (b]", 7, "cannot be closed"),
+        (r"a = \left( b", 5, "never closed"),
+        (r"a = \left b", 5, "needs a bracket"),
+        (r"a = \left) b", 5, "wrong side"),
+        ("a = |b|", 5, "two things"),
+        ("a = b^c", 7, "an exponent must be a number"),
+        ("a = b^{k+1}", 7, "an exponent must be a number"),
+        ("a = b^12", 8, "a number right after a factor"),
+        ("a = b 2", 7, "a number right after a factor"),
+        ("a = (b + c)2", 12, "a number right after a factor"),
+        ("a = b^2_k", 8, "belongs to no symbol"),
+        ("a = b^2^3", 8, "cannot stand here"),
+        ("a = b + - c", 9, "cannot stand here"),
+        ("a = .5", 5, "digits on both sides"),
+        ("a = 1.2.3", 5, "digits on both sides"),
+        ("(a = b)", 1, "only stand at the end"),
+        ("a + (a = b) c = b", 5, "only stand at the end"),
+        (r"a = \infty", 3, "on the right of an arrow"),
+        (r"a = b + \infty", 9, "on the right of an arrow"),
+        (r"\frac{a} = b", 10, "cannot stand here"),
+        (r"a = \sqrt[k]{b}", 11, "cannot stand here"),
+        (r"a = \sqrt[1]{b}", 13, "index of a root"),
+        ("a = S", 6, "ends too early"),
+        ("a = S b", 7, "cannot stand here"),
+        ("a = b!", 6, "no meaning here"),
+        ("a = b $", 7, "no meaning here"),
+        ("a & = b", 3, "no meaning here"),
+        (r"a = \begin{pmatrix} b \end{pmatrix}", 5, "aligned"),
+        (r"\begin{aligned} a &= b", 23, "never ended"),
+        (r"a = \dot{a b}", 12, "must hold one symbol"),
+        (r"a = \dot", 9, "needs a letter"),
+        (r"a = b_", 7, "a subscript must be"),
+        (r"a = b_{}", 7, "an empty subscript"),
+        (r"a = b_{k", 7, "never closed"),
+        ("a = 1,000", 10, "ends too early"),
+    ],
+)
+def test_refused(text: str, column: int, problem: str) -> None:
+    error = refusal(text)
+    assert problem in error.problem
+    assert (error.line, error.column) == (1, column)
+
+
+@pytest.mark.parametrize(
+    ("character", "code"),
+    [
+        ("α", "U+03B1"),
+        ("а", "U+0430"),  # Cyrillic
+        ("\u200b", "U+200B"),
+        ("\u202e", "U+202E"),
+        ("\u2212", "U+2212"),
+        ("１", "U+FF11"),  # full width
+        ("\x00", "U+0000"),
+        ("\x7f", "U+007F"),
+        ("\r", "U+000D"),
+    ],
+)
+def test_characters_by_code_point(character: str, code: str) -> None:
+    error = refusal(f"a = {character} b")
+    assert error.token == code
+    assert code in error.problem
+    assert error.column == 5
+    assert character not in str(error)
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("a = b" + " " * 3996, "4001 characters"),
+        ("a = " + "(" * 41 + "b" + ")" * 41, "more than 40 deep"),
+        ("a = " + r"\sqrt{" * 41 + "b" + "}" * 41, "more than 40 deep"),
+        ("a = b^{65}", "beyond 64"),
+        ("a = b^{1/65}", "beyond 64"),
+        ("a = b^{" + "9" * 60 + "}", "beyond 64"),
+        (r"a = \sqrt[65]{b}", "beyond 64"),
+        ("a = " + "1" * 201, "at most 200"),
+        ("a = b" + "/c" * 9, "more than 8 slashes"),
+        ("a = " + "+".join(["a/b c"] * 7), "too many slashes"),
+        ("a = " + r"\dot " * 7 + "x", "more than 6 accents"),
+        ("a = x_{" + "k" * 100 + "}", "more than 80 characters"),
+        ("a = x" + "'" * 100, "more than 80 characters"),
+        ("a = " + r"\sum_{k=0}^2 " * 41 + "b", "more than 40 sums"),
+    ],
+)
+def test_limits(text: str, problem: str) -> None:
+    assert problem in refusal(text).problem
+
+
+def test_limits_are_reached_without_error() -> None:
+    read_formula("a = b" + " " * 3995, SYMBOLS)
+    read_formula("a = " + "(" * 40 + "b" + ")" * 40, SYMBOLS)
+    read_formula("a = b^{64}" + "/c" * 8 + "+" + "1" * 200, SYMBOLS)
+    assert len(read_formula("a = " + "+".join(["a/b c"] * 6), SYMBOLS).readings) == 64
+
+
+def test_conditions_have_one_reading() -> None:
+    with pytest.raises(ReaderError, match="two readings"):
+        read_conditions("a > 1/b c", SYMBOLS)
