@@ -49,7 +49,7 @@ def bracket(
     """The index at which an increasing quantity takes ``value``, to a relative 1e-34.
 
     ``quantity`` returns the ball and its slope. ``near`` is a guess, used to save time and
-    not trusted. Raises NotConverged when no index between 2^-1100 and 2^1100 gives the value.
+    not trusted. Raises NotConverged when no index between 2^-2300 and 2^2300 gives the value.
     """
     found = _newton(spectrum, quantity, value, near) if near is not None and near > 0 else None
     if found is None:
@@ -82,11 +82,11 @@ def _newton(
 
 def _search(spectrum: Spectrum, quantity: Quantity, value: Fraction) -> Fraction:
     """An index within a part in a thousand, by halving the interval of exponents."""
-    low, high = Fraction(-1100), Fraction(1100)
+    low, high = Fraction(-2300), Fraction(2300)
     with flint.ctx.workprec(4 * KEPT_BITS):
         wanted = _ball(value)
     at = Fraction(1)
-    for _ in range(22):
+    for _ in range(23):
         middle = (low + high) / 2
         whole = middle.numerator // middle.denominator
         # between powers of two the halving is by straight lines
