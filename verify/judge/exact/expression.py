@@ -1,0 +1,162 @@
+"""Expression trees: immutable, shared, equal exactly when they are written alike.
+
+The constructors change nothing: `0 * (1/0)` stays as it is, so that a division by zero inside a product with
+zero is still found.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+Value = Fraction | str | None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Expr:
+    """One node: `kind` is number, symbol, add, mul, div, neg, pow, call, derivative or at.
+
+    `value` is the number, the name of the symbol or function, the exponent of a power, or the symbol of a
+    derivative or substitution. `key` is a digest of the whole tree: comparison takes constant time however much
+    is shared.
+    """
+
+    kind: str
+    value: Value
+    parts: tuple[Expr, ...]
+    key: bytes = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        digest = hashlib.blake2b(f"{self.kind}|{self.value}|{len(self.parts)}|".encode(), digest_size=32)
+        for part in self.parts:
+            digest.update(part.key)
+        object.__setattr__(self, "key", digest.digest())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Expr) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __add__(self, other: Expr | int) -> Expr:
+        return add(self, as_expr(other))
+
+    def __radd__(self, other: int) -> Expr:
+        return add(number(other), self)
+
+    def __sub__(self, other: Expr | int) -> Expr:
+        return add(self, neg(as_expr(other)))
+
+    def __rsub__(self, other: int) -> Expr:
+        return add(number(other), neg(self))
+
+    def __mul__(self, other: Expr | int | Fraction) -> Expr:
+        return mul(self, as_expr(other))
+
+    def __rmul__(self, other: int | Fraction) -> Expr:
+        return mul(number(other), self)
+
+    def __truediv__(self, other: Expr | int) -> Expr:
+        return div(self, as_expr(other))
+
+    def __rtruediv__(self, other: int) -> Expr:
+        return div(number(other), self)
+
+    def __neg__(self) -> Expr:
+        return neg(self)
+
+    def __pow__(self, exponent: int | Fraction) -> Expr:
+        return power(self, exponent)
+
+    @property
+    def fraction(self) -> Fraction:
+        """The number of a `number`, the exponent of a `pow`."""
+        if not isinstance(self.value, Fraction):
+            raise TypeError(f"a {self.kind} carries no number")
+        return self.value
+
+    @property
+    def name(self) -> str:
+        """The name of a symbol, function, or the symbol of a derivative."""
+        if not isinstance(self.value, str):
+            raise TypeError(f"a {self.kind} carries no name")
+        return self.value
+
+
+def as_expr(x: Expr | int | Fraction) -> Expr:
+    """Numbers become expressions."""
+    return x if isinstance(x, Expr) else number(x)
+
+
+def number(value: int | Fraction | str) -> Expr:
+    """A rational number."""
+    return Expr("number", Fraction(value), ())
+
+
+def symbol(name: str) -> Expr:
+    """A symbol."""
+    return Expr("symbol", name, ())
+
+
+def add(*terms: Expr) -> Expr:
+    """Sum of one term or more."""
+    return terms[0] if len(terms) == 1 else Expr("add", None, terms)
+
+
+def mul(*factors: Expr) -> Expr:
+    """Product of one factor or more."""
+    return factors[0] if len(factors) == 1 else Expr("mul", None, factors)
+
+
+def div(numerator: Expr, denominator: Expr) -> Expr:
+    """Quotient."""
+    return Expr("div", None, (numerator, denominator))
+
+
+def neg(x: Expr) -> Expr:
+    """Opposite."""
+    return Expr("neg", None, (x,))
+
+
+def power(base: Expr, exponent: int | Fraction) -> Expr:
+    """Rational power; 1/2 is the root that is not negative, 1/3 the real cube root."""
+    return Expr("pow", Fraction(exponent), (base,))
+
+
+def sqrt(x: Expr) -> Expr:
+    """Square root that is not negative."""
+    return power(x, Fraction(1, 2))
+
+
+def absolute(x: Expr) -> Expr:
+    """|x|."""
+    return sqrt(power(x, 2))
+
+
+def weighted(coefficients: Sequence[int | Fraction], terms: Sequence[Expr]) -> Expr:
+    """Sum of coefficient * term, terms with coefficient zero left out."""
+    kept = [number(c) * t for c, t in zip(coefficients, terms, strict=True) if c != 0]
+    return add(*kept) if kept else number(0)
+
+
+def walk(*roots: Expr) -> Iterator[Expr]:
+    """Every distinct node below the roots, parts before wholes."""
+    seen: set[bytes] = set()
+    stack: list[tuple[Expr, bool]] = [(root, False) for root in reversed(roots)]
+    while stack:
+        node, ready = stack.pop()
+        if node.key in seen:
+            continue
+        if ready:
+            seen.add(node.key)
+            yield node
+        else:
+            stack.append((node, True))
+            stack.extend((part, False) for part in reversed(node.parts))
+
+
+def symbols_of(*roots: Expr) -> set[str]:
+    """Names of all symbols below the roots."""
+    return {node.name for node in walk(*roots) if node.kind == "symbol"}

@@ -1,0 +1,32 @@
+"""How much work the judge accepts, and the errors that say why it stopped."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+class Undecided(Exception):
+    """The method met a limit or a case it does not cover; the text says which."""
+
+
+class Malformed(ValueError):
+    """Data that are no expression graph; the text says what was wanted and what came."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Bounds on size. `precision` is in bits, `tower_degree` the product of the orders of all roots."""
+
+    nodes: int = 20_000
+    depth: int = 150
+    exponent: int = 64
+    digits: int = 200
+    terms: int = 50_000
+    tower_degree: int = 64
+    root_count: int = 10
+    norm_degree: int = 600
+    symbols: int = 40
+    precision: int = 4096
+
+
+DEFAULT_LIMITS = Limits()

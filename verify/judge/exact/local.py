@@ -1,0 +1,219 @@
+"""The tower at one place: which expressions are defined there, which elements vanish, and their signs.
+
+Sound because on a connected open interval where no radicand and no denominator vanishes every element is
+real-analytic, and analytic functions on such an interval form an integral domain: p q = 0 gives p = 0 or q = 0, and
+one ball that excludes zero says which. At a single algebraic point the same holds for numbers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import flint
+
+from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.norm import cofactor, highest_root
+from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.poly import (
+    Ball,
+    Poly,
+    coefficients_in,
+    degree,
+    from_terms,
+    grouped,
+    rational,
+    terms,
+)
+from gainproof.verify.judge.exact.tower import Root, Tower
+
+FIRST_PRECISION = 64
+
+
+@dataclass
+class Local:
+    """A tower at a place. `steps` records each ball that decided something."""
+
+    tower: Tower
+    place: Place
+    steps: list[str] = field(default_factory=list)
+    _zero_roots: set[int] = field(default_factory=set)
+    _bad: dict[bytes, str] = field(default_factory=dict)
+    _relation: Poly = None
+
+    def __post_init__(self) -> None:
+        index = self.tower.parameter_index
+        if self.place.at is not None and index is not None:
+            width = len(self.tower.names)
+            entries = {
+                tuple(power if i == index else 0 for i in range(width)): c
+                for power, c in enumerate(self.place.at.coefficients)
+                if c
+            }
+            relation = from_terms(self.tower.context, entries)
+            self._relation = relation / relation.leading_coefficient()
+        for check in self.tower.checks:
+            if self._bad and self.undefined(check.node) is not None:
+                continue
+            if check.root is None:
+                if self.vanishes(check.poly):
+                    self._bad[check.node.key] = "a divisor is zero"
+            elif check.root.index in self._zero_roots:
+                continue
+            else:
+                self._judge_root(check.node, check.root)
+
+    def _judge_root(self, node: Expr, root: Root) -> None:
+        if self.vanishes(root.sign_poly):
+            self._zero_roots.add(root.index)
+        elif root.order == 2 and self.sign(root.sign_poly) < 0:
+            self._bad[node.key] = "a square root of a negative number"
+
+    def undefined(self, *exprs: Expr) -> str | None:
+        """Why one of the expressions has no value here, or None."""
+        for node in walk(*exprs):
+            if node.key in self._bad:
+                return self._bad[node.key]
+        return None
+
+    def reduce(self, p: Poly) -> Poly:
+        """Remainder by the relations of the tower, of the place and of the roots that are zero here."""
+        for index in self._zero_roots:
+            if degree(p, index) > 0:
+                p = coefficients_in(p, index)[0]
+        p = self.tower.reduce(p)
+        if self._relation is not None and degree(p, self._index) > 0:
+            p = divmod(p, self._relation)[1]
+        return p
+
+    @property
+    def _index(self) -> int:
+        index = self.tower.parameter_index
+        assert index is not None
+        return index
+
+    def vanishes(self, p: Poly) -> bool:
+        """Whether p is zero on the whole place, for all values of the free symbols. Raises Undecided."""
+        return all(self._zero(part) for part in grouped(self.reduce(p), self.tower.free_indices).values())
+
+    def _zero(self, p: Poly) -> bool:
+        p = self.reduce(p)
+        if p.is_zero():
+            return True
+        root = highest_root(self.tower, p)
+        if root is None:
+            return False
+        q = cofactor(self.tower, p, root)
+        if not self._zero(self.reduce(p * q)):
+            return False
+        for precision in self._precisions():
+            for sample in self._points():
+                if self._excludes_zero(q, sample, precision):
+                    self.steps.append(f"cofactor not zero at {self._at_text(sample)} ({precision} bits)")
+                    return True
+                if self._excludes_zero(p, sample, precision):
+                    self.steps.append(f"not zero at {self._at_text(sample)} ({precision} bits)")
+                    return False
+        # here p and q both vanish, which for a root that is not zero means that every coefficient does
+        if all(self._zero(c) for c in coefficients_in(p, root.index)):
+            return True
+        raise Undecided(f"balls of {self.tower.limits.precision} bits cannot tell two branches apart")
+
+    def sign(self, p: Poly) -> int:
+        """Sign on the place of an element that is not identically zero and does not change its sign there.
+
+        With free symbols all coefficients must have one sign and the symbols be positive. Raises Undecided.
+        """
+        parts = grouped(self.reduce(p), self.tower.free_indices)
+        signs = set()
+        for exponents, part in parts.items():
+            if self._zero(part):
+                continue
+            for name, e in zip(self.tower.free, exponents, strict=True):
+                if e % 2 and name not in self.tower.positive:
+                    raise Undecided(f"a sign that depends on {name}")
+            signs.add(self._ball_sign(part))
+        if len(signs) != 1:
+            raise Undecided("a sign that depends on several parameters")
+        return signs.pop()
+
+    def _ball_sign(self, p: Poly) -> int:
+        for precision in self._precisions():
+            for sample in self._points():
+                ball = self.ball(p, sample, precision)
+                if ball is not None and not ball.contains(0):
+                    return 1 if ball > 0 else -1
+        raise Undecided(f"balls of {self.tower.limits.precision} bits cannot tell a sign")
+
+    def _precisions(self) -> list[int]:
+        found = [FIRST_PRECISION]
+        while found[-1] < self.tower.limits.precision:
+            found.append(found[-1] * 2)
+        return found
+
+    def _points(self) -> tuple[Fraction | None, ...]:
+        return self.place.samples[:3] if self.place.is_cell else (None,)
+
+    def _at_text(self, sample: Fraction | None) -> str:
+        if sample is not None:
+            return f"{self.tower.parameter} = {sample}"
+        return "the point" if self.place.at is None else f"{self.tower.parameter} = {self.place.at.text()}"
+
+    def _excludes_zero(self, p: Poly, sample: Fraction | None, precision: int) -> bool:
+        ball = self.ball(p, sample, precision)
+        return ball is not None and not ball.contains(0)
+
+    def ball(self, p: Poly, sample: Fraction | None, precision: int, free: tuple[Fraction, ...] = ()) -> Ball | None:
+        """A ball round p at a rational sample (None: at the point of the place); None if a root is not resolved."""
+        with flint.ctx.workprec(precision):
+            result = evaluate(p, self._generator_balls(sample, precision, free))
+            return result if result.is_finite() else None
+
+    def _generator_balls(
+        self, sample: Fraction | None, precision: int, free: tuple[Fraction, ...]
+    ) -> list[Ball | None]:
+        tower = self.tower
+        values: list[Ball | None] = [None] * max(1, len(tower.names))
+        for place, number in zip(tower.free_indices, free, strict=False):
+            values[place] = flint.arb(rational(number))
+        if tower.parameter_index is not None:
+            if sample is not None:
+                values[tower.parameter_index] = flint.arb(rational(sample))
+            elif self.place.at is not None:
+                values[tower.parameter_index] = self.place.at.ball(precision)
+        for root in tower.roots:
+            if root.index in self._zero_roots:
+                values[root.index] = flint.arb(0)
+                continue
+            top, bottom = evaluate(root.radicand.num, values), evaluate(root.radicand.den, values)
+            ratio = top / bottom
+            if root.order == 2 and ratio > 0:
+                values[root.index] = bottom * ratio.sqrt()
+            elif root.order == 3 and ratio > 0:
+                values[root.index] = bottom * ratio.root(3)
+            elif root.order == 3 and ratio < 0:
+                values[root.index] = -bottom * (-ratio).root(3)
+            # else not resolved at this precision, or undefined here: what uses it gets no finite ball
+        return values
+
+
+def evaluate(p: Poly, values: list[Ball | None]) -> Ball:
+    """The polynomial at these balls, at the current working precision; not finite where a value is missing."""
+    total = flint.arb(0)
+    powers: dict[tuple[int, int], Ball] = {}
+    for exponents, coefficient in terms(p):
+        product = flint.arb(flint.fmpq(coefficient))
+        for index, exponent in enumerate(exponents):
+            if not exponent:
+                continue
+            value = values[index]
+            if value is None:
+                return flint.arb.nan()
+            key = (index, exponent)
+            if key not in powers:
+                powers[key] = value**exponent
+            product = product * powers[key]
+        total = total + product
+    return total
+

@@ -1,0 +1,95 @@
+"""Where can an element of the tower vanish? Factors of its norm, one parameter."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.poly import (
+    Poly,
+    coefficients_in,
+    constant,
+    degree,
+    grouped,
+    univariate,
+)
+from gainproof.verify.judge.exact.tower import Root, Tower
+
+
+def highest_root(tower: Tower, p: Poly) -> Root | None:
+    """The last made root that occurs in p."""
+    for root in reversed(tower.roots):
+        if degree(p, root.index) > 0:
+            return root
+    return None
+
+
+def cofactor(tower: Tower, p: Poly, root: Root) -> Poly:
+    """q such that p q holds no more of `root`; p must be reduced.
+
+    Order 2, p = a + b t: q = a - b t. Order 3, p = a + b t + c t^2: q = a^2 + b^2 t^2 + c^2 t^4 - a b t - a c t^2 - b c t^3,
+    half a sum of squares of real numbers.
+    """
+    t = tower.context.gen(root.index)
+    if root.order == 2:
+        a, b = coefficients_in(p, root.index, 2)
+        return a - b * t
+    a, b, c = coefficients_in(p, root.index, 3)
+    return a**2 + b**2 * t**2 + c**2 * t**4 - a * b * t - a * c * t**2 - b * c * t**3
+
+
+def vanishing_factors(tower: Tower, p: Poly) -> list[Any]:
+    """Irreducible integer polynomials of the parameter: where p vanishes without vanishing on a whole interval
+    between their roots, one of them is zero.
+
+    The norm of p has p as a factor. If the norm is the zero polynomial then on every interval p or its cofactor
+    vanishes identically; where the cofactor does, p is a multiple of its own constant coefficient, which is
+    therefore taken too. Coefficients of monomials in free symbols are taken one by one. Raises Undecided.
+    """
+    found: dict[tuple[int, ...], Any] = {}
+    for part in grouped(tower.reduce(p), tower.free_indices).values():
+        _collect(tower, part, found)
+    return list(found.values())
+
+
+def _collect(tower: Tower, p: Poly, found: dict[tuple[int, ...], Any]) -> bool:
+    """Adds the factors of p; whether the norm of p is a nonzero polynomial."""
+    p = tower.reduce(p)
+    if p.is_zero():
+        return False
+    complete = True
+    for factor, _ in p.factor()[1]:
+        complete &= _collect_factor(tower, factor, found)
+    return complete
+
+
+def _collect_factor(tower: Tower, p: Poly, found: dict[tuple[int, ...], Any]) -> bool:
+    root = highest_root(tower, p)
+    if root is None:
+        _keep(tower, p, found)
+        return True
+    lower = tower.reduce(p * cofactor(tower, p, root))
+    if not lower.is_zero() and _collect(tower, lower, found):
+        return True
+    _collect(tower, coefficients_in(p, root.index)[0], found)
+    return False
+
+
+def _keep(tower: Tower, p: Poly, found: dict[tuple[int, ...], Any]) -> None:
+    if tower.parameter_index is None or p.is_constant():
+        return
+    whole = univariate(p, tower.parameter_index)
+    if whole.degree() > tower.limits.norm_degree:
+        raise Undecided(f"a norm of degree more than {tower.limits.norm_degree}")
+    for factor, _ in whole.factor()[1]:
+        found.setdefault(tuple(int(c) for c in factor.coeffs()), factor)
+
+
+def norm(tower: Tower, p: Poly) -> Poly:
+    """The product of p and its cofactors, free of roots; the zero polynomial if p is a zero divisor."""
+    p = tower.reduce(p)
+    while (root := highest_root(tower, p)) is not None:
+        p = tower.reduce(p * cofactor(tower, p, root))
+        if p.is_zero():
+            return constant(tower.context, 0)
+    return p

@@ -1,0 +1,300 @@
+"""One tower of radicals for all expressions of a claim.
+
+Every root (N/D)^(1/n), n = 2 or 3, becomes a variable t = D * root with the monic relation t^n = N D^(n-1). Every
+subexpression becomes a quotient of polynomials, reduced by the relations from the top down. Nothing is inverted,
+and nothing is supposed about the signs of roots: that is decided at a place (see `decision`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
+from gainproof.verify.judge.exact.poly import (
+    Poly,
+    Ring,
+    constant,
+    degree,
+    fraction,
+    from_terms,
+    monomial_content,
+    ring,
+    terms,
+    text,
+)
+
+
+class NeedsPower(Exception):
+    """A root of an odd power of a positive symbol: the symbol must be written as a power of a new one."""
+
+    def __init__(self, name: str, order: int) -> None:
+        super().__init__(f"{name} = new^{order}")
+        self.name = name
+        self.order = order
+
+
+@dataclass(frozen=True)
+class Element:
+    """num / den, polynomials of the tower. Where the expression is defined, den is not zero."""
+
+    num: Poly
+    den: Poly
+
+
+@dataclass(frozen=True)
+class Root:
+    """Variable number `index` is t = D * (N/D)^(1/order); `radicand` is N/D."""
+
+    index: int
+    order: int
+    radicand: Element
+    relation: Poly
+
+    @property
+    def sign_poly(self) -> Poly:
+        """N D, which has the sign of the radicand."""
+        return self.radicand.num * self.radicand.den
+
+
+@dataclass(frozen=True)
+class Check:
+    """What must hold for `node` to be defined: the divisor `poly` is not zero, or the root's radicand not negative."""
+
+    node: Expr
+    poly: Poly
+    root: Root | None
+
+
+@dataclass
+class Tower:
+    """Variables, highest first: roots (last made first), free symbols, then the parameter if there is one."""
+
+    parameter: str | None
+    free: tuple[str, ...]
+    positive: frozenset[str]
+    limits: Limits = DEFAULT_LIMITS
+    names: tuple[str, ...] = ()
+    context: Ring = None
+    roots: list[Root] = field(default_factory=list)
+    elements: dict[bytes, Element] = field(default_factory=dict)
+    checks: list[Check] = field(default_factory=list)
+    _slots: int = 0
+
+    @property
+    def parameter_index(self) -> int | None:
+        """Position of the parameter among the variables."""
+        return None if self.parameter is None else len(self.names) - 1
+
+    @property
+    def free_indices(self) -> tuple[int, ...]:
+        """Positions of the free symbols."""
+        return tuple(range(self._slots, self._slots + len(self.free)))
+
+    def reduce(self, p: Poly) -> Poly:
+        """Remainder by all relations, from the top down. Raises Undecided if it grows too long."""
+        for root in reversed(self.roots):
+            if degree(p, root.index) >= root.order:
+                p = divmod(p, root.relation)[1]
+        if len(p) > self.limits.terms:
+            raise Undecided(f"a polynomial of more than {self.limits.terms} terms")
+        return p
+
+    def element(self, expr: Expr) -> Element:
+        """The element of an expression that was given when the tower was built."""
+        return self.elements[expr.key]
+
+    def relations_text(self) -> list[str]:
+        """The relations, readable, lowest first."""
+        return [f"{self.names[r.index]}^{r.order} = {text(self.context.gen(r.index) ** r.order - r.relation)}" for r in self.roots]
+
+
+def build_tower(
+    exprs: Iterable[Expr],
+    parameter: str | None,
+    free: tuple[str, ...],
+    positive: frozenset[str],
+    limits: Limits = DEFAULT_LIMITS,
+) -> Tower:
+    """The tower of these expressions; all powers must be integer powers, square roots or cube roots.
+
+    `free` symbols may not stand under a root except as powers of those in `positive`. Raises Undecided, NeedsPower.
+    """
+    nodes = list(walk(*exprs))
+    slots = sum(1 for n in nodes if n.kind == "pow" and n.fraction.denominator != 1)
+    if slots > limits.root_count:
+        raise Undecided(f"more than {limits.root_count} different roots")
+    tower = Tower(parameter, free, positive, limits)
+    tower._slots = slots
+    tops = tuple(f"t{k}" for k in range(slots, 0, -1))
+    lows = tuple(f"u{k}" for k in range(len(free))) + (() if parameter is None else ("x",))
+    tower.names = (*tops, *lows)
+    tower.context = ring(tower.names or ("x",))
+    for node in nodes:
+        tower.elements[node.key] = _element(tower, node)
+    return tower
+
+
+def _element(tower: Tower, node: Expr) -> Element:
+    one = constant(tower.context, 1)
+    parts = [tower.elements[p.key] for p in node.parts]
+    match node.kind:
+        case "number":
+            return Element(constant(tower.context, node.fraction), one)
+        case "symbol":
+            if node.name == tower.parameter:
+                return Element(tower.context.gen(len(tower.names) - 1), one)
+            if node.name in tower.free:
+                return Element(tower.context.gen(tower._slots + tower.free.index(node.name)), one)
+            raise Undecided(f"the symbol {node.name} has no meaning here")
+        case "add":
+            total = parts[0]
+            for other in parts[1:]:
+                total = _sum(tower, total, other)
+            return total
+        case "mul":
+            total = parts[0]
+            for other in parts[1:]:
+                total = _product(tower, total, other)
+            return total
+        case "neg":
+            return Element(-parts[0].num, parts[0].den)
+        case "div":
+            tower.checks.append(Check(node, parts[1].num, None))
+            return _product(tower, parts[0], _inverse(tower, parts[1], node))
+        case "pow":
+            return _power(tower, node, parts[0])
+        case _:
+            raise Undecided(f"the function {node.value} is not covered" if node.kind == "call" else node.kind)
+
+
+def _inverse(tower: Tower, x: Element, node: Expr) -> Element:
+    if x.num.is_zero():
+        # the check on this node fails everywhere, so the value is never used
+        return Element(constant(tower.context, 0), constant(tower.context, 1))
+    return Element(x.den, x.num)
+
+
+def _sum(tower: Tower, x: Element, y: Element) -> Element:
+    if x.den == y.den:
+        return _tidy(tower, x.num + y.num, x.den)
+    return _tidy(tower, x.num * y.den + y.num * x.den, x.den * y.den)
+
+
+def _product(tower: Tower, x: Element, y: Element) -> Element:
+    return _tidy(tower, x.num * y.num, x.den * y.den)
+
+
+def _tidy(tower: Tower, num: Poly, den: Poly) -> Element:
+    num, den = tower.reduce(num), tower.reduce(den)
+    if den.is_zero():
+        raise Undecided("a product of two denominators vanishes identically on another branch of the roots")
+    if num.is_zero():
+        return Element(num, constant(tower.context, 1))
+    if not den.is_constant():
+        # where the expression is defined den is not zero, so neither is a factor of it
+        common = num.gcd(den)
+        if not common.is_constant():
+            num, den = divmod(num, common)[0], divmod(den, common)[0]
+    lead = den.leading_coefficient()
+    return Element(num / lead, den / lead)
+
+
+def _power(tower: Tower, node: Expr, base: Element) -> Element:
+    exponent = node.fraction
+    if exponent.denominator != 1:
+        return _root(tower, node, base, exponent.denominator)
+    times = abs(exponent.numerator)
+    if times > tower.limits.exponent:
+        raise Undecided(f"an exponent beyond {tower.limits.exponent}")
+    if exponent < 0:
+        tower.checks.append(Check(node, base.num, None))
+        base = _inverse(tower, base, node)
+    result = Element(constant(tower.context, 1), constant(tower.context, 1))
+    for _ in range(times):
+        result = _product(tower, result, base)
+    return result
+
+
+def _root(tower: Tower, node: Expr, base: Element, order: int) -> Element:
+    num, den, outside = _extracted(tower, base, order)
+    if num.is_zero():
+        return Element(num, den)
+    for exponents, _ in [*terms(num), *terms(den)]:
+        if any(exponents[i] for i in tower.free_indices):
+            raise Undecided("several parameters stand under one root")
+    plain = _number_root(num, den, order)
+    if plain is not None:
+        return _product(tower, outside, Element(constant(tower.context, plain), constant(tower.context, 1)))
+    for root in tower.roots:
+        if root.order == order and root.radicand.num == num and root.radicand.den == den:
+            break
+    else:
+        index = tower._slots - 1 - len(tower.roots)
+        relation = tower.context.gen(index) ** order - tower.reduce(num * den ** (order - 1))
+        root = Root(index, order, Element(num, den), relation)
+        tower.roots.append(root)
+        total = 1
+        for each in tower.roots:
+            total *= each.order
+        if total > tower.limits.tower_degree:
+            raise Undecided(f"a tower of roots of degree more than {tower.limits.tower_degree}")
+    tower.checks.append(Check(node, root.sign_poly, root))
+    return _product(tower, outside, Element(tower.context.gen(root.index), den))
+
+
+def _extracted(tower: Tower, base: Element, order: int) -> tuple[Poly, Poly, Element]:
+    """Powers of positive symbols taken out of the radicand."""
+    indices = [
+        i
+        for i, name in [
+            *zip(tower.free_indices, tower.free, strict=True),
+            *([] if tower.parameter_index is None else [(tower.parameter_index, tower.parameter)]),
+        ]
+        if name in tower.positive
+    ]
+    sides = []
+    for p in (base.num, base.den):
+        inside, outside = p, constant(tower.context, 1)
+        content = monomial_content(p, indices)
+        for i, e in zip(indices, content, strict=True):
+            if e % order and i in tower.free_indices:
+                raise NeedsPower(tower.free[i - tower._slots], order)
+            whole = e - e % order
+            if whole:
+                inside = divmod(inside, tower.context.gen(i) ** whole)[0]
+                outside = outside * tower.context.gen(i) ** (whole // order)
+        sides.append((inside, outside))
+    (num, top), (den, bottom) = sides
+    return num, den, Element(top, bottom)
+
+
+def _number_root(num: Poly, den: Poly, order: int) -> Fraction | None:
+    """The root of a rational number that has a rational one; negative only for odd order."""
+    if not (num.is_constant() and den.is_constant()):
+        return None
+    value = fraction(num.leading_coefficient()) / fraction(den.leading_coefficient())
+    if value < 0 and order == 2:
+        return None
+    top, bottom = (_integer_root(abs(n), order) for n in (value.numerator, value.denominator))
+    if top is None or bottom is None:
+        return None
+    return Fraction(top, bottom) * (-1 if value < 0 else 1)
+
+
+def _integer_root(n: int, order: int) -> int | None:
+    low, high = 0, 1 << (n.bit_length() // order + 1)
+    while low < high:
+        middle = (low + high) // 2
+        if middle**order < n:
+            low = middle + 1
+        else:
+            high = middle
+    return low if low**order == n else None
+
+
+def monomial(context: Ring, exponents: tuple[int, ...]) -> Poly:
+    """One monomial with coefficient 1."""
+    return from_terms(context, {exponents: 1})

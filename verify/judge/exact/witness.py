@@ -1,0 +1,183 @@
+"""Counterexamples: exact rational points, the simplest first, with both sides in balls that do not overlap."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from math import ceil, floor
+
+import flint
+
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
+from gainproof.verify.judge.exact.place import Box, Place
+from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
+from gainproof.verify.judge.exact.tower import Element
+
+FREE_PATTERNS = ((1, 2, 3, 5, 7, 11, 13, 17), (2, 3, 5, 7, 11, 13, 17, 19), (3, 1, 4, 1, 5, 9, 2, 6), (1, 1, 1, 1, 1, 1, 1, 1))
+
+
+def enclosure(ball: Ball, digits: int) -> Enclosure:
+    """The ball as decimal text that encloses it."""
+    middle, radius, exponent = (int(n) for n in ball.mid_rad_10exp(digits))
+    while middle % 10 == 0 and radius % 10 == 0 and (middle or radius):
+        middle, radius, exponent = middle // 10, radius // 10, exponent + 1
+    return Enclosure(_decimal(middle, exponent), _decimal(radius, exponent))
+
+
+def _decimal(mantissa: int, exponent: int) -> str:
+    if mantissa == 0 or 0 <= exponent <= 6:
+        return str(mantissa * 10 ** max(exponent, 0))
+    digits = str(abs(mantissa))
+    sign = "-" if mantissa < 0 else ""
+    if exponent < 0 and len(digits) > -exponent - 6:
+        digits = digits.rjust(1 - exponent, "0")
+        return f"{sign}{digits[:exponent]}.{digits[exponent:]}"
+    return f"{sign}{digits}e{exponent}"
+
+
+def _as_fraction(text: str) -> Fraction:
+    return Fraction(text)
+
+
+def separated(a: Ball, b: Ball) -> tuple[Enclosure, Enclosure] | None:
+    """Both balls as text that still does not overlap, or None if the balls overlap."""
+    if a.overlaps(b):
+        return None
+    for digits in (8, 16, 32, 64, 128, 300, 800, 1500):
+        left, right = enclosure(a, digits), enclosure(b, digits)
+        gap = abs(_as_fraction(left.midpoint) - _as_fraction(right.midpoint))
+        if gap > _as_fraction(left.radius) + _as_fraction(right.radius):
+            return left, right
+    return None
+
+
+def value_ball(local: Local, element: Element, sample: Fraction | None, precision: int, free: tuple[Fraction, ...]) -> Ball | None:
+    """A ball round num / den, or None where it is not resolved."""
+    top = local.ball(element.num, sample, precision, free)
+    bottom = local.ball(element.den, sample, precision, free)
+    if top is None or bottom is None or bottom.contains(0):
+        return None
+    with flint.ctx.workprec(precision):
+        return top / bottom
+
+
+def free_values(names: tuple[str, ...], boxes: Mapping[str, Box]) -> Iterator[tuple[Fraction, ...]]:
+    """A few simple rational values for the free symbols, inside their domains."""
+    for pattern in FREE_PATTERNS:
+        values = []
+        for k, name in enumerate(names):
+            value = _inside(boxes[name], pattern[k % len(pattern)] + 20 * (k // len(pattern)))
+            if value is None:
+                return
+            values.append(value)
+        yield tuple(values)
+        if not names:
+            return
+
+
+def _inside(box: Box, wanted: int) -> Fraction | None:
+    if box.holds(Fraction(wanted)):
+        return Fraction(wanted)
+    if box.lower is None:
+        assert box.upper is not None
+        return Fraction(floor(box.upper) - wanted)
+    if box.upper is None:
+        return Fraction(ceil(box.lower) + wanted)
+    if box.integer:
+        inside = [n for n in range(ceil(box.lower), floor(box.upper) + 1) if box.holds(Fraction(n))]
+        return Fraction(inside[wanted % len(inside)]) if inside else None
+    return box.lower + (box.upper - box.lower) * Fraction(wanted, wanted + 1)
+
+
+def sample_points(place: Place, integer: bool) -> Iterable[Fraction | None]:
+    """Points of a place to try, the simplest first; None is the point of a place that is one."""
+    if not place.is_cell:
+        return (None,)
+    whole = [Fraction(n) for n in place.integers(12)]
+    if integer:
+        return whole
+    return [*whole[:6], *[s for s in place.samples if s not in whole[:6]]]
+
+
+def find_witness(
+    local: Local, rel: Rel, boxes: Mapping[str, Box], labels: Mapping[str, str], integer: bool
+) -> tuple[Witness, int] | None:
+    """A point of the place where the relation fails, and how many points were tried."""
+    tower = local.tower
+    sides = tower.element(rel.left), tower.element(rel.right)
+    tried = 0
+    for precision in (FIRST_PRECISION, 256, 1024, tower.limits.precision):
+        for sample in sample_points(local.place, integer):
+            for free in free_values(tower.free, boxes):
+                tried += 1
+                a, b = (value_ball(local, side, sample, precision, free) for side in sides)
+                if a is None or b is None:
+                    continue
+                shown = separated(a, b)
+                if shown is None or not fails(rel.operator, a, b):
+                    continue
+                point = point_text(local, sample, free, labels)
+                return Witness(point, rel.operator, *shown), tried
+    return None
+
+
+def fails(operator: str, a: Ball, b: Ball) -> bool:
+    """Whether the relation fails for numbers in two balls that do not overlap."""
+    match operator:
+        case "=":
+            return True
+        case "<" | "<=":
+            return bool(a > b)
+        case ">" | ">=":
+            return bool(a < b)
+        case _:
+            return False
+
+
+def point_text(
+    local: Local, sample: Fraction | None, free: tuple[Fraction, ...], labels: Mapping[str, str]
+) -> dict[str, str]:
+    """The point as symbol -> value."""
+    point: dict[str, str] = {}
+    parameter = local.tower.parameter
+    if parameter is not None:
+        if sample is not None:
+            point[labels.get(parameter, parameter)] = str(sample)
+        elif local.place.at is not None:
+            point[labels.get(parameter, parameter)] = local.place.at.text()
+    for name, value in zip(local.tower.free, free, strict=True):
+        point[labels.get(name, name)] = str(value)
+    return point
+
+
+def equal_sides_witness(local: Local, rel: Rel, boxes: Mapping[str, Box], labels: Mapping[str, str], integer: bool) -> Witness:
+    """Where a strict inequality (or !=) fails because both sides are exactly equal. Raises Undecided."""
+    for sample in sample_points(local.place, integer):
+        for free in free_values(local.tower.free, boxes):
+            ball = value_ball(local, local.tower.element(rel.left), sample, FIRST_PRECISION, free)
+            if ball is not None:
+                both = enclosure(ball, 12)
+                point = point_text(local, sample, free, labels)
+                return Witness(point, rel.operator, both, both, exact=True, note="both sides are equal, exactly")
+    raise Undecided("no simple point of the set where both sides are equal was found")
+
+
+def undefined_witness(local: Local, rel: Rel, boxes: Mapping[str, Box], labels: Mapping[str, str], integer: bool) -> Witness | None:
+    """A point of the place where one side has no value."""
+    samples = list(sample_points(local.place, integer))
+    if not samples:
+        return None
+    free = next(free_values(local.tower.free, boxes), None)
+    if free is None:
+        return None
+    sides = []
+    for expr in (rel.left, rel.right):
+        why = local.undefined(expr)
+        ball = None if why else value_ball(local, local.tower.element(expr), samples[0], FIRST_PRECISION, free)
+        if why is None and ball is not None:
+            sides.append(enclosure(ball, 12))
+        else:
+            sides.append(Enclosure("", "", why or "not evaluated"))
+    return Witness(point_text(local, samples[0], free, labels), rel.operator, *sides, note="a side has no value")

@@ -1,0 +1,1 @@
+"""What the quantities of a setting are: steady states and growing memories, solved and established here."""

@@ -1,0 +1,51 @@
+"""What the quantities of a setting are, as expressions of a few base variables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.place import Box
+
+INTERVAL = "sampling_interval"
+DEVIATION = "measurement_noise_deviation"
+INDEX = "tracking_index"
+SAMPLE = "sample_number"
+POSITIVE = Box(lower=Fraction(0))
+ANY_REAL = Box(stated=False)
+
+
+class NotEstablished(ValueError):
+    """The judge could not show that its own solution is the setting's; the text says which step failed."""
+
+
+@dataclass(frozen=True)
+class Fact:
+    """Something the judge established about the setting before it used it, with its certificate."""
+
+    sentence: str
+    method: str
+    certificate: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Environment:
+    """`quantities` maps names of quantities to expressions over the base variables in `boxes`.
+
+    `missing` says why a quantity that has a name is not determined by the setting.
+    """
+
+    name: str
+    quantities: Mapping[str, Expr] = field(default_factory=dict)
+    boxes: Mapping[str, Box] = field(default_factory=dict)
+    parameter: str | None = None
+    facts: tuple[Fact, ...] = ()
+    missing: Mapping[str, str] = field(default_factory=dict)
+
+
+def algebra() -> Environment:
+    """No model: every symbol is free or defined by the source."""
+    return Environment("no model")

@@ -1,0 +1,147 @@
+"""Least squares over all samples 0..k with a polynomial of degree 0, 1 or 2, symbolic in the sample number k.
+
+With phi(j)' = H F^j, j = i - k <= 0, the normal matrix is J(k) = sum of phi phi'. Its closed form comes from power
+sums fitted through points; what makes it the normal matrix is J(0) = H'H and J(k) = F^-T J(k-1) F^-1 + H'H, shown
+identically in k. The batch solution then obeys J(k) x = F^-T J(k-1) x_before + H' y, and the recursion with gain
+K = J^-1 H' solves exactly that equation, shown identically in k, the previous state and the new measurement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import factorial
+
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.decision import decide
+from gainproof.verify.judge.exact.expression import Expr, number, power, symbol, weighted
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.setting.environment import ANY_REAL, SAMPLE, Fact, NotEstablished
+from gainproof.verify.judge.setting.matrix import Exprs, exprs, minus, plus, times, transposed
+
+Polynomial = list[Fraction]
+
+
+@dataclass(frozen=True)
+class GrowingMemory:
+    """In units T = 1, measurement noise variance 1; expressions of the sample number."""
+
+    degree: int
+    transition: Exprs
+    gain: tuple[Expr, ...]
+    updated: Exprs
+    facts: tuple[Fact, ...]
+
+
+def power_sum(m: int) -> Polynomial:
+    """Coefficients of sum of j^m for j = 0..k as a polynomial in k, by interpolation."""
+    points = [Fraction(sum(j**m for j in range(k + 1))) for k in range(m + 2)]
+    found: Polynomial = [Fraction(0)]
+    basis: Polynomial = [Fraction(1)]
+    table = list(points)
+    for order in range(m + 2):
+        found = _add(found, [table[0] * c for c in basis])
+        table = [b - a for a, b in zip(table, table[1:], strict=False)]
+        basis = [c / (order + 1) for c in _mul(basis, [Fraction(-order), Fraction(1)])]
+    return found
+
+
+def _add(a: Polynomial, b: Polynomial) -> Polynomial:
+    size = max(len(a), len(b))
+    return [(a[k] if k < len(a) else Fraction(0)) + (b[k] if k < len(b) else Fraction(0)) for k in range(size)]
+
+
+def _mul(a: Polynomial, b: Polynomial) -> Polynomial:
+    made = [Fraction(0)] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            made[i + j] += x * y
+    return made
+
+
+def _determinant(rows: Sequence[Sequence[Polynomial]]) -> Polynomial:
+    if not rows:
+        return [Fraction(1)]
+    total: Polynomial = [Fraction(0)]
+    for column, entry in enumerate(rows[0]):
+        rest = [[x for j, x in enumerate(row) if j != column] for row in rows[1:]]
+        total = _add(total, [c * (-1) ** column for c in _mul(entry, _determinant(rest))])
+    return total
+
+
+def _expr(p: Polynomial) -> Expr:
+    k = symbol(SAMPLE)
+    return weighted(p, [power(k, e) for e in range(len(p))])
+
+
+def growing_memory(degree: int) -> GrowingMemory:
+    """Gain and covariance, established. Raises Undecided beyond degree 2."""
+    if degree not in (0, 1, 2):
+        raise Undecided(f"least squares of degree {degree} is not covered")
+    size = degree + 1
+    normal = [
+        [[c * (-1) ** (a + b) / (factorial(a) * factorial(b)) for c in power_sum(a + b)] for b in range(size)]
+        for a in range(size)
+    ]
+    determinant = _determinant(normal)
+    inverse = tuple(
+        tuple(_expr([c * (-1) ** (a + b) for c in _minor(normal, b, a)]) / _expr(determinant) for b in range(size))
+        for a in range(size)
+    )
+    j = tuple(tuple(_expr(p) for p in row) for row in normal)
+    f = exprs(_taylor(size, 1))
+    gain = tuple(row[0] for row in inverse)
+    facts = _establish(degree, j, _expr(determinant), f, gain, inverse)
+    return GrowingMemory(degree, f, gain, inverse, facts)
+
+
+def _minor(rows: Sequence[Sequence[Polynomial]], i: int, j: int) -> Polynomial:
+    return _determinant([[x for c, x in enumerate(row) if c != j] for r, row in enumerate(rows) if r != i])
+
+
+def _taylor(size: int, step: int) -> tuple[tuple[Fraction, ...], ...]:
+    return tuple(
+        tuple(Fraction(step ** (c - r), factorial(c - r)) if c >= r else Fraction(0) for c in range(size))
+        for r in range(size)
+    )
+
+
+def _establish(
+    degree: int, j: Exprs, determinant: Expr, f: Exprs, gain: tuple[Expr, ...], inverse: Exprs
+) -> tuple[Fact, ...]:
+    size = degree + 1
+    back = exprs(_taylor(size, -1))
+    h = (tuple(number(int(c == 0)) for c in range(size)),)
+    measured = times(transposed(h), h)
+    before = tuple(tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in j)
+    moved = times(times(transposed(back), before), back)
+    state = tuple((symbol(f"state {i}"),) for i in range(size))
+    y = symbol("measured")
+    forward = times(f, state)
+    innovation = y - forward[0][0]
+    new = tuple((p[0] + g * innovation,) for p, g in zip(forward, gain, strict=True))
+    left = times(j, new)
+    right = plus(times(times(transposed(back), before), state), tuple((e[0] * y,) for e in transposed(h)))
+    start = [substituted(e, {SAMPLE: number(0)}) for row in minus(j, measured) for e in row]
+    return (
+        _shown("F F^-1 = I", minus(times(f, back), exprs(_taylor(size, 0))), degree),
+        _shown("J(0) = H'H", (tuple(start),), degree),
+        _shown("J(k) = F^-T J(k-1) F^-1 + H'H for every k", minus(j, plus(moved, measured)), degree),
+        _shown("J J^-1 = I", minus(times(j, inverse), exprs(_taylor(size, 0))), degree),
+        _shown(f"det J(k) > 0 for k >= {degree}", ((determinant,),), degree, ">"),
+        _shown("the recursion solves the normal equations of the batch", minus(left, right), degree),
+    )
+
+
+def _shown(sentence: str, entries: Exprs, degree: int, operator: str = "=") -> Fact:
+    boxes = {SAMPLE: Box(lower=Fraction(degree), lower_open=False), "measured": ANY_REAL}
+    boxes |= {f"state {i}": ANY_REAL for i in range(degree + 1)}
+    outcome = None
+    for entry in (e for row in entries for e in row):
+        outcome = decide(Statement((Rel(operator, entry, number(0)),)), boxes, SAMPLE)
+        if outcome.verdict != "proved":
+            raise NotEstablished(f"{sentence}: {outcome.reason}")
+    return Fact(sentence, "identity in the sample number", outcome.certificate if outcome else {})

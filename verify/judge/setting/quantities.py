@@ -1,0 +1,122 @@
+"""Environments of settings: the quantities of a steady state or a growing memory in the source's units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from math import factorial
+from typing import Any
+
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, add, number, power, symbol
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.setting.environment import (
+    ANY_REAL,
+    DEVIATION,
+    INDEX,
+    INTERVAL,
+    POSITIVE,
+    SAMPLE,
+    Environment,
+)
+from gainproof.verify.judge.setting.growing_memory import GrowingMemory, growing_memory
+from gainproof.verify.judge.setting.matrix import Exprs, times, transposed
+from gainproof.verify.judge.setting.steady_state import solve
+
+T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
+GAIN_FORMS = ("filter", "predictor")
+
+
+def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environment:
+    """The steady state of a model; with `predictor`, what a source calls its gain is F K."""
+    state = solve(model)
+    if model.get("measurement_noise") != [["1"]] and model.get("measurement_noise") != (("1",),):
+        raise Undecided("model data must be in units of the measurement noise, with measurement_noise [['1']]")
+    named = {"filter": state.filter_gain, "predictor": state.predictor_gain}
+    quantities = _common()
+    for i in range(2):
+        quantities[f"filter_gain.{i + 1}"] = named[gain_form][i]
+        quantities[f"predictor_gain.{i + 1}"] = state.predictor_gain[i]
+    quantities |= _covariances("predicted", state.predicted) | _covariances("updated", state.updated)
+    quantities["innovation_variance"] = state.innovation * power(SIGMA, 2)
+    quantities["closed_loop.trace"] = -state.closed_loop[0]
+    quantities["closed_loop.determinant"] = state.closed_loop[1]
+    quantities |= _states(_taylor(2), state.filter_gain)
+    boxes = {INDEX: POSITIVE, **_boxes(2)}
+    name = str(model.get("name", "model"))
+    suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
+    return Environment(f"process noise {name}{suffix}", quantities, boxes, INDEX, state.facts)
+
+
+def memory(degree: int, gain_form: str = "filter") -> Environment:
+    """Least squares over all samples with a polynomial of this degree."""
+    fit: GrowingMemory = growing_memory(degree)
+    size = degree + 1
+    predictor = tuple(row[0] for row in times(fit.transition, tuple((g,) for g in fit.gain)))
+    named = {"filter": fit.gain, "predictor": predictor}
+    before = tuple(tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in fit.updated)
+    predicted = times(times(fit.transition, before), transposed(fit.transition))
+    quantities = _common()
+    for i in range(size):
+        quantities[f"filter_gain.{i + 1}"] = named[gain_form][i]
+        quantities[f"predictor_gain.{i + 1}"] = predictor[i]
+    quantities |= _covariances("predicted", predicted) | _covariances("updated", fit.updated)
+    quantities["innovation_variance"] = (predicted[0][0] + 1) * power(SIGMA, 2)
+    quantities |= _states(fit.transition, fit.gain)
+    quantities[SAMPLE] = symbol(SAMPLE)
+    missing = {}
+    if degree == 0:
+        quantities["first_updated_state.1"] = symbol("first_measurement")
+    else:
+        missing["first_updated_state.1"] = "one sample does not determine the least-squares fit"
+    boxes = {SAMPLE: Box(lower=Fraction(degree), lower_open=False, integer=True), **_boxes(size)}
+    what = {0: "mean", 1: "line", 2: "parabola"}[degree]
+    suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
+    return Environment(f"least squares, {what}{suffix}", quantities, boxes, SAMPLE, fit.facts, missing)
+
+
+def _common() -> dict[str, Expr]:
+    names = (INTERVAL, DEVIATION, "measurement", "first_measurement")
+    return {
+        **{name: symbol(name) for name in names},
+        INDEX: symbol(INDEX),
+        "measurement_noise_variance": power(SIGMA, 2),
+    }
+
+
+def _boxes(size: int) -> dict[str, Box]:
+    free = ("measurement", "first_measurement", *[f"previous_state.{i + 1}" for i in range(size)])
+    return {INTERVAL: POSITIVE, DEVIATION: POSITIVE, **dict.fromkeys(free, ANY_REAL)}
+
+
+def _covariances(which: str, matrix: Exprs) -> dict[str, Expr]:
+    found = {}
+    for i, row in enumerate(matrix):
+        for j, entry in enumerate(row):
+            scale = power(SIGMA, 2) if i + j == 0 else power(SIGMA, 2) / power(T, i + j)
+            found[f"{which}_covariance.{i + 1}.{j + 1}"] = entry * scale
+    return found
+
+
+def _taylor(size: int) -> Exprs:
+    return tuple(
+        tuple(number(Fraction(1, factorial(c - r))) if c >= r else number(0) for c in range(size)) for r in range(size)
+    )
+
+
+def _states(transition: Exprs, gain: tuple[Expr, ...]) -> dict[str, Expr]:
+    """Predicted and updated state from the previous state and the new measurement; T enters with its powers."""
+    size = len(gain)
+    before = [symbol(f"previous_state.{i + 1}") for i in range(size)]
+    predicted = []
+    for i in range(size):
+        terms = [transition[i][j] * power(T, j - i) * before[j] for j in range(i, size)]
+        predicted.append(add(*terms))
+    innovation = symbol("measurement") - predicted[0]
+    found: dict[str, Expr] = {}
+    for i in range(size):
+        found[f"previous_state.{i + 1}"] = before[i]
+        found[f"predicted_state.{i + 1}"] = predicted[i]
+        found[f"updated_state.{i + 1}"] = predicted[i] + gain[i] / power(T, i) * innovation
+    return found
