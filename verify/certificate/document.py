@@ -7,10 +7,17 @@ from dataclasses import dataclass
 
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.case import Case, Program
-from gainproof.verify.certificate.graph import Graph, Symbol, read_expression, read_graph
+from gainproof.verify.certificate.graph import (
+    AtNode,
+    DerivativeNode,
+    Graph,
+    Symbol,
+    read_expression,
+    read_graph,
+)
 from gainproof.verify.certificate.kinds import KINDS
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.rejection import MAXIMUM_STATEMENTS, Meter, RejectedError
+from gainproof.verify.certificate.rejection import MAXIMUM_STATEMENTS, MalformedError, Meter
 from gainproof.verify.certificate.tower import Tower, read_tower
 
 FORMAT = "gainproof certificate 1"
@@ -41,7 +48,7 @@ class Document:
     statements: tuple[Statement, ...]
 
     def decide(self, statement: Statement) -> str:
-        """ "proved", "cited" or "definition". Raises RejectedError."""
+        """The status "proved", "cited" or "definition". Raises RejectedError otherwise."""
         case = Case(statement.id, statement.claim, statement.evidence,
                     self.towers[statement.tower], self.programs)
         return KINDS[statement.kind](case)
@@ -60,19 +67,19 @@ def read_document(value: Plain, meter: Meter) -> Document:
     """Read a certificate. Raises RejectedError where it is not as the format wants it."""
     fields = schema.record(value, _FIELDS, "certificate")
     if fields["format"] != FORMAT:
-        raise RejectedError(f"certificate.format: {FORMAT!r} is wanted")
+        raise MalformedError(f"certificate.format: {FORMAT!r} is wanted")
     subject = schema.text(fields["subject"], "certificate.subject")
     towers = read_towers(fields["towers"], meter)
     programs = read_programs(fields["programs"])
     entries = schema.items(fields["statements"], "statements")
     if not 1 <= len(entries) <= MAXIMUM_STATEMENTS:
-        raise RejectedError(f"statements: between 1 and {MAXIMUM_STATEMENTS} are wanted")
+        raise MalformedError(f"statements: between 1 and {MAXIMUM_STATEMENTS} are wanted")
     statements: list[Statement] = []
     known: set[str] = set()
     for number, entry in enumerate(entries):
         statement = read_statement(entry, towers, f"statements[{number}]")
         if statement.id in known:
-            raise RejectedError(f"statements[{number}].id: {statement.id!r} is given twice")
+            raise MalformedError(f"statements[{number}].id: {statement.id!r} is given twice")
         known.add(statement.id)
         statements.append(statement)
     return Document(subject, towers, programs, tuple(statements))
@@ -82,7 +89,7 @@ def read_towers(value: Plain, meter: Meter) -> dict[str, Tower]:
     """All towers by name."""
     entries = schema.table(value, "towers")
     if len(entries) > _MAXIMUM_TOWERS:
-        raise RejectedError(f"towers: more than {_MAXIMUM_TOWERS}")
+        raise MalformedError(f"towers: more than {_MAXIMUM_TOWERS}")
     return {schema.name(name, "towers"): read_tower(entry, meter, f"towers.{name}")
             for name, entry in entries.items()}
 
@@ -91,7 +98,7 @@ def read_programs(value: Plain) -> dict[str, Program]:
     """All programs by name; each input must be a symbol of its graph, and each symbol an input."""
     entries = schema.table(value, "programs")
     if len(entries) > _MAXIMUM_PROGRAMS:
-        raise RejectedError(f"programs: more than {_MAXIMUM_PROGRAMS}")
+        raise MalformedError(f"programs: more than {_MAXIMUM_PROGRAMS}")
     programs: dict[str, Program] = {}
     for name, entry in entries.items():
         place = f"programs.{schema.name(name, 'programs')}"
@@ -101,10 +108,12 @@ def read_programs(value: Plain) -> dict[str, Program]:
             schema.name(symbol, f"{place}.inputs"): _input(meaning, f"{place}.inputs.{symbol}")
             for symbol, meaning in schema.table(fields["inputs"], f"{place}.inputs").items()
         }
+        if any(isinstance(node, DerivativeNode | AtNode) for node in graph.nodes):
+            raise MalformedError(f"{place}: a program computes, it does not differentiate")
         symbols = {node.name for node in graph.nodes if isinstance(node, Symbol)}
         schema.unused(set(inputs) - symbols, "inputs", place)
         if symbols - set(inputs):
-            raise RejectedError(f"{place}: {sorted(symbols - set(inputs))} are not inputs")
+            raise MalformedError(f"{place}: {sorted(symbols - set(inputs))} are not inputs")
         programs[name] = Program(inputs, graph)
     return programs
 
@@ -115,10 +124,10 @@ def read_statement(value: Plain, towers: Mapping[str, Tower], place: str) -> Sta
     identifier = schema.text(fields["id"], f"{place}.id")
     kind = schema.text(fields["kind"], f"{place}.kind")
     if kind not in KINDS:
-        raise RejectedError(f"{place}.kind: {kind!r} is not a kind of statement")
+        raise MalformedError(f"{place}.kind: {kind!r} is not a kind of statement")
     tower = schema.name(fields["tower"], f"{place}.tower")
     if tower not in towers:
-        raise RejectedError(f"{place}.tower: there is no tower {tower!r}")
+        raise MalformedError(f"{place}.tower: there is no tower {tower!r}")
     return Statement(identifier, kind, tower, fields["claim"], fields["evidence"])
 
 

@@ -75,9 +75,9 @@ class Field:
 
     def _reduce_by(self, number: int, polynomial: Polynomial) -> Polynomial:
         generator, position = self.generators[number], self.position(number)
-        parts = polynomial.by_power(position)
-        if max(parts, default=0) < generator.power:
+        if polynomial.degree(position) < generator.power:
             return polynomial
+        parts = polynomial.by_power(position)
         result = self.ring.constant(0)
         for quotient in range(max(parts) // generator.power, -1, -1):
             result = result * generator.radicand

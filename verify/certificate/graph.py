@@ -14,7 +14,7 @@ from gainproof.verify.certificate.rejection import (
     MAXIMUM_ORDER,
     MAXIMUM_POWER,
     MAXIMUM_ROOT,
-    RejectedError,
+    MalformedError,
 )
 
 
@@ -117,7 +117,7 @@ def read_graph(value: Plain, place: str) -> Graph:
     fields = schema.record(value, ("nodes", "outputs"), place)
     entries = schema.items(fields["nodes"], f"{place}.nodes")
     if len(entries) > MAXIMUM_NODES:
-        raise RejectedError(f"{place}: more than {MAXIMUM_NODES} nodes")
+        raise MalformedError(f"{place}: more than {MAXIMUM_NODES} nodes")
     nodes = tuple(_node(entry, number, f"{place}.nodes[{number}]")
                   for number, entry in enumerate(entries))
     outputs = {
@@ -129,7 +129,7 @@ def read_graph(value: Plain, place: str) -> Graph:
     reached = graph.reachable(outputs.values(), {})
     if len(reached) != len(nodes) or not nodes:
         idle = sorted(set(range(len(nodes))) - set(reached))
-        raise RejectedError(f"{place}: nodes {idle[:5]} serve no output")
+        raise MalformedError(f"{place}: nodes {idle[:5]} serve no output")
     return graph
 
 
@@ -137,14 +137,14 @@ def read_expression(value: Plain, place: str) -> Graph:
     """A graph with the single output "value"."""
     graph = read_graph(value, place)
     if tuple(graph.outputs) != ("value",):
-        raise RejectedError(f"{place}: a graph with the single output 'value' is wanted")
+        raise MalformedError(f"{place}: a graph with the single output 'value' is wanted")
     return graph
 
 
 def _node(value: Plain, number: int, place: str) -> Node:
     entry = schema.items(value, place)
     if not entry or not isinstance(entry[0], str):
-        raise RejectedError(f"{place}: a node starts with its kind")
+        raise MalformedError(f"{place}: a node starts with its kind")
     kind, rest = entry[0], entry[1:]
     if kind == "number" and len(rest) == 1:
         return Number(schema.number(rest[0], place))
@@ -157,29 +157,29 @@ def _node(value: Plain, number: int, place: str) -> Node:
     if kind == "call" and rest:
         function = schema.name(rest[0], place)
         if _ARITY.get(function) != len(rest) - 1:
-            raise RejectedError(f"{place}: {function!r} of {len(rest) - 1} arguments is not known")
+            raise MalformedError(f"{place}: {function!r} of {len(rest) - 1} arguments is not known")
         return Call(function, _earlier(rest[1:], number, place))
     if kind == "matrix" and len(rest) >= 2:
         rows = schema.integer(rest[0], 1, MAXIMUM_ORDER, place)
         columns = schema.integer(rest[1], 1, MAXIMUM_ORDER, place)
         if len(rest) != 2 + rows * columns:
-            raise RejectedError(f"{place}: {rows * columns} entries wanted")
+            raise MalformedError(f"{place}: {rows * columns} entries wanted")
         return MatrixNode(rows, columns, _earlier(rest[2:], number, place))
     if kind == "derivative" and len(rest) == 2:
         return DerivativeNode(schema.name(rest[1], place), _earlier(rest[:1], number, place))
     if kind == "at" and len(rest) == 3:
         return AtNode(schema.name(rest[1], place), _earlier([rest[0], rest[2]], number, place))
-    raise RejectedError(f"{place}: {kind[:20]!r} with {len(rest)} entries is not a node")
+    raise MalformedError(f"{place}: {kind[:20]!r} with {len(rest)} entries is not a node")
 
 
 def _earlier(entries: list[Plain], number: int, place: str) -> tuple[int, ...]:
     if number == 0:
-        raise RejectedError(f"{place}: the first node cannot refer to an earlier one")
+        raise MalformedError(f"{place}: the first node cannot refer to an earlier one")
     return tuple(schema.integer(entry, 0, number - 1, place) for entry in entries)
 
 
 def _exponent(value: Plain, place: str) -> Fraction:
     exponent = schema.number(value, place)
     if abs(exponent.numerator) > MAXIMUM_POWER or exponent.denominator > MAXIMUM_ROOT:
-        raise RejectedError(f"{place}: the exponent {value} is out of bounds")
+        raise MalformedError(f"{place}: the exponent {value} is out of bounds")
     return exponent

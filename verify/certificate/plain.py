@@ -14,7 +14,7 @@ from gainproof.verify.certificate.rejection import (
     MAXIMUM_DEPTH,
     MAXIMUM_PLAIN_VALUES,
     MAXIMUM_TEXT,
-    RejectedError,
+    MalformedError,
 )
 
 Plain: TypeAlias = "dict[str, Plain] | list[Plain] | str | int"
@@ -26,23 +26,23 @@ _LARGEST_INTEGER = 10**6
 def plain(value: object) -> Plain:
     """A deep copy of ``value`` made of dict, list, str and int only (tuples become lists).
 
-    Raises RejectedError for any other type (booleans, floats, None, subclasses of text or int),
+    Raises MalformedError for any other type (booleans, floats, None, subclasses of text or int),
     for keys that are not text, and beyond the limits of size, depth and length.
     """
     return _copy(value, MAXIMUM_DEPTH, [MAXIMUM_PLAIN_VALUES])
 
 
 def _copy(value: object, depth: int, remaining: list[int]) -> Plain:
-    remaining[0] -= 1
+    remaining[0] -= 1 + (len(value) // 64 if isinstance(value, str) else 0)
     if depth < 0:
-        raise RejectedError(f"data nested deeper than {MAXIMUM_DEPTH} levels")
+        raise MalformedError(f"data nested deeper than {MAXIMUM_DEPTH} levels")
     if remaining[0] < 0:
-        raise RejectedError(f"more than {MAXIMUM_PLAIN_VALUES} values")
+        raise MalformedError(f"more than {MAXIMUM_PLAIN_VALUES} values")
     if type(value) is str:
         return _text(value)
     if type(value) is int:
         if abs(value) > _LARGEST_INTEGER:
-            raise RejectedError(f"an integer beyond {_LARGEST_INTEGER}")
+            raise MalformedError(f"an integer beyond {_LARGEST_INTEGER}")
         return value
     if isinstance(value, list | tuple):
         return [_copy(item, depth - 1, remaining) for item in value]
@@ -50,16 +50,16 @@ def _copy(value: object, depth: int, remaining: list[int]) -> Plain:
         copied: dict[str, Plain] = {}
         for key, item in value.items():
             if type(key) is not str:
-                raise RejectedError(f"a key of type {type(key).__name__} where text is wanted")
+                raise MalformedError(f"a key of type {type(key).__name__} where text is wanted")
             copied[_text(key)] = _copy(item, depth - 1, remaining)
         return copied
-    raise RejectedError(f"a value of type {type(value).__name__}: only text, integers, lists and "
+    raise MalformedError(f"a value of type {type(value).__name__}: only text, integers, lists and "
                         "records are allowed")
 
 
 def _text(value: str) -> str:
     if len(value) > MAXIMUM_TEXT:
-        raise RejectedError(f"text longer than {MAXIMUM_TEXT} characters")
+        raise MalformedError(f"text longer than {MAXIMUM_TEXT} characters")
     return value
 
 

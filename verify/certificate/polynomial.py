@@ -22,6 +22,9 @@ from gainproof.verify.certificate.rejection import (
 
 Monomial = tuple[int, ...]
 
+# What any operation costs, however short, in products of two terms.
+_OVERHEAD = 10
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ring:
@@ -48,23 +51,25 @@ class Ring:
         for coefficient in terms.values():
             denominator = coefficient.denominator
             common = common // gcd(common, denominator) * denominator
+            if common.bit_length() > MAXIMUM_COEFFICIENT_BITS:
+                raise RejectedError("the common denominator of a polynomial is beyond every need")
         return self.normal({m: c.numerator * (common // c.denominator)
                             for m, c in terms.items()}, common)
 
     def normal(self, terms: dict[Monomial, int], denominator: int) -> Polynomial:
         """Bring integer terms over a positive denominator to lowest terms, within the limits."""
         terms = {m: c for m, c in terms.items() if c}
+        words = denominator.bit_length() // 64
+        self.meter.spend(_OVERHEAD + len(terms) * (1 + words * words // 128))
         if denominator != 1:
             common = gcd(denominator, *terms.values())
             if common != 1:
                 denominator //= common
                 terms = {m: c // common for m, c in terms.items()}
-        if denominator.bit_length() > MAXIMUM_COEFFICIENT_BITS or any(
-            c.bit_length() > MAXIMUM_COEFFICIENT_BITS for c in terms.values()
-        ):
+        if terms and max(
+            denominator, max(terms.values()), -min(terms.values())
+        ).bit_length() > MAXIMUM_COEFFICIENT_BITS:
             raise RejectedError("a coefficient grew beyond every need")
-        if any(max(m, default=0) > MAXIMUM_EXPONENT for m in terms):
-            raise RejectedError(f"an exponent grew beyond {MAXIMUM_EXPONENT}")
         return Polynomial(self, terms, denominator)
 
 
@@ -86,6 +91,7 @@ class Polynomial:
                 and self.terms == other.terms)
 
     def __hash__(self) -> int:
+        self.ring.meter.spend(len(self.terms))
         return hash((self.denominator, frozenset(self.terms.items())))
 
     def __neg__(self) -> Polynomial:
@@ -107,6 +113,8 @@ class Polynomial:
     def __mul__(self, other: Polynomial) -> Polynomial:
         self._same_ring(other)
         self.ring.meter.spend(self._cost(other))
+        if any(self.degree(i) + other.degree(i) > MAXIMUM_EXPONENT for i in range(self.ring.size)):
+            raise RejectedError(f"an exponent grew beyond {MAXIMUM_EXPONENT}")
         product: dict[Monomial, int] = {}
         for left, first in self.terms.items():
             for right, second in other.terms.items():
@@ -141,6 +149,10 @@ class Polynomial:
     def occurs(self, position: int) -> bool:
         """Whether the variable at ``position`` occurs."""
         return any(m[position] for m in self.terms)
+
+    def degree(self, position: int) -> int:
+        """The highest exponent of the variable at ``position``; 0 for the zero polynomial."""
+        return max([m[position] for m in self.terms], default=0)
 
     def by_power(self, position: int) -> dict[int, Polynomial]:
         """The coefficients of the powers of one variable, itself removed."""
@@ -180,8 +192,9 @@ class Polynomial:
 
     def _cost(self, other: Polynomial) -> int:
         bits = _bits(self) + _bits(other)
-        return len(self.terms) * len(other.terms) * (1 + bits // 1024) + 1
+        return len(self.terms) * len(other.terms) * (1 + (bits // 256) ** 2 // 32)
 
 
 def _bits(polynomial: Polynomial) -> int:
-    return max((c.bit_length() for c in polynomial.terms.values()), default=0)
+    values = polynomial.terms.values()
+    return max(max(values), -min(values)).bit_length() if values else 0

@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.polynomial import Polynomial
-from gainproof.verify.certificate.rejection import RejectedError
+from gainproof.verify.certificate.rejection import MAXIMUM_EXPONENT, RejectedError
 
 Factors = Mapping[Polynomial, int]
 
@@ -43,6 +43,8 @@ class Ratio:
         factors = dict(self.factors)
         for factor, multiplicity in other.factors.items():
             factors[factor] = factors.get(factor, 0) + multiplicity
+            if factors[factor] > MAXIMUM_EXPONENT:
+                raise RejectedError(f"a multiplicity grew beyond {MAXIMUM_EXPONENT}")
         return Ratio(self.field, self.field.reduce(self.numerator * other.numerator), factors)
 
     def power(self, exponent: int) -> Ratio:

@@ -6,27 +6,27 @@ import json
 from pathlib import Path
 from typing import Any, NoReturn
 
-from gainproof.verify.certificate.rejection import RejectedError
+from gainproof.verify.certificate.rejection import MalformedError
 
-_MAXIMUM_BYTES = 50_000_000
+_MAXIMUM_BYTES = 20_000_000
 
 
 def read_certificate(source: bytes | Path) -> dict[str, Any]:
     """The certificate in a file or in its bytes.
 
-    Raises RejectedError if it is not a JSON record in UTF-8, gives a key twice, holds a number
+    Raises MalformedError if it is not a JSON record in UTF-8, gives a key twice, holds a number
     that is no integer, or is larger than any certificate; OSError if the file cannot be read.
     """
     content = source if isinstance(source, bytes) else _content(source)
     if len(content) > _MAXIMUM_BYTES:
-        raise RejectedError(f"more than {_MAXIMUM_BYTES} bytes")
+        raise MalformedError(f"more than {_MAXIMUM_BYTES} bytes")
     try:
         value = json.loads(content.decode("utf-8"), object_pairs_hook=_unique,
                            parse_float=_refuse, parse_constant=_refuse)
     except (ValueError, RecursionError) as error:
-        raise RejectedError(f"not readable as JSON: {type(error).__name__}") from None
+        raise MalformedError(f"not readable as JSON: {type(error).__name__}") from None
     if not isinstance(value, dict):
-        raise RejectedError("a JSON record is wanted")
+        raise MalformedError("a JSON record is wanted")
     return value
 
 
@@ -39,10 +39,10 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     result: dict[str, Any] = {}
     for key, value in pairs:
         if key in result:
-            raise RejectedError(f"the key {key[:60]!r} is given twice")
+            raise MalformedError(f"the key {key[:60]!r} is given twice")
         result[key] = value
     return result
 
 
 def _refuse(text: str) -> NoReturn:
-    raise RejectedError(f"the number {text[:40]} is not an integer")
+    raise MalformedError(f"the number {text[:40]} is not an integer")

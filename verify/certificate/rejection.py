@@ -6,10 +6,10 @@ The limits are far above what an honest certificate needs.
 
 from __future__ import annotations
 
-MAXIMUM_PLAIN_VALUES = 2_000_000
+MAXIMUM_PLAIN_VALUES = 1_000_000
 MAXIMUM_DEPTH = 24
 MAXIMUM_TEXT = 4_000
-MAXIMUM_NUMBER_TEXT = 1_000
+MAXIMUM_NUMBER_TEXT = 400
 MAXIMUM_STATEMENTS = 1_000
 MAXIMUM_ELEMENTS = 500
 MAXIMUM_VARIABLES = 24
@@ -18,13 +18,17 @@ MAXIMUM_TERMS = 20_000
 MAXIMUM_EXPONENT = 1_000
 MAXIMUM_POWER = 64
 MAXIMUM_ROOT = 12
-MAXIMUM_COEFFICIENT_BITS = 40_000
+MAXIMUM_COEFFICIENT_BITS = 8_192
 MAXIMUM_ORDER = 8
 MAXIMUM_WORK = 20_000_000
 
 
 class RejectedError(Exception):
     """The certificate, or one statement of it, is not accepted; the text says what was wanted."""
+
+
+class MalformedError(RejectedError):
+    """It is not even written as the format wants it, so nothing was decided."""
 
 
 class Meter:
@@ -35,11 +39,15 @@ class Meter:
 
     __slots__ = ("remaining",)
 
-    def __init__(self, work: int = MAXIMUM_WORK) -> None:
-        self.remaining = work
+    def __init__(self) -> None:
+        self.remaining = MAXIMUM_WORK
 
     def spend(self, work: int) -> None:
         """Count ``work`` more products. Raises RejectedError when the allowance is used up."""
         self.remaining -= work
         if self.remaining < 0:
             raise RejectedError("given up: more arithmetic than any certificate needs")
+
+    def reset(self) -> None:
+        """Allow the full effort again, for a check of its own over towers already read."""
+        self.remaining = MAXIMUM_WORK

@@ -7,6 +7,9 @@ from fractions import Fraction
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial
 
+# Numbers whose roots are looked for; longer ones would cost time and are not needed.
+_MAXIMUM_BITS = 512
+
 
 def known_root(value: Ratio, degree: int) -> Ratio | None:
     """The nonnegative root of that degree, if ``value`` visibly has one; else None.
@@ -43,7 +46,7 @@ def _perfect(field: Field, value: Ratio, degree: int) -> Ratio | None:
 
 def rational_root(value: Fraction, degree: int) -> Fraction | None:
     """The rational number whose power is ``value`` > 0, if there is one."""
-    if value <= 0:
+    if value <= 0 or max(value.numerator, value.denominator).bit_length() > _MAXIMUM_BITS:
         return None
     above = integer_root(value.numerator, degree)
     below = integer_root(value.denominator, degree)

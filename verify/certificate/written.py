@@ -13,6 +13,7 @@ from gainproof.verify.certificate.ratio import Ratio, fraction
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_EXPONENT,
     MAXIMUM_TERMS,
+    MalformedError,
     RejectedError,
 )
 
@@ -23,21 +24,21 @@ def polynomial(value: Plain, ring: Ring, place: str) -> Polynomial:
     previous: Monomial | None = None
     entries = schema.items(value, place)
     if len(entries) > MAXIMUM_TERMS:
-        raise RejectedError(f"{place}: more than {MAXIMUM_TERMS} terms")
+        raise MalformedError(f"{place}: more than {MAXIMUM_TERMS} terms")
     ring.meter.spend(len(entries))
     for entry in entries:
         pair = schema.items(entry, place)
         if len(pair) != 2:
-            raise RejectedError(f"{place}: a term is a coefficient and a list of exponents")
+            raise MalformedError(f"{place}: a term is a coefficient and a list of exponents")
         exponents = schema.items(pair[1], place)
         if len(exponents) != ring.size:
-            raise RejectedError(f"{place}: {ring.size} exponents wanted, {len(exponents)} found")
+            raise MalformedError(f"{place}: {ring.size} exponents wanted, {len(exponents)} found")
         monomial = tuple(schema.integer(e, 0, MAXIMUM_EXPONENT, place) for e in exponents)
         if previous is not None and not monomial < previous:
-            raise RejectedError(f"{place}: the terms are not in strictly descending order")
+            raise MalformedError(f"{place}: the terms are not in strictly descending order")
         coefficient = schema.number(pair[0], place)
         if not coefficient:
-            raise RejectedError(f"{place}: a term with coefficient 0")
+            raise MalformedError(f"{place}: a term with coefficient 0")
         terms[monomial] = coefficient
         previous = monomial
     return ring.polynomial(terms)
