@@ -27,23 +27,32 @@ def overview(shop: Workshop) -> list[dict[str, Any]]:
 
 def derive(names: Sequence[str], shop: Workshop) -> list[Derived]:
     """The subjects of these names. Raises BadInputError for a name the catalogue does not have."""
-    known = catalogue(shop)
     for name in names:
-        if name not in known:
-            raise unknown_name("derivation", name, known)
+        require_name(name, shop)
     jobs = [workers.Job(name, "derive", {"name": name}) for name in names]
     return [derived_from(data) for data in shop.results("derived", jobs)]
 
 
+def require_name(name: str, shop: Workshop) -> None:
+    """Raises BadInputError, with the nearest names, for a name the catalogue does not have."""
+    known = catalogue(shop)
+    if name not in known:
+        raise unknown_name("derivation", name, known)
+
+
 def derive_file(path: Path, shop: Workshop) -> Derived:
     """The subject of a user's model file, which is executed. Raises BadInputError."""
+    job = workers.Job(str(path), "derive_file", {"path": str(path.resolve())})
+    (found,) = shop.results("derived", [job], model_text(path))
+    return derived_from(found)
+
+
+def model_text(path: Path) -> bytes:
+    """The text of a model file. Raises BadInputError where it cannot be read."""
     try:
-        text = path.read_bytes()
+        return path.read_bytes()
     except OSError as error:
         raise BadInputError(f"{path}: cannot be read: {error.strerror or error}") from None
-    job = workers.Job(str(path), "derive_file", {"path": str(path.resolve())})
-    (found,) = shop.results("derived", [job], text)
-    return derived_from(found)
 
 
 def one(name_or_file: str, shop: Workshop) -> Derived:

@@ -6,12 +6,22 @@ Factors stand side by side; a slash divides what stands before it by the one fac
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from gainproof.formula_term import Graph, Style, lay_out
 
 
-def formula_text(graph: Graph, names: Mapping[str, str], output: str = "value") -> str:
+def inline_matrix(rows: Sequence[Sequence[str]]) -> str:
+    """`[a, b; c, d]`"""
+    return "[" + "; ".join(", ".join(row) for row in rows) + "]"
+
+
+def formula_text(
+    graph: Graph,
+    names: Mapping[str, str],
+    output: str = "value",
+    matrix: Callable[[Sequence[Sequence[str]]], str] = inline_matrix,
+) -> str:
     """One output of a graph; names are written as `names` says, else as they are."""
     style = Style(
         symbol=lambda name: names.get(name, name),
@@ -19,7 +29,7 @@ def formula_text(graph: Graph, names: Mapping[str, str], output: str = "value") 
         power=_power,
         root=lambda text: f"sqrt({text})",
         quotient=_quotient,
-        matrix=lambda rows: "[" + "; ".join(", ".join(row) for row in rows) + "]",
+        matrix=matrix,
         call=lambda name, arguments: f"{name}({', '.join(arguments)})",
         derivative=lambda text, symbol: f"(d/d{symbol}) {text}",
         at=lambda text, symbol, value: f"{text}[{symbol} := {value}]",

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import textwrap
 from collections.abc import Iterable, Mapping
 
 from gainproof.derived import Derived, DerivedStep
+from gainproof.formula_block import marked_matrix, set_formula
 from gainproof.formula_text import formula_text, plain_name
 from gainproof.relation_text import Writer, matrix_rows, relation_lines
 
@@ -16,7 +18,7 @@ INDENT = "     "
 def page(derived: Derived, marks: Mapping[str, str], *, with_steps: bool = True) -> str:
     """The page as text. `marks`: the checker's word on each step by id (`proved`, `cited`, ...)."""
     names = {name: plain_name(latex) for name, latex in derived.symbols.items()}
-    writer = Writer(names, formula_text)
+    writer = Writer(names, functools.partial(formula_text, matrix=marked_matrix))
     parts = [heading(derived.title)]
     if derived.opening:
         parts.append(paragraph(derived.opening))
@@ -63,7 +65,7 @@ def step_text(number: int, step: DerivedStep, writer: Writer, marks: Mapping[str
     lines = [textwrap.fill(step.sentence, WIDTH, initial_indent=first, subsequent_indent=INDENT)]
     lines.append("")
     for formula in relation_lines(step.kind, step.claim, writer):
-        lines += broken(formula)
+        lines += display(formula)
     lines += ["", *reason_lines(step.reason, f"[{mark}]")]
     return "\n".join(lines)
 
@@ -78,23 +80,10 @@ def reason_lines(reason: str, mark: str) -> list[str]:
     return [INDENT + line for line in lines]
 
 
-def broken(formula: str) -> list[str]:
-    """A formula set in from the margin, broken before a sign where it is too long for a line."""
+def display(formula: str) -> list[str]:
+    """A formula set in from the margin."""
     indent = INDENT + "   "
-    room = WIDTH - len(indent)
-    lines: list[str] = []
-    rest = formula
-    while len(rest) > room:
-        cut = max((rest.rfind(sign, 1, room) for sign in (" = ", " + ", " - ", "; ")), default=-1)
-        if cut < room // 4:
-            cut = rest.rfind(" ", 1, room)
-        if cut <= 0:
-            break
-        if rest[cut] == ";":
-            cut += 1
-        lines.append(rest[:cut].rstrip())
-        rest = "    " + rest[cut:].lstrip()
-    return [indent + line for line in [*lines, rest]]
+    return [indent + line for line in set_formula(formula, WIDTH - len(indent))]
 
 
 def results(derived: Derived, writer: Writer, marks: Mapping[str, str]) -> str:
@@ -104,7 +93,7 @@ def results(derived: Derived, writer: Writer, marks: Mapping[str, str]) -> str:
         if step.shown and step.kind not in {"definition", "cited"}:
             lines.append(f"{step.id}  [{marks.get(step.id, 'not checked')}]")
             for formula in relation_lines(step.kind, step.claim, writer):
-                lines += broken(formula)
+                lines += display(formula)
     return "\n".join(lines)
 
 

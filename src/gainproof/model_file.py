@@ -9,17 +9,16 @@ from pathlib import Path
 from gainproof.bad_input import BadInputError
 from gainproof.derive.model import Model, ModelError
 from gainproof.derive.steady_state.two_state import derive_two_state
-from gainproof.derived import Derived
-from gainproof.deriving import plain_subject
+from gainproof.derive.subject import Subject
 
 VARIABLE = "MODEL"
 
 
-def derive_model_file(path: str) -> Derived:
+def build_model_file(path: str) -> Subject:
     """Execute the file and derive its model. Raises BadInputError, with the line where known."""
     model = read_model(path)
     try:
-        return plain_subject(derive_two_state(model, ()))
+        return derive_two_state(model, ())
     except ModelError as error:
         raise BadInputError(f"{path}: {error}") from None
 

@@ -33,9 +33,33 @@ def derive(name: str) -> Plain:
 
 def derive_file(path: str) -> Plain:
     """Derive the model of a user's file: `Derived` as plain data. The file is executed."""
-    from gainproof.model_file import derive_model_file
+    from gainproof.deriving import plain_subject
+    from gainproof.model_file import build_model_file
 
-    return derive_model_file(path).plain()
+    return plain_subject(build_model_file(path)).plain()
+
+
+def print_all() -> dict[str, str]:
+    """Every file of generated/ by name."""
+    from gainproof.generating import catalogue_files
+
+    return catalogue_files()
+
+
+def print_one(name: str) -> dict[str, str]:
+    """The files of one subject of the catalogue."""
+    from gainproof.deriving import build
+    from gainproof.generating import files_of
+
+    return files_of([build(name)])
+
+
+def print_file(path: str) -> dict[str, str]:
+    """The files of the model of a user's file, which is executed."""
+    from gainproof.generating import files_of
+    from gainproof.model_file import build_model_file
+
+    return files_of([build_model_file(path)])
 
 
 def recheck(certificate: Any, expected: Plain) -> Plain:
@@ -43,6 +67,13 @@ def recheck(certificate: Any, expected: Plain) -> Plain:
     from gainproof.rechecking import recheck as decide
 
     return decide(certificate, expected)
+
+
+def judge(path: str, text: str) -> Plain:
+    """Judge a claim file of this text; `path` is for messages."""
+    from gainproof.judging import judge_text
+
+    return judge_text(path, text)
 
 
 def environment(names: list[str]) -> dict[str, str | None]:
@@ -61,7 +92,11 @@ TASKS: Mapping[str, Callable[..., Any]] = {
     "overview": overview,
     "derive": derive,
     "derive_file": derive_file,
+    "print_all": print_all,
+    "print_one": print_one,
+    "print_file": print_file,
     "recheck": recheck,
+    "judge": judge,
     "environment": environment,
     "wait": wait,
 }

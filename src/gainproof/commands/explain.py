@@ -1,11 +1,31 @@
-"""stub"""
+"""`gainproof explain`: the whole proof or witness of one claim."""
+
+from __future__ import annotations
 
 import argparse
 
-HELP = "explain"
-DESCRIPTION = "explain"
+HELP = "print the whole proof or witness of one claim"
+DESCRIPTION = """\
+Prints all that is known about one claim of a claim file: what was decided, by which method, with
+the certificate of a proof or the exact point where a formula fails."""
 
 
-def configure(parser: argparse.ArgumentParser) -> None: ...
+def configure(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", metavar="FILE", help="a claim file, or the key of one of gainproof")
+    parser.add_argument("claim", metavar="ID", help="the id of a claim")
+    parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
+
+
 def run(options: argparse.Namespace) -> int:
+    """0, or 2 for a claim that the file does not have."""
+    from gainproof import judgements, verdict_text
+    from gainproof.bad_input import unknown_name
+    from gainproof.workshop import open_workshop
+
+    file = judgements.find(options.file)
+    (judgement,) = judgements.judge([file], open_workshop(fresh=options.fresh, quiet=True))
+    claims = {claim["id"]: claim for claim in judgement["claims"]}
+    if options.claim not in claims:
+        raise unknown_name(f"claim of {judgement['source']['key']}", options.claim, claims)
+    print(verdict_text.explanation(judgement, claims[options.claim]), end="")
     return 0

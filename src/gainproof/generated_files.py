@@ -1,0 +1,37 @@
+"""Generated files: made afresh by a worker process, and put in their place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from gainproof import atomic_file, derivations, workers
+from gainproof.drift import Difference
+from gainproof.workshop import Workshop
+
+
+def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
+    """Content by file name, of everything or of one subject. Raises BadInputError."""
+    if name_or_file is None:
+        job, depends = workers.Job("all files", "print_all", {}), b""
+    elif derivations.is_file(name_or_file):
+        path = Path(name_or_file)
+        depends = derivations.model_text(path)
+        job = workers.Job(name_or_file, "print_file", {"path": str(path.resolve())})
+    else:
+        derivations.require_name(name_or_file, shop)
+        job, depends = workers.Job(name_or_file, "print_one", {"name": name_or_file}), b""
+    (found,) = shop.results("printed", [job], depends)
+    return {name: text.encode("utf-8") for name, text in found.items()}
+
+
+def put(files: Mapping[str, bytes], differences: Iterable[Difference], folder: Path) -> int:
+    """Mend the differences: write what is missing or different, delete what is stale. How many."""
+    count = 0
+    for difference in differences:
+        if difference.kind == "stale":
+            (folder / difference.name).unlink(missing_ok=True)
+        else:
+            atomic_file.write_bytes(folder / difference.name, files[difference.name])
+        count += 1
+    return count

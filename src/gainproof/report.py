@@ -1,0 +1,131 @@
+"""What `gainproof run` found, as data and as text."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from gainproof import atomic_file, verdict_text
+from gainproof.drift import CURE, Difference
+from gainproof.lecture import count
+from gainproof.verdicts import Judgement
+
+Plain = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Findings:
+    """Everything that one run looked at.
+
+    `certificates`: reports of `rechecking.recheck`; `changes`: differences from the snapshot of
+    each claim file, by name; `accepted`: they have been taken over.
+    """
+
+    versions: Mapping[str, str]
+    files: int
+    differences: tuple[Difference, ...]
+    certificates: tuple[Plain, ...]
+    judgements: tuple[Judgement, ...]
+    changes: Mapping[str, tuple[str, ...]]
+    accepted: bool
+
+    @property
+    def rejected(self) -> list[Plain]:
+        """Certificates that were not accepted."""
+        return [report for report in self.certificates if not report["accepted"]]
+
+    @property
+    def good(self) -> bool:
+        """No drift, no rejected certificate, no verdict changed."""
+        changed = any(self.changes.values()) and not self.accepted
+        return not (self.differences or self.rejected or changed)
+
+
+def write(findings: Findings, folder: Path) -> None:
+    """Write report.json and report.txt."""
+    atomic_file.write_text(folder / "report.json", as_json(findings))
+    atomic_file.write_text(folder / "report.txt", as_text(findings))
+
+
+def as_json(findings: Findings) -> str:
+    """The findings as one JSON object."""
+    data = {
+        "good": findings.good,
+        "versions": dict(findings.versions),
+        "generated": {
+            "files": findings.files,
+            "differences": [asdict(difference) for difference in findings.differences],
+        },
+        "certificates": list(findings.certificates),
+        "claims": list(findings.judgements),
+        "snapshot": {
+            "accepted": findings.accepted,
+            "changes": {name: list(lines) for name, lines in findings.changes.items()},
+        },
+    }
+    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+
+
+def as_text(findings: Findings) -> str:
+    """The findings for people: summary, certificates, verdicts."""
+    versions = ", ".join(f"{name} {version}" for name, version in findings.versions.items())
+    parts = [summary(findings), f"Made with {versions}.\n", certificates_text(findings)]
+    parts += [verdict_text.overview(judgement) for judgement in findings.judgements]
+    return "\n".join(parts)
+
+
+def summary(findings: Findings) -> str:
+    """A few lines: what was looked at, what came of it, and the cure of what is wrong."""
+    lines = [
+        _line("derivations", f"{len(findings.certificates)} derived afresh"),
+        _line("generated files", _files(findings)),
+        *(f"{'':18}{difference.text()}" for difference in findings.differences),
+        _line("certificates", _certificates(findings)),
+        *(f"{'':18}{report['subject']}: {report['reason']}" for report in findings.rejected),
+        _line("claims", verdict_text.counts(list(findings.judgements))),
+        _line("snapshot", _snapshot(findings)),
+        *(f"{'':18}{line}" for lines in findings.changes.values() for line in lines),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def certificates_text(findings: Findings) -> str:
+    """One line for each certificate."""
+    lines = ["Certificates, checked exactly without computer algebra", ""]
+    width = max((len(report["subject"]) for report in findings.certificates), default=0)
+    for report in findings.certificates:
+        statements = report["statements"]
+        seconds = sum(statement["seconds"] for statement in statements)
+        tally = count(statement["status"] for statement in statements) or report["reason"]
+        word = "accepted" if report["accepted"] else "REJECTED"
+        lines.append(f"  {report['subject']:<{width}}  {word}  {tally} ({seconds:.2f} s)")
+    return "\n".join(lines) + "\n"
+
+
+def _line(label: str, text: str) -> str:
+    return f"{label + ':':<18}{text}"
+
+
+def _files(findings: Findings) -> str:
+    if not findings.differences:
+        return f"{findings.files}, each byte as derived"
+    return f"{len(findings.differences)} of {findings.files} not as derived; {CURE}"
+
+
+def _certificates(findings: Findings) -> str:
+    total = len(findings.certificates)
+    statements = [s["status"] for report in findings.certificates for s in report["statements"]]
+    good = total - len(findings.rejected)
+    return f"{good} of {total} accepted; {len(statements)} statements: {count(statements)}"
+
+
+def _snapshot(findings: Findings) -> str:
+    changed = sum(map(len, findings.changes.values()))
+    if not changed:
+        return "unchanged"
+    if findings.accepted:
+        return f"{changed} changes accepted"
+    return f"{changed} changes; if they are right, `gainproof run --accept` takes them over"

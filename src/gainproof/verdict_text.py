@@ -1,0 +1,124 @@
+"""Verdicts for people: a line or a few for each claim, and the whole evidence of one."""
+
+from __future__ import annotations
+
+import json
+import textwrap
+from collections.abc import Mapping
+from typing import Any
+
+from gainproof.verdicts import Judgement, tally
+
+WIDTH = 92
+
+Claim = Mapping[str, Any]
+
+
+def overview(judgement: Judgement) -> str:
+    """The source and every claim with its verdict."""
+    source = judgement["source"]
+    lines = [f"{source['key']}: {source['title']}", ""]
+    width = max((len(claim["id"]) for claim in judgement["claims"]), default=0)
+    for claim in judgement["claims"]:
+        lines.append(f"  {claim['id']:<{width}}  {claim['verdict']}")
+        for text in remarks(claim):
+            lines += filled(text, " " * (width + 4))
+    lines += ["", f"  {counts([judgement])}"]
+    return "\n".join(lines) + "\n"
+
+
+def counts(judgements: list[Judgement]) -> str:
+    """`53 claims: 40 proved, 2 refuted`."""
+    found = tally(judgements)
+    shown = ", ".join(f"{number} {verdict}" for verdict, number in found.items())
+    total = sum(found.values())
+    return f"{total} claims: {shown}" if total else "no claims"
+
+
+def remarks(claim: Claim) -> list[str]:
+    """What a reader has to know besides the verdict; nothing for a claim that is simply proved."""
+    found = []
+    if claim["domain"] and claim["verdict"] == "conditional":
+        found.append(f"holds for: {claim['domain']}")
+    found += [f"{name}: {claim[name]}" for name in ("convention", "reading") if claim[name]]
+    if claim["repair"]:
+        repair = claim["repair"]
+        found.append(f"nearest true formula: {repair['latex']} ({repair['verdict']})")
+    found += [
+        f"{entry['symbol']} = {entry['solution']}, fixed by {_ids(entry['consumed'])}"
+        for entry in claim["undefined"]
+    ]
+    if claim["verdict"] not in {"proved", "definition"} and claim["reason"]:
+        found.append(claim["reason"])
+    return found
+
+
+def explanation(judgement: Judgement, claim: Claim) -> str:
+    """All that is known about one claim: the whole proof or witness."""
+    source, evidence = judgement["source"], claim["evidence"]
+    lines = [f"{source['key']} {claim['id']}: {claim['verdict']}", ""]
+    for label, value in (
+        ("place", claim["place"]),
+        ("kind", claim["kind"]),
+        ("formula", claim["latex"]),
+        ("reason", claim["reason"]),
+        ("domain", claim["domain"]),
+        ("convention", claim["convention"]),
+        ("reading", claim["reading"]),
+        ("repair", claim["repair"]),
+        ("undefined", claim["undefined"]),
+        ("method", evidence["method"]),
+        ("witness", evidence["witness"]),
+        ("certificate", evidence["certificate"]),
+    ):
+        if value not in (None, "", [], {}):
+            lines += _entry(label, value)
+    return "\n".join(lines) + "\n"
+
+
+def filled(text: str, indent: str) -> list[str]:
+    """Text filled to the width of the page, long words kept whole."""
+    return textwrap.wrap(
+        text,
+        WIDTH,
+        initial_indent=indent,
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def _entry(label: str, value: Any) -> list[str]:
+    if isinstance(value, str):
+        first, *rest = filled(value, " " * 13) or [" " * 13]
+        return [f"{label + ':':<13}{first[13:]}", *rest]
+    return [f"{label}:", *outline(value, "    ")]
+
+
+def outline(value: Any, indent: str) -> list[str]:
+    """Plain data as indented lines: names, lists by number, short values on one line."""
+    if isinstance(value, Mapping):
+        pairs = [(str(name), inner) for name, inner in value.items()]
+    elif isinstance(value, list | tuple):
+        pairs = [(f"{i}.", inner) for i, inner in enumerate(value, start=1)]
+    else:
+        return [indent + _scalar(value)]
+    lines = []
+    for name, inner in pairs:
+        mark = name if name.endswith(".") else f"{name}:"
+        short = _scalar(inner)
+        if len(indent) + len(mark) + len(short) < WIDTH:
+            lines.append(f"{indent}{mark} {short}")
+        elif isinstance(inner, Mapping | list | tuple):
+            lines += [f"{indent}{mark}", *outline(inner, indent + "  ")]
+        else:
+            lines += [f"{indent}{mark}", *filled(short, indent + "  ")]
+    return lines
+
+
+def _scalar(value: Any) -> str:
+    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+
+
+def _ids(value: Any) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
