@@ -69,7 +69,7 @@ class Kernel:
 
 @dataclass(frozen=True)
 class Module:
-    """One file of `generated`, made by `command`; `derivation` names its origin and SymPy version."""
+    """One file of `generated`, made by `command`; `derivation`: its origin and SymPy version."""
 
     name: str
     title: str

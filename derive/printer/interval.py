@@ -1,0 +1,117 @@
+"""Outward-rounded intervals of nonnegative numbers, many at once in NumPy arrays.
+
+An interval is a pair (low, high) of float64 arrays with 0 <= low <= high <= infinity. Only
++ - * / and square roots of IEEE arithmetic and the step to the neighbouring number are used, so
+that the same numbers come on every machine. The caller holds ``numpy.errstate(all="ignore")``.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Interval = tuple[Array, Array]
+
+# More than all roundings of `spread` and of a widening by two factors together.
+SLACK = 1.0 + 2.0**-36
+
+
+def down(x: Array) -> Array:
+    """The next number towards zero."""
+    return np.nextafter(x, 0.0)
+
+
+def up(x: Array) -> Array:
+    """The next number above."""
+    return np.nextafter(x, np.inf)
+
+
+def add(a: Interval, b: Interval) -> Interval:
+    """a + b."""
+    return down(a[0] + b[0]), up(a[1] + b[1])
+
+
+def multiply(a: Interval, b: Interval) -> Interval:
+    """a b; 0 times infinity gives all that it may stand for."""
+    # fmax and fmin ignore NaN
+    return np.fmax(down(a[0] * b[0]), 0.0), np.fmin(up(a[1] * b[1]), np.inf)
+
+
+def divide(a: Interval, b: Interval) -> Interval:
+    """a / b; 0/0 and infinity/infinity give all that they may stand for."""
+    return np.fmax(down(a[0] / b[1]), 0.0), np.fmin(up(a[1] / b[0]), np.inf)
+
+
+def square_root(a: Interval) -> Interval:
+    """The square root."""
+    return down(np.sqrt(a[0])), up(np.sqrt(a[1]))
+
+
+def scale(a: Interval, power: float) -> Interval:
+    """a times a power of two: exact unless it leaves the normal range."""
+    low, high = a[0] * power, a[1] * power
+    tiny = 2.0**-1022
+    return np.where((low < tiny) | np.isinf(low), down(low), low), np.where(
+        high < tiny, up(high), high
+    )
+
+
+def spread(slope: Array, width: Array) -> Array:
+    """An upper bound of (1 + width)^slope for slope >= 0 and 0 <= width < 2^10.
+
+    (1 + w)^g <= 1 + g w for g <= 1, applied up to three times, or 1/(1 - g w) where g w < 1.
+    """
+    product = 1.0 + np.minimum(slope, 1.0) * width
+    for k in (1.0, 2.0):
+        product = product * (1.0 + np.clip(slope - k, 0.0, 1.0) * width)
+    steep = slope * width
+    small = np.where(slope <= 3.0, product, np.inf)
+    return np.minimum(small, np.where(steep < 1.0, 1.0 / (1.0 - steep), np.inf)) * SLACK
+
+
+def share(other_over_own: Interval) -> Interval:
+    """own/(own + other) from the ratio other/own."""
+    low, high = other_over_own
+    return down(1.0 / up(1.0 + high)), np.minimum(up(1.0 / down(1.0 + low)), 1.0)
+
+
+def reciprocal(a: Interval) -> Interval:
+    """1/a."""
+    return down(1.0 / a[1]), up(1.0 / a[0])
+
+
+# Intervals of either sign, used for slopes and adjoints only.
+
+
+def signed_add(a: Interval, b: Interval) -> Interval:
+    """a + b for intervals of either sign; infinity - infinity gives the whole line."""
+    low = np.nextafter(a[0] + b[0], -np.inf)
+    high = np.nextafter(a[1] + b[1], np.inf)
+    return _whole_where_nan(low, high)
+
+
+def signed_multiply(a: Interval, weight: Interval) -> Interval:
+    """a of either sign times a nonnegative weight."""
+    low = np.nextafter(np.minimum(a[0] * weight[0], a[0] * weight[1]), -np.inf)
+    high = np.nextafter(np.maximum(a[1] * weight[0], a[1] * weight[1]), np.inf)
+    return _whole_where_nan(low, high)
+
+
+def magnitude(a: Interval) -> Array:
+    """The largest |x| of an interval of either sign."""
+    return np.maximum(-a[0], a[1])
+
+
+def mignitude(a: Interval) -> Array:
+    """The smallest |x| of an interval of either sign."""
+    return np.maximum(np.maximum(a[0], -a[1]), 0.0)
+
+
+def _whole_where_nan(low: Array, high: Array) -> Interval:
+    lost: Any = np.isnan(low) | np.isnan(high)
+    if lost.any():
+        return np.where(lost, -np.inf, low), np.where(lost, np.inf, high)
+    return low, high

@@ -1,0 +1,114 @@
+"""What is known of one step of a program over many boxes of its input."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gainproof.derive.printer import interval
+from gainproof.derive.printer.interval import Array, Interval
+
+Signs = NDArray[np.int8]
+Mask = NDArray[np.bool_]
+
+
+class PrintingError(ValueError):
+    """A graph that cannot be printed with a proved bound; the message names the node."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Boxes [low, high] of the input; `width` is at least high/low - 1, 0 for a point."""
+
+    low: Array
+    high: Array
+    width: Array
+
+
+@dataclass
+class Value:
+    """What is known of one step; arrays run over boxes, `size` has rows box, low end, high end.
+
+    `size` encloses |exact value|; where `loose` (a named cancellation) it is the reference that
+    errors are measured by, the sum of the operands' sizes, and `true_size` encloses the value.
+    """
+
+    size: Interval
+    slope: Interval
+    sign: Signs
+    drift: float = 0.0
+    rounding: float = 0.0
+    stray: Array | None = None
+    tiny: Array | None = None
+    invalid: Mask | None = None
+    shares: tuple[Interval, Interval] | None = None
+    chosen: Mask | None = None
+    loose: bool = False
+    true_size: Interval | None = None
+
+
+def true_size(value: Value) -> Interval:
+    """The enclosure of |exact value|."""
+    return value.size if value.true_size is None else value.true_size
+
+
+def monotone(value: Value) -> None:
+    """Takes the range over each box from its ends where the slope has one sign there."""
+    low, high = value.size
+    rises, falls = value.slope[0] >= 0, value.slope[1] <= 0
+    low[0] = np.where(rises, low[1], np.where(falls, low[2], low[0]))
+    high[0] = np.where(rises, high[2], np.where(falls, high[1], high[0]))
+
+
+def like(part: Value, sign: Signs) -> Value:
+    """The same magnitude with another sign."""
+    return Value(
+        part.size,
+        part.slope,
+        sign,
+        part.drift,
+        stray=part.stray,
+        loose=part.loose,
+        true_size=part.true_size,
+    )
+
+
+def absolute(a: Interval) -> Interval:
+    """|a| of an interval of either sign."""
+    return interval.mignitude(a), interval.magnitude(a)
+
+
+def sum_of(*errors: float) -> float:
+    """(1 + a)(1 + b) ... - 1 <= s + s^2 for s = a + b + ... <= 1."""
+    total = sum(errors)
+    return (total + total * total) * (1.0 + 2.0**-40)
+
+
+def mean_slope(own: Interval, a: Interval, b: Interval) -> Interval:
+    """share * a + (1 - share) * b: linear in the share, so that its ends suffice."""
+    ends = [(w * x + (1.0 - w) * y) for w in own for x, y in ((a[0], b[0]), (a[1], b[1]))]
+    room = 2.0**-48 * (1.0 + np.maximum(interval.magnitude(a), interval.magnitude(b)))
+    low, high = np.minimum(ends[0], ends[2]) - room, np.maximum(ends[1], ends[3]) + room
+    return np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
+
+
+def difference(a: Value, b: Value, opposite: Mask) -> Interval:
+    """An enclosure of |a - b|, or of a + b where the signs agree."""
+    (a_low, a_high), (b_low, b_high) = true_size(a), true_size(b)
+    apart = np.maximum(np.maximum(a_low - b_high, b_low - a_high), 0.0)
+    added = interval.add(true_size(a), true_size(b))
+    same = ~opposite if not (a.loose or b.loose) else np.zeros_like(opposite)
+    return np.where(same, added[0], interval.down(apart)), added[1]
+
+
+def none_as_zero(stray: Array | None) -> Any:
+    """The absolute errors as numbers."""
+    return 0.0 if stray is None else stray
+
+
+def choose(mask: Mask, x: Interval, y: Interval) -> Interval:
+    """The first interval where the mask holds, else the second."""
+    return np.where(mask, x[0], y[0]), np.where(mask, x[1], y[1])
