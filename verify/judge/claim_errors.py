@@ -7,6 +7,9 @@ from bisect import bisect_left
 from gainproof.verify.judge.reader.errors import ReaderError
 
 
+_HEADERS = ("[[claims]]", "[settings", "[symbols", "[source]")
+
+
 class ClaimFileError(ValueError):
     """A claim file that is not accepted.
 
@@ -70,13 +73,16 @@ class FileText:
         """The line of `[name]`."""
         return self.line_of_key(f"[{name}]")
 
-    def place_of(self, value: str, start: int = 1) -> tuple[int, int] | None:
-        """Line and column where the first line of `value` stands, from line `start` on."""
+    def place_of(self, value: str, start: int) -> tuple[int, int] | None:
+        """Line and column where the first line of `value` stands, in the table of line `start`."""
         first = value.lstrip("\n").split("\n", 1)[0]
-        for number in range(start - 1, len(self._lines)):
-            column = self._lines[number].find(first) if first else -1
+        for number in range(start, len(self._lines) + 1):
+            line = self._lines[number - 1]
+            if number > start and line.startswith(_HEADERS):
+                return None
+            column = line.find(first) if first else -1
             if column >= 0:
-                return number + 1, column + 1
+                return number, column + 1
         return None
 
     def error(self, where: str, problem: str, line: int | None = None) -> ClaimFileError:
@@ -87,7 +93,7 @@ class FileText:
         self, where: str, value: str, error: ReaderError, line: int | None
     ) -> ClaimFileError:
         """A reader's error moved to its place in the file, if the formula stands there."""
-        place = self.place_of(value, line or 1)
+        place = self.place_of(value, line) if line is not None else None
         if place is None:
             shown = f"in the formula, {error}"
             return ClaimFileError(

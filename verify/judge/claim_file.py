@@ -74,6 +74,8 @@ def read_claim_file(path: str | Path) -> ClaimFile:
 
 def read_claim_text(text: str, path: str = "claims") -> ClaimFile:
     """The claim file with this text; `path` is used in messages only."""
+    if len(text) > MOST_BYTES:
+        raise ClaimFileError(path, "", f"more than {MOST_BYTES} characters")
     text = text.replace("\r\n", "\n")
     _refuse_characters(text, path)
     file_text = FileText(path, text)
