@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
+
+import sympy as sp
 
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.plain import tower_data
@@ -27,7 +29,11 @@ class Program:
 
 @dataclass(frozen=True)
 class Subject:
-    """What one catalogue entry derives; `model` is None where there is no state-space model."""
+    """What one catalogue entry derives; `model` is None where there is no state-space model.
+
+    `textbook` gives the kernels' outputs as textbooks print them, over the kernel's argument;
+    kernels are compared with these forms, never printed from them.
+    """
 
     name: str
     title: str
@@ -36,6 +42,7 @@ class Subject:
     towers: Mapping[str, Tower]
     programs: Mapping[str, Program]
     module: Module
+    textbook: Callable[[], Mapping[str, Mapping[str, sp.Expr]]]
 
     @property
     def model_data(self) -> dict[str, Any] | None:

@@ -61,7 +61,8 @@ class Tower:
         self.parameters = parameters
         self.generators = generators
         self.expressions = dict(elements)
-        self.variables = [entry.symbol for entry in (*parameters, *generators)]
+        self.variables = [entry.symbol for entry in parameters]
+        self.variables += [entry.symbol for entry in generators]
         self.free = free
         self.ring = PolyRing([*self.variables, *free], sp.QQ, sp.lex)
         self.radicands: list[Poly] = []

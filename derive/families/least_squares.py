@@ -80,4 +80,5 @@ def _build(degree: int) -> Subject:
             kernel: Program({"sample_number": "k"}, graph) for kernel, graph in graphs.items()
         },
         module=module.kernel_module(f, name, title, graphs),
+        textbook=lambda: module.textbook_forms(f),
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from gainproof.derive.expression import real
 from gainproof.derive.growing_memory.fit import GAIN_NAMES, Fit, K, entry_names
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
@@ -67,6 +68,21 @@ def _horner(number: Node, factor: sp.Poly, first: int) -> Node:
         if entry:
             result = result + entry if entry > 0 else result - (-entry)
     return result
+
+
+def textbook_forms(f: Fit) -> dict[str, dict[str, sp.Expr]]:
+    """The expressions that the kernels evaluate, over the sample number."""
+    number = {K: real("sample_number")}
+    forms = {"gains": dict(zip(GAIN_NAMES, f.gain, strict=False))}
+    for kernel, matrix in (("updated", f.covariance), ("predicted", f.predicted)):
+        names = entry_names(kernel, f.size)
+        forms[f"{kernel}_covariance"] = {
+            names[i][j]: matrix[i, j] for i in range(f.size) for j in range(i, f.size)
+        }
+    return {
+        kernel: {output: sp.sympify(value).subs(number) for output, value in entries.items()}
+        for kernel, entries in forms.items()
+    }
 
 
 def kernel_module(f: Fit, name: str, title: str, graphs: dict[str, Graph]) -> Module:

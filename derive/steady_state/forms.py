@@ -30,7 +30,7 @@ class Basis:
     @property
     def deviation(self) -> Any:
         """sigma, the standard deviation of the innovation over that of the measurement."""
-        return (self.p * self.m) / 2
+        return (self.p / 2) * self.m
 
     @property
     def growth(self) -> Any:
@@ -84,7 +84,7 @@ def predicted_covariance(x: Basis) -> dict[str, Any]:
     """Entries of the predicted covariance in units of sigma_v^2 and T."""
     rate = _mixed(x, _with_independent_noise, _with_interval_noise)
     return {
-        "predicted_11": ((x.index * x.m) * x.s) / 2,
+        "predicted_11": (x.index * x.m) * (x.s / 2),
         "predicted_12": x.index * x.deviation,
         "predicted_22": rate + x.index * x.index,
     }
@@ -119,7 +119,7 @@ def _rate_with_interval_noise(x: Basis) -> Any:
     end = x.growth * ((x.h + times(x.e, x.p)) / x.s)
     if x.e != 1:
         end = end + times(x.e * (1 - x.e), (x.p / x.h) * (x.p / x.s))
-    return start + (x.index * end) / 4
+    return start + x.index * (end / 4)
 
 
 def updated_covariance_derivatives(x: Basis) -> dict[str, Any]:

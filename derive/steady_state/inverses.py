@@ -1,7 +1,8 @@
 """From one gain back to the index and to the other gain, in positive forms.
 
 Differences here are between exact inputs and exact constants only. With
-R(alpha) = sqrt(4 (1 - alpha) + e alpha^2) and W(beta) = sqrt(beta (8 + e beta)):
+R(alpha) = sqrt(4 (1 - alpha) + e alpha^2) and W(beta) = sqrt(beta (8 + e beta)), held as 2^30 W so
+that subnormal gains lose nothing:
 beta = 2 alpha^2/((2 - alpha) + R), Lambda = beta/sqrt(1 - alpha),
 alpha = beta (8 - (1 - e) beta)/(2 (W + beta)),
 1 - alpha = (4 - 4 beta + (1 - e) beta^2)/(2 (2 + beta + W)), whose numerator is
@@ -17,6 +18,7 @@ from typing import Any
 from gainproof.derive.steady_state.forms import times
 
 Root = Callable[[Any], Any]
+SCALE = 2**30
 
 
 def alpha_radical(alpha: Any, e: Fraction, root: Root) -> Any:
@@ -26,8 +28,9 @@ def alpha_radical(alpha: Any, e: Fraction, root: Root) -> Any:
 
 
 def beta_radical(beta: Any, e: Fraction, root: Root) -> Any:
-    """W(beta)."""
-    return root(beta * 8 if e == 0 else beta * (8 + times(e, beta)))
+    """2^30 W(beta)."""
+    scaled = beta * SCALE**2
+    return root(scaled * 8 if e == 0 else scaled * (8 + times(e, beta)))
 
 
 def beta_from_alpha(alpha: Any, radical: Any) -> Any:
@@ -42,10 +45,9 @@ def index_from_alpha(alpha: Any, radical: Any, root_of_rest: Any) -> Any:
 
 def alpha_from_beta(beta: Any, e: Fraction, radical: Any) -> Any:
     """The position gain that belongs to a velocity gain."""
-    c = 1 - e
-    if c == 0:
-        return (4 * beta) / (radical + beta)
-    return (beta * times(c, 8 / c - beta)) / (2 * (radical + beta))
+    c, scaled = 1 - e, beta * SCALE**2
+    top = scaled * 8 if c == 0 else scaled * times(c, 8 / c - beta)
+    return top / ((radical + beta * SCALE) * (2 * SCALE))
 
 
 def rest_from_beta(beta: Any, e: Fraction, radical: Any, root_e: Any) -> Any:
@@ -57,4 +59,4 @@ def rest_from_beta(beta: Any, e: Fraction, radical: Any, root_e: Any) -> Any:
     else:
         c = 1 - e
         top = times(c, ((2 - 2 * root_e) / c - beta) * ((2 + 2 * root_e) / c - beta))
-    return top / (2 * ((2 + beta) + radical))
+    return top / (2 * ((2 + beta) + radical / SCALE))

@@ -25,10 +25,10 @@ def graph_basis(builder: GraphBuilder, e: Fraction, n: Fraction) -> tuple[Basis,
         small = Fraction(16, 4**SHIFT) / index + times(e, index) * Fraction(1, 4**SHIFT)
         names["h_scaled"] = builder.sqrt(small)
         h = names["h_scaled"] * 2**SHIFT
-    twice = builder.sqrt(p * (times(1 + e, p) + 2 * h))
-    s = twice / 2
+    half = builder.sqrt((p / 16) * (times(1 + e, p) + 2 * h))  # p alone would overflow
+    s = half * 2
     m = (p + h) / 2 + s
-    names |= {"h": h, "s_twice": twice, "s": s, "m": m}
+    names |= {"h": h, "s_half": half, "s": s, "m": m}
     return Basis(index, p, h, s, m, e, n), names
 
 
@@ -94,10 +94,11 @@ def pole_graph(e: Fraction, n: Fraction) -> Graph:
     names["turning_root"] = builder.sqrt(builder.number(1 - e))
     turning = builder.number(4) if e == 0 else 4 / names["turning_root"]
     names["distance"] = builder.absolute(limit - x.index)
-    names["below"] = builder.sqrt(names["distance"])
-    names["above"] = builder.sqrt(limit + x.index)
+    names["root_of_distance"] = builder.sqrt(names["distance"])
+    below = names["root_of_distance"] / 2
+    names["above"] = builder.sqrt(limit / 4 + x.index / 4)
     middle = poles.centre(x, turning)
-    width = poles.half_width(x, names["below"], names["above"])
+    width = poles.half_width(x, below, names["above"])
     names["middle_size"] = builder.absolute(middle)
     larger = names["middle_size"] + width
     smaller = (mean_modulus / larger) / x.deviation

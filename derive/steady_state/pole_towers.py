@@ -59,7 +59,7 @@ def complex_tower(e: Fraction, n: Fraction) -> Tower:
     if e:
         elements["H"] = scaled_high / SIDE
     elements |= {"s": real("u") / (2 * SIDE)}
-    elements |= {"below": real("y") / SIDE, "above": real("w") / SIDE}
+    elements |= {"below": real("y") / (2 * SIDE), "above": real("w") / (2 * SIDE)}
     elements |= steady_elements(e, n, limit * X**2 / SIDE)
     basis = symbolic_basis(e, n)
     elements["pole_real"] = 1 - (real("alpha") + real("beta")) / 2
@@ -122,7 +122,7 @@ def real_tower(e: Fraction, n: Fraction) -> Tower:
         Generator("s", sp.expand(((1 + ratio) * index + 2 * high) / 4)),
         Generator("w", limit + index),
     ]
-    elements = {"below": G, "above": real("w"), **steady_elements(e, n, index)}
+    elements = {"below": G / 2, "above": real("w") / 2, **steady_elements(e, n, index)}
     basis = symbolic_basis(e, n)
     first = middle_size(basis) + poles.half_width(basis, BELOW, ABOVE)
     elements["first_pole"] = -first

@@ -22,17 +22,20 @@ def real_from(e: Fraction) -> Fraction | None:
 def centre(x: Basis, turning: Any) -> Any:
     """(h - p)/(2 m), the mean of the poles; `turning` is L0 (unused for e = 1)."""
     if x.e == 1:
-        return (8 / (x.index * x.m)) / (x.h + x.p)
+        return modulus(x) / ((x.p / 4) * (x.h + x.p))
     first = (turning - x.index) / (x.h + x.p)
-    second = (turning + x.index) / (x.index * x.m)
-    return times((1 - x.e) / 2, first * second)
+    second = ((turning / 2 + x.index / 2) / x.m) / x.index
+    return times(1 - x.e, first * second)
 
 
 def half_width(x: Basis, below: Any, above: Any) -> Any:
-    """Half the distance of the poles; `below`, `above` are roots of |L1 - Lambda|, L1 + Lambda."""
+    """Half the distance of the poles.
+
+    `below` and `above` are half the roots of |L1 - Lambda| and of L1 + Lambda.
+    """
     if x.e == 1:
         return 2 / (x.s * x.m)
-    return times((1 - x.e) / 4, (below / x.s) * (above / x.m))
+    return times(1 - x.e, (below / x.s) * (above / x.m))
 
 
 def modulus(x: Basis) -> Any:

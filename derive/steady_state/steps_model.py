@@ -5,9 +5,10 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step
+from gainproof.derive.expression import real
 from gainproof.derive.relation import definition, described, equal, increasing_onto
 from gainproof.derive.steady_state.context import Context
-from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT, Z, real
+from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT, Z
 from gainproof.derive.steady_state.spectrum import (
     V,
     closed_loop_matrix,

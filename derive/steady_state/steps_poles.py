@@ -149,7 +149,7 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
     roots = {
         "p": c.basis.p,
         "h_scaled": c.basis.h / 2**30,
-        "s_twice": 2 * c.basis.s,
+        "s_half": c.basis.s / 2,
     }
     reason = "Evaluate the kernel's graph in the tower."
     sentence = "The kernel closed_loop_poles computes"
@@ -161,7 +161,7 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
             )
         ]
     limit = rational(8 / (1 - c.e))
-    roots |= {"turning_root": turning_root(c.e), "below": BELOW, "above": ABOVE}
+    roots |= {"turning_root": turning_root(c.e), "root_of_distance": 2 * BELOW, "above": ABOVE}
     choices = [f"choice_{number}" for number in range(1, 7)]
     below = dict.fromkeys(choices, "then")
     above = dict.fromkeys(choices, "else")

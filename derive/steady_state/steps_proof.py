@@ -7,11 +7,12 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.derivation import Step
+from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, cited, equal, increasing_onto, positive
 from gainproof.derive.source import RICCATI
 from gainproof.derive.steady_state import forms
 from gainproof.derive.steady_state.context import Context
-from gainproof.derive.steady_state.names import ALPHA, BETA, INDEX, PREDICTED, UPDATED, real
+from gainproof.derive.steady_state.names import ALPHA, BETA, INDEX, PREDICTED, UPDATED
 from gainproof.derive.steady_state.towers import rational
 
 

@@ -26,6 +26,7 @@ from gainproof.derive.steady_state.steps_use import (
     inverse_steps,
     inverse_tower,
 )
+from gainproof.derive.steady_state.textbook import textbook_forms
 from gainproof.derive.subject import Program, Subject
 
 OPENING = (
@@ -62,6 +63,7 @@ def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
         towers={tower.name: tower for tower in towers},
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
+        textbook=lambda: textbook_forms(c),
     )
 
 
@@ -88,7 +90,7 @@ def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
     roots = {
         "p": c.basis.p,
         "h_scaled": c.basis.h / 2**30,
-        "s_twice": 2 * c.basis.s,
+        "s_half": c.basis.s / 2,
         **inverse_roots(c),
     }
     return [
