@@ -1,1 +1,1 @@
-"""Exact decisions about algebraic expressions: towers of radicals, cells of one parameter, balls."""
+"""Exact decisions about algebraic expressions: towers of radicals, cells, balls."""

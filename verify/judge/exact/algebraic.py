@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from math import floor
 from typing import Any
 
@@ -16,7 +17,8 @@ from gainproof.verify.judge.exact.poly import Ball, rational
 class Algebraic:
     """The root of an irreducible integer polynomial (coefficients from power 0 up) in [low, high].
 
-    A rational number has degree 1 and low = high. Otherwise the polynomial changes sign between the ends.
+    A rational number has degree 1 and low = high. Otherwise the polynomial changes sign between the
+    ends.
     """
 
     coefficients: tuple[int, ...]
@@ -115,7 +117,7 @@ def apart(numbers: list[Algebraic]) -> list[Algebraic]:
     width = Fraction(1, 1 << 20)
     while True:
         distinct.sort(key=lambda n: n.low)
-        if all(a.high < b.low for a, b in zip(distinct, distinct[1:], strict=False)):
+        if all(a.high < b.low for a, b in pairwise(distinct)):
             return distinct
         width /= 1 << 20
         distinct = [n.refined(width) for n in distinct]
@@ -131,7 +133,9 @@ def compare(number: Algebraic, value: Fraction) -> int:
 
 
 def simplest_between(low: Fraction | None, high: Fraction | None) -> Fraction:
-    """The rational with the smallest denominator, then the smallest size, strictly between; None is unbounded."""
+    """The rational with the smallest denominator, then the smallest size, strictly between; None is
+    unbounded.
+    """
     if low is None and high is None:
         return Fraction(0)
     if low is None or (high is not None and high <= 0):

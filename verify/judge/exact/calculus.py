@@ -19,7 +19,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 
 
 def rebuilt(expr: Expr, change: Callable[[Expr, tuple[Expr, ...]], Expr | None]) -> Expr:
-    """The tree with every node replaced by change(node, new parts), bottom up; None keeps the node."""
+    """The tree with every node replaced by change(node, new parts), bottom up; None keeps it."""
     done: dict[bytes, Expr] = {}
     for node in walk(expr):
         parts = tuple(done[p.key] for p in node.parts)
@@ -34,15 +34,17 @@ def rebuilt(expr: Expr, change: Callable[[Expr, tuple[Expr, ...]], Expr | None])
 def substituted(expr: Expr, values: Mapping[str, Expr]) -> Expr:
     """Symbols replaced by expressions, all at once."""
 
-    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+    def change(node: Expr, _: tuple[Expr, ...]) -> Expr | None:
         return values.get(node.name) if node.kind == "symbol" else None
 
     return rebuilt(expr, change)
 
 
 def differentiated(expr: Expr, name: str) -> Expr:
-    """Partial derivative with respect to a symbol. Raises Undecided for functions it does not know."""
-    slope: dict[bytes, Expr | None] = {}  # None: the derivative is zero because the symbol does not occur
+    """Partial derivative with respect to a symbol. Raises Undecided for unknown functions."""
+    slope: dict[
+        bytes, Expr | None
+    ] = {}  # None: the derivative is zero because the symbol does not occur
     for node in walk(expr):
         slope[node.key] = _slope(node, [slope[p.key] for p in node.parts], name)
     found = slope[expr.key]
@@ -89,7 +91,9 @@ def _known(d: Expr | None) -> Expr:
 
 
 def roots_made_prime(expr: Expr) -> Expr:
-    """Powers rewritten so that each is an integer power or a square or cube root. Raises Undecided otherwise."""
+    """Powers rewritten so that each is an integer power or a square or cube root. Raises Undecided
+    otherwise.
+    """
 
     def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
         if node.kind != "pow" or node.fraction.denominator == 1:
@@ -104,5 +108,3 @@ def roots_made_prime(expr: Expr) -> Expr:
         return base if top == 1 else power(base, top)
 
     return rebuilt(expr, change)
-
-

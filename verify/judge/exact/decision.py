@@ -1,8 +1,9 @@
 """Decides statements with one real parameter completely, and identities in further free symbols.
 
-The candidate points are the roots of the norms of every radicand, every denominator and, where a comparison needs
-it, of the difference of its sides; the faces of the box are candidates too. Between neighbouring candidates every
-relation is true everywhere or false everywhere, and at each candidate it is decided exactly.
+The candidate points are the roots of the norms of every radicand, every denominator and, where a
+comparison needs it, of the difference of its sides; the faces of the box are candidates too.
+Between neighbouring candidates every relation is true everywhere or false everywhere, and at each
+candidate it is decided exactly.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def decide(
     labels: Mapping[str, str] | None = None,
     limits: Limits = DEFAULT_LIMITS,
 ) -> Outcome:
-    """The verdict on a statement; all symbols but `parameter` are free symbols. Raises Undecided."""
+    """The verdict on a statement; all symbols but `parameter` are free. Raises Undecided."""
     labels = labels or {}
     statement = statement.mapped(roots_made_prime)
     boxes = {name: boxes.get(name, unstated()) for name in statement.symbols()}
@@ -75,12 +76,16 @@ def decide(
 def _with_power(
     statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str], need: NeedsPower
 ) -> tuple[Statement, dict[str, Box], dict[str, str]]:
-    """A positive symbol replaced by a power of a new positive symbol, which is a bijection of the positive numbers."""
+    """A positive symbol replaced by a power of a new positive symbol, which is a bijection of the
+    positive numbers.
+    """
     new = f"{need.name} root"
     box = boxes[need.name]
     if box.upper is not None or box.lower != 0:
         raise Undecided(f"a root of {need.name}, whose domain is not all positive numbers")
-    changed = statement.mapped(lambda e: substituted(e, {need.name: power(symbol(new), need.order)}))
+    changed = statement.mapped(
+        lambda e: substituted(e, {need.name: power(symbol(new), need.order)})
+    )
     kept = {name: b for name, b in boxes.items() if name != need.name}
     shown = labels.get(need.name, need.name)
     return changed, {**kept, new: box}, {**labels, new: f"({shown})^(1/{need.order})"}
@@ -90,12 +95,19 @@ class _Work:
     """One tower, its boxes, and the places it is judged on."""
 
     def __init__(
-        self, statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str], limits: Limits
+        self,
+        statement: Statement,
+        boxes: Mapping[str, Box],
+        parameter: str | None,
+        labels: Mapping[str, str],
+        limits: Limits,
     ) -> None:
         self.statement, self.boxes, self.labels = statement, boxes, labels
         free = tuple(sorted(name for name in boxes if name != parameter))
         positive = frozenset(name for name, box in boxes.items() if box.is_positive)
-        self.differences = {rel: rel.left - rel.right for rel in (*statement.relations, *statement.conditions)}
+        self.differences = {
+            rel: rel.left - rel.right for rel in (*statement.relations, *statement.conditions)
+        }
         exprs = (*statement.exprs(), *self.differences.values())
         self.tower: Tower = build_tower(exprs, parameter, free, positive, limits)
         self.box = boxes[parameter] if parameter is not None else Box()
@@ -111,7 +123,11 @@ class _Work:
     def add_factors(self, p: Poly) -> None:
         """The places are cut where p may vanish."""
         known = {tuple(int(c) for c in f.coeffs()) for f in self.factors}
-        self.factors += [f for f in vanishing_factors(self.tower, p) if tuple(int(c) for c in f.coeffs()) not in known]
+        self.factors += [
+            f
+            for f in vanishing_factors(self.tower, p)
+            if tuple(int(c) for c in f.coeffs()) not in known
+        ]
 
     def split_by(self, rel: Rel) -> None:
         """The places are cut where the sides of this relation may be equal."""
@@ -125,7 +141,11 @@ class _Work:
 
 
 def _decide(
-    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str], limits: Limits
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+    limits: Limits,
 ) -> Outcome:
     work = _Work(statement, boxes, parameter, labels, limits)
     while True:
@@ -170,7 +190,11 @@ def _note_exclusions(work: _Work, local: Local, rel: Rel) -> None:
     for check in work.tower.checks:
         if check.node.key not in below:
             continue
-        involved = [n for n, i in zip(work.tower.free, work.tower.free_indices, strict=True) if check.poly.degrees()[i] > 0]
+        involved = [
+            n
+            for n, i in zip(work.tower.free, work.tower.free_indices, strict=True)
+            if check.poly.degrees()[i] > 0
+        ]
         if not involved:
             continue
         try:
@@ -207,7 +231,8 @@ def _holds(work: _Work, local: Local, rel: Rel, *, everywhere: bool) -> bool:
         if equal:
             return True
         if local.place.is_cell and rel not in work.split:
-            # exact only once the cells are cut where the sides may be equal; the loop in _decide comes back
+            # exact only once the cells are cut where the sides may be equal; the loop in _decide
+            # comes back
             work.split_by(rel)
         if not everywhere and work.tower.free:
             local.sign(element.num)
@@ -252,7 +277,9 @@ def _outcome(work: _Work, judged: list[Judged]) -> Outcome:
         reason = f"fails {witness.text()}; holds exactly {domain}"
         return Outcome("conditional", domain, reason, method, witness, certificate, tried)
     reason = f"fails {witness.text()}" + (f"; holds only {domain}" if held else "")
-    return Outcome("refuted", domain if held else "nowhere", reason, method, witness, certificate, tried)
+    return Outcome(
+        "refuted", domain if held else "nowhere", reason, method, witness, certificate, tried
+    )
 
 
 def _is_single(work: _Work, judged: list[Judged]) -> bool:
@@ -303,7 +330,11 @@ def _witness(work: _Work, failed: list[Judged]) -> tuple[Witness, int]:
         if work.statement.connective != "if":
             sample = next(iter(_samples(j.place, integer)), None)
             note = "one side of the equivalence holds there and the other does not"
-            point = {} if sample is None else {work.labels.get(work.tower.parameter or "", ""): str(sample)}
+            point = (
+                {}
+                if sample is None
+                else {work.labels.get(work.tower.parameter or "", ""): str(sample)}
+            )
             none_ = Enclosure("", "", "not compared")
             return Witness(point, rel.operator, none_, none_, exact=True, note=note), tried + 1
     raise Undecided("the statement is false, but no rational point that shows it was found")
@@ -317,7 +348,10 @@ def _samples(place: Place, integer: bool) -> list[Fraction]:
 
 def _certificate(work: _Work, judged: list[Judged]) -> dict[str, Any]:
     """What another program needs to go through the same steps."""
-    names = {work.tower.names[i]: n for i, n in zip(work.tower.free_indices, work.tower.free, strict=True)}
+    names = {
+        work.tower.names[i]: n
+        for i, n in zip(work.tower.free_indices, work.tower.free, strict=True)
+    }
     if work.tower.parameter is not None:
         names["x"] = work.tower.parameter
     return {
@@ -327,7 +361,9 @@ def _certificate(work: _Work, judged: list[Judged]) -> dict[str, Any]:
         "candidates": [str(f) for f in work.factors],
         "places": [
             {
-                "place": j.place.text(work.labels.get(work.tower.parameter or "", work.tower.parameter or "")),
+                "place": j.place.text(
+                    work.labels.get(work.tower.parameter or "", work.tower.parameter or "")
+                ),
                 "samples": [str(s) for s in j.place.samples[:3]],
                 "found": j.truth,
                 "balls": list(dict.fromkeys(j.local.steps))[:20],

@@ -1,7 +1,7 @@
 """Expression trees: immutable, shared, equal exactly when they are written alike.
 
-The constructors change nothing: `0 * (1/0)` stays as it is, so that a division by zero inside a product with
-zero is still found.
+The constructors change nothing: `0 * (1/0)` stays as it is, so that a division by zero inside a
+product with zero is still found.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ Value = Fraction | str | None
 class Expr:
     """One node: `kind` is number, symbol, add, mul, div, neg, pow, call, derivative or at.
 
-    `value` is the number, the name of the symbol or function, the exponent of a power, or the symbol of a
-    derivative or substitution. `key` is a digest of the whole tree: comparison takes constant time however much
-    is shared.
+    `value` is the number, the name of the symbol or function, the exponent of a power, or the
+    symbol of a derivative or substitution. `key` is a digest of the whole tree: comparison takes
+    constant time however much is shared.
     """
 
     kind: str
@@ -29,7 +29,9 @@ class Expr:
     key: bytes = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        digest = hashlib.blake2b(f"{self.kind}|{self.value}|{len(self.parts)}|".encode(), digest_size=32)
+        digest = hashlib.blake2b(
+            f"{self.kind}|{self.value}|{len(self.parts)}|".encode(), digest_size=32
+        )
         for part in self.parts:
             digest.update(part.key)
         object.__setattr__(self, "key", digest.digest())

@@ -13,9 +13,11 @@ Grid = tuple[tuple[Expr, ...], ...]
 
 
 def rational(text: object, limits: Limits = DEFAULT_LIMITS) -> Fraction:
-    """"p/q" or "p" as a fraction. Raises Malformed for anything else (floats, spaces, exponents)."""
+    """A fraction from "p/q" or "p". Raises Malformed for anything else (floats, spaces)."""
     if not isinstance(text, str) or len(text) > 2 * limits.digits + 2:
-        raise Malformed(f"wanted a fraction as text with at most {limits.digits} digits, got {str(text)[:40]!r}")
+        raise Malformed(
+            f"wanted a fraction as text with at most {limits.digits} digits, got {str(text)[:40]!r}"
+        )
     numerator, slash, denominator = text.partition("/")
     digits = numerator.removeprefix("-")
     for part in (digits, denominator) if slash else (digits,):
@@ -26,10 +28,16 @@ def rational(text: object, limits: Limits = DEFAULT_LIMITS) -> Fraction:
     return Fraction(int(numerator), int(denominator) if slash else 1)
 
 
-def read_values(graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS) -> dict[str, Expr | Grid]:
+def read_values(
+    graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS
+) -> dict[str, Expr | Grid]:
     """All outputs of a graph. Raises Malformed."""
     nodes, outputs = graph.get("nodes"), graph.get("outputs")
-    if not isinstance(nodes, Sequence) or isinstance(nodes, str) or not isinstance(outputs, Mapping):
+    if (
+        not isinstance(nodes, Sequence)
+        or isinstance(nodes, str)
+        or not isinstance(outputs, Mapping)
+    ):
         raise Malformed("wanted a graph with 'nodes' and 'outputs'")
     if len(nodes) > limits.nodes:
         raise Malformed(f"wanted at most {limits.nodes} nodes, got {len(nodes)}")
@@ -38,7 +46,9 @@ def read_values(graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS) -> di
     for position, node in enumerate(nodes):
         value, depth = _node(node, position, read, depths, limits)
         if depth > limits.depth:
-            raise Malformed(f"wanted nesting of at most {limits.depth}, exceeded at node {position}")
+            raise Malformed(
+                f"wanted nesting of at most {limits.depth}, exceeded at node {position}"
+            )
         read.append(value)
         depths.append(depth)
     found = {}
@@ -60,14 +70,23 @@ def read_graph(graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS) -> Exp
 def _node(
     node: Any, position: int, read: list[Expr | Grid], depths: list[int], limits: Limits
 ) -> tuple[Expr | Grid, int]:
-    if not isinstance(node, Sequence) or isinstance(node, str) or not node or not isinstance(node[0], str):
-        raise Malformed(f"node {position}: wanted a list that starts with a kind, got {str(node)[:60]}")
+    if (
+        not isinstance(node, Sequence)
+        or isinstance(node, str)
+        or not node
+        or not isinstance(node[0], str)
+    ):
+        raise Malformed(
+            f"node {position}: wanted a list that starts with a kind, got {str(node)[:60]}"
+        )
     kind, rest = node[0], list(node[1:])
     below: list[int] = []
 
     def part(place: Any) -> Expr:
         if not isinstance(place, int) or isinstance(place, bool) or not 0 <= place < position:
-            raise Malformed(f"node {position}: wanted the number of an earlier node, got {str(place)[:40]!r}")
+            raise Malformed(
+                f"node {position}: wanted the number of an earlier node, got {str(place)[:40]!r}"
+            )
         value = read[place]
         if not isinstance(value, Expr):
             raise Malformed(f"node {position}: a matrix stands where a scalar is wanted")
@@ -99,12 +118,18 @@ def _node(
             count(2, 2)
             exponent = rational(rest[1], limits)
             if max(abs(exponent.numerator), exponent.denominator) > limits.exponent:
-                raise Malformed(f"node {position}: wanted exponents up to {limits.exponent}, got {exponent}")
+                raise Malformed(
+                    f"node {position}: wanted exponents up to {limits.exponent}, got {exponent}"
+                )
             made = Expr(kind, exponent, (part(rest[0]),))
         case "call":
             count(2)
             name, arguments = _text(rest[0], position), tuple(part(p) for p in rest[1:])
-            made = absolute(arguments[0]) if (name, len(arguments)) == ("abs", 1) else Expr(kind, name, arguments)
+            made = (
+                absolute(arguments[0])
+                if (name, len(arguments)) == ("abs", 1)
+                else Expr(kind, name, arguments)
+            )
         case "derivative":
             count(2, 2)
             made = Expr(kind, _text(rest[1], position), (part(rest[0]),))

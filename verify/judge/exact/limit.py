@@ -1,9 +1,9 @@
 """Limits of algebraic expressions of one parameter.
 
-The norm M(Z, x) of Z den - num has the expression as a root in Z. As x tends to the point, every finite limit is a root
-of the leading coefficient of M in x. Rationals a between these roots separate them; beyond the last zero of all
-M(a, x) the expression stays in one of the gaps, and one ball says in which. A gap holds one root, the limit;
-outside all gaps the limit is infinite.
+The norm M(Z, x) of Z den - num has the expression as a root in Z. As x tends to the point, every
+finite limit is a root of the leading coefficient of M in x. Rationals a between these roots
+separate them; beyond the last zero of all M(a, x) the expression stays in one of the gaps, and one
+ball says in which. A gap holds one root, the limit; outside all gaps the limit is infinite.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from gainproof.verify.judge.exact.algebraic import Algebraic, apart, real_roots, simplest_between
@@ -44,7 +45,9 @@ class Limit:
         return "infinity" if self.sign > 0 else "minus infinity"
 
 
-def limit_to_infinity(expr: Expr, parameter: str, box: Box, limits: Limits = DEFAULT_LIMITS) -> Limit:
+def limit_to_infinity(
+    expr: Expr, parameter: str, box: Box, limits: Limits = DEFAULT_LIMITS
+) -> Limit:
     """The limit of an expression of one parameter as it grows without bound. Raises Undecided."""
     expr = roots_made_prime(expr)
     positive = frozenset([parameter]) if box.is_positive else frozenset()
@@ -58,7 +61,11 @@ def limit_to_infinity(expr: Expr, parameter: str, box: Box, limits: Limits = DEF
     index = tower.parameter_index
     assert index is not None
     edge = univariate(coefficients_in(m, index)[degree(m, index)], tower.free_indices[0])
-    roots = apart([r for factor, _ in edge.factor()[1] for r in real_roots(factor)]) if edge.degree() > 0 else []
+    roots = (
+        apart([r for factor, _ in edge.factor()[1] for r in real_roots(factor)])
+        if edge.degree() > 0
+        else []
+    )
     fences = _fences(roots)
     local, sample = _beyond(tower, last, m, fences)
     value = _resolved(local, element, sample, fences)
@@ -90,7 +97,7 @@ def _fences(roots: list[Algebraic]) -> list[Fraction]:
     """Rationals below, between and above the roots; zero alone if there is none."""
     if not roots:
         return [Fraction(0)]
-    inner = [simplest_between(a.high, b.low) for a, b in zip(roots, roots[1:], strict=False)]
+    inner = [simplest_between(a.high, b.low) for a, b in pairwise(roots)]
     return [simplest_between(None, roots[0].low), *inner, simplest_between(roots[-1].high, None)]
 
 
@@ -116,8 +123,12 @@ def _resolved(local: Local, element: Any, sample: Fraction, fences: list[Fractio
     raise Undecided("balls cannot tell the limit")
 
 
-def toward_infinity(expr: Expr, parameter: str, box: Box, point: Fraction | str, side: int) -> tuple[Expr, Box]:
-    """The expression with the parameter replaced so that the point is approached as a new parameter grows."""
+def toward_infinity(
+    expr: Expr, parameter: str, box: Box, point: Fraction | str, side: int
+) -> tuple[Expr, Box]:
+    """The expression with the parameter replaced so that the point is approached as a new parameter
+    grows.
+    """
     u = symbol(parameter)
     if point == "infinity":
         return expr, Box(lower=max(Fraction(0), box.lower or Fraction(0)))
@@ -131,18 +142,40 @@ def toward_infinity(expr: Expr, parameter: str, box: Box, point: Fraction | str,
 def decide_limit(
     expr: Expr, parameter: str, box: Box, point: Fraction | str, claimed: Expr | str, label: str
 ) -> Outcome:
-    """Whether an expression tends to the claimed value (or "infinity", "-infinity"). Raises Undecided."""
+    """Whether an expression tends to the claimed value (or "infinity", "-infinity"). Raises
+    Undecided.
+    """
     found = None
     for side in _sides(box, point):
         moved, where = toward_infinity(expr, parameter, box, point, side)
         found = limit_to_infinity(moved, parameter, where)
         wrong = _wrong(found, claimed)
         if wrong is not None:
-            place = {label: f"-> {point}" + ("" if isinstance(point, str) else (" from above" if side > 0 else " from below"))}
-            witness = Witness(place, "->", *wrong, exact=found.value is None, note=f"the limit is {found.text()}")
-            return Outcome("refuted", "nowhere", f"the limit is {found.text()}", "limit from the norm", witness, found.certificate, 1)
+            place = {
+                label: f"-> {point}"
+                + ("" if isinstance(point, str) else (" from above" if side > 0 else " from below"))
+            }
+            witness = Witness(
+                place, "->", *wrong, exact=found.value is None, note=f"the limit is {found.text()}"
+            )
+            return Outcome(
+                "refuted",
+                "nowhere",
+                f"the limit is {found.text()}",
+                "limit from the norm",
+                witness,
+                found.certificate,
+                1,
+            )
     assert found is not None
-    return Outcome("proved", f"as {label} -> {point}", "the limit is the claimed one", "limit from the norm", None, found.certificate)
+    return Outcome(
+        "proved",
+        f"as {label} -> {point}",
+        "the limit is the claimed one",
+        "limit from the norm",
+        None,
+        found.certificate,
+    )
 
 
 def _sides(box: Box, point: Fraction | str) -> tuple[int, ...]:
@@ -151,7 +184,7 @@ def _sides(box: Box, point: Fraction | str) -> tuple[int, ...]:
     below = box.lower is None or box.lower < point
     above = box.upper is None or box.upper > point
     sides = (*((1,) if above else ()), *((-1,) if below else ()))
-    if not sides or not (above and below) and point not in (box.lower, box.upper):
+    if not sides or (not (above and below) and point not in (box.lower, box.upper)):
         raise Undecided(f"{point} is not in the domain")
     return sides
 
@@ -162,7 +195,11 @@ def _wrong(found: Limit, claimed: Expr | str) -> tuple[Enclosure, Enclosure] | N
         sign = -1 if claimed.startswith("-") else 1
         if found.value is None and found.sign == sign:
             return None
-        left = Enclosure("", "", found.text()) if found.value is None else enclosure(found.value.ball(64), 12)
+        left = (
+            Enclosure("", "", found.text())
+            if found.value is None
+            else enclosure(found.value.ball(64), 12)
+        )
         return left, Enclosure("", "", claimed)
     local, element = _constant(claimed)
     ball = value_ball(local, element, None, 64, ())
@@ -191,7 +228,9 @@ def _constant(expr: Expr) -> tuple[Local, Any]:
 
 
 def _is_root(value: Algebraic, claimed: Expr) -> bool:
-    """Whether the claimed number is this root: inside the isolating interval and a zero of the polynomial."""
+    """Whether the claimed number is this root: inside the isolating interval and a zero of the
+    polynomial.
+    """
     total: Expr = number(value.coefficients[-1])
     for c in reversed(value.coefficients[:-1]):
         total = total * claimed + number(c)

@@ -15,7 +15,9 @@ class Malformed(ValueError):
 
 @dataclass(frozen=True)
 class Limits:
-    """Bounds on size. `precision` is in bits, `tower_degree` the product of the orders of all roots."""
+    """Bounds on size. `precision` is in bits, `tower_degree` the product of the orders of all
+    roots.
+    """
 
     nodes: int = 20_000
     depth: int = 150

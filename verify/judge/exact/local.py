@@ -1,8 +1,10 @@
-"""The tower at one place: which expressions are defined there, which elements vanish, and their signs.
+"""The tower at one place: which expressions are defined there, which elements vanish, and their
+signs.
 
-Sound because on a connected open interval where no radicand and no denominator vanishes every element is
-real-analytic, and analytic functions on such an interval form an integral domain: p q = 0 gives p = 0 or q = 0, and
-one ball that excludes zero says which. At a single algebraic point the same holds for numbers.
+Sound because on a connected open interval where no radicand and no denominator vanishes every
+element is real-analytic, and analytic functions on such an interval form an integral domain: p q =
+0 gives p = 0 or q = 0, and one ball that excludes zero says which. At a single algebraic point the
+same holds for numbers.
 """
 
 from __future__ import annotations
@@ -78,7 +80,9 @@ class Local:
         return None
 
     def reduce(self, p: Poly) -> Poly:
-        """Remainder by the relations of the tower, of the place and of the roots that are zero here."""
+        """Remainder by the relations of the tower, of the place and of the roots that are zero
+        here.
+        """
         for index in self._zero_roots:
             if degree(p, index) > 0:
                 p = coefficients_in(p, index)[0]
@@ -94,8 +98,12 @@ class Local:
         return index
 
     def vanishes(self, p: Poly) -> bool:
-        """Whether p is zero on the whole place, for all values of the free symbols. Raises Undecided."""
-        return all(self._zero(part) for part in grouped(self.reduce(p), self.tower.free_indices).values())
+        """Whether p is zero on the whole place, for all values of the free symbols. Raises
+        Undecided.
+        """
+        return all(
+            self._zero(part) for part in grouped(self.reduce(p), self.tower.free_indices).values()
+        )
 
     def _zero(self, p: Poly) -> bool:
         p = self.reduce(p)
@@ -110,20 +118,27 @@ class Local:
         for precision in self._precisions():
             for sample in self._points():
                 if self._excludes_zero(q, sample, precision):
-                    self.steps.append(f"cofactor not zero at {self._at_text(sample)} ({precision} bits)")
+                    self.steps.append(
+                        f"cofactor not zero at {self._at_text(sample)} ({precision} bits)"
+                    )
                     return True
                 if self._excludes_zero(p, sample, precision):
                     self.steps.append(f"not zero at {self._at_text(sample)} ({precision} bits)")
                     return False
-        # here p and q both vanish, which for a root that is not zero means that every coefficient does
+        # here p and q both vanish, which for a root that is not zero means that every coefficient
+        # does
         if all(self._zero(c) for c in coefficients_in(p, root.index)):
             return True
-        raise Undecided(f"balls of {self.tower.limits.precision} bits cannot tell two branches apart")
+        raise Undecided(
+            f"balls of {self.tower.limits.precision} bits cannot tell two branches apart"
+        )
 
     def sign(self, p: Poly) -> int:
-        """Sign on the place of an element that is not identically zero and does not change its sign there.
+        """Sign on the place of an element that is not identically zero and does not change its sign
+        there.
 
-        With free symbols all coefficients must have one sign and the symbols be positive. Raises Undecided.
+        With free symbols all coefficients must have one sign and the symbols be positive. Raises
+        Undecided.
         """
         parts = grouped(self.reduce(p), self.tower.free_indices)
         signs = set()
@@ -158,14 +173,22 @@ class Local:
     def _at_text(self, sample: Fraction | None) -> str:
         if sample is not None:
             return f"{self.tower.parameter} = {sample}"
-        return "the point" if self.place.at is None else f"{self.tower.parameter} = {self.place.at.text()}"
+        return (
+            "the point"
+            if self.place.at is None
+            else f"{self.tower.parameter} = {self.place.at.text()}"
+        )
 
     def _excludes_zero(self, p: Poly, sample: Fraction | None, precision: int) -> bool:
         ball = self.ball(p, sample, precision)
         return ball is not None and not ball.contains(0)
 
-    def ball(self, p: Poly, sample: Fraction | None, precision: int, free: tuple[Fraction, ...] = ()) -> Ball | None:
-        """A ball round p at a rational sample (None: at the point of the place); None if a root is not resolved."""
+    def ball(
+        self, p: Poly, sample: Fraction | None, precision: int, free: tuple[Fraction, ...] = ()
+    ) -> Ball | None:
+        """A ball round p at a rational sample (None: at the point of the place); None if a root is
+        not resolved.
+        """
         with flint.ctx.workprec(precision):
             result = evaluate(p, self._generator_balls(sample, precision, free))
             return result if result.is_finite() else None
@@ -194,12 +217,15 @@ class Local:
                 values[root.index] = bottom * ratio.root(3)
             elif root.order == 3 and ratio < 0:
                 values[root.index] = -bottom * (-ratio).root(3)
-            # else not resolved at this precision, or undefined here: what uses it gets no finite ball
+            # else not resolved at this precision, or undefined here: what uses it gets no finite
+            # ball
         return values
 
 
 def evaluate(p: Poly, values: list[Ball | None]) -> Ball:
-    """The polynomial at these balls, at the current working precision; not finite where a value is missing."""
+    """The polynomial at these balls, at the current working precision; not finite where a value is
+    missing.
+    """
     total = flint.arb(0)
     powers: dict[tuple[int, int], Ball] = {}
     for exponents, coefficient in terms(p):
@@ -216,4 +242,3 @@ def evaluate(p: Poly, values: list[Ball | None]) -> Ball:
             product = product * powers[key]
         total = total + product
     return total
-

@@ -27,8 +27,8 @@ def highest_root(tower: Tower, p: Poly) -> Root | None:
 def cofactor(tower: Tower, p: Poly, root: Root) -> Poly:
     """q such that p q holds no more of `root`; p must be reduced.
 
-    Order 2, p = a + b t: q = a - b t. Order 3, p = a + b t + c t^2: q = a^2 + b^2 t^2 + c^2 t^4 - a b t - a c t^2 - b c t^3,
-    half a sum of squares of real numbers.
+    Order 2, p = a + b t: q = a - b t. Order 3, p = a + b t + c t^2: q = a^2 + b^2 t^2 + c^2 t^4 - a
+    b t - a c t^2 - b c t^3, half a sum of squares of real numbers.
     """
     t = tower.context.gen(root.index)
     if root.order == 2:
@@ -39,12 +39,13 @@ def cofactor(tower: Tower, p: Poly, root: Root) -> Poly:
 
 
 def vanishing_factors(tower: Tower, p: Poly) -> list[Any]:
-    """Irreducible integer polynomials of the parameter: where p vanishes without vanishing on a whole interval
-    between their roots, one of them is zero.
+    """Irreducible integer polynomials of the parameter: where p vanishes without vanishing on a
+    whole interval between their roots, one of them is zero.
 
-    The norm of p has p as a factor. If the norm is the zero polynomial then on every interval p or its cofactor
-    vanishes identically; where the cofactor does, p is a multiple of its own constant coefficient, which is
-    therefore taken too. Coefficients of monomials in free symbols are taken one by one. Raises Undecided.
+    The norm of p has p as a factor. If the norm is the zero polynomial then on every interval p or
+    its cofactor vanishes identically; where the cofactor does, p is a multiple of its own constant
+    coefficient, which is therefore taken too. Coefficients of monomials in free symbols are taken
+    one by one. Raises Undecided.
     """
     found: dict[tuple[int, ...], Any] = {}
     for part in grouped(tower.reduce(p), tower.free_indices).values():
@@ -86,7 +87,9 @@ def _keep(tower: Tower, p: Poly, found: dict[tuple[int, ...], Any]) -> None:
 
 
 def norm(tower: Tower, p: Poly) -> Poly:
-    """The product of p and its cofactors, free of roots; the zero polynomial if p is a zero divisor."""
+    """The product of p and its cofactors, free of roots; the zero polynomial if p is a zero
+    divisor.
+    """
     p = tower.reduce(p)
     while (root := highest_root(tower, p)) is not None:
         p = tower.reduce(p * cofactor(tower, p, root))

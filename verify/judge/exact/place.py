@@ -1,4 +1,6 @@
-"""Places: the open intervals of the parameter between candidate points, and those points themselves."""
+"""Places: the open intervals of the parameter between candidate points, and those points
+themselves.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from math import ceil, floor
 from typing import Any
 
@@ -23,7 +26,9 @@ SAMPLES = 7
 
 @dataclass(frozen=True)
 class Box:
-    """Where a variable lives. A missing bound is infinite; `stated` says that the domain was given, not guessed."""
+    """Where a variable lives. A missing bound is infinite; `stated` says that the domain was given,
+    not guessed.
+    """
 
     lower: Fraction | None = None
     upper: Fraction | None = None
@@ -37,7 +42,9 @@ class Box:
         """Whether no real number (or integer, for integers) lies in it."""
         if self.lower is None or self.upper is None:
             return False
-        if self.lower > self.upper or (self.lower == self.upper and (self.lower_open or self.upper_open)):
+        if self.lower > self.upper or (
+            self.lower == self.upper and (self.lower_open or self.upper_open)
+        ):
             return True
         if not self.integer:
             return False
@@ -50,9 +57,13 @@ class Box:
 
     def holds(self, value: Fraction) -> bool:
         """Whether the number lies in it."""
-        if self.lower is not None and (value < self.lower or (value == self.lower and self.lower_open)):
+        if self.lower is not None and (
+            value < self.lower or (value == self.lower and self.lower_open)
+        ):
             return False
-        return self.upper is None or not (value > self.upper or (value == self.upper and self.upper_open))
+        return self.upper is None or not (
+            value > self.upper or (value == self.upper and self.upper_open)
+        )
 
     def text(self, name: str) -> str:
         """Readable."""
@@ -68,7 +79,9 @@ class Box:
 
 @dataclass(frozen=True)
 class Place:
-    """An open interval (`at` None) between two candidate points, or one point. Without parameter: one point, `at` None."""
+    """An open interval (`at` None) between two candidate points, or one point. Without parameter:
+    one point, `at` None.
+    """
 
     left: Algebraic | None = None
     right: Algebraic | None = None
@@ -99,7 +112,8 @@ class Place:
         inside = [
             n
             for n in run
-            if (low is None or compare(low, Fraction(n)) < 0) and (high is None or compare(high, Fraction(n)) > 0)
+            if (low is None or compare(low, Fraction(n)) < 0)
+            and (high is None or compare(high, Fraction(n)) > 0)
         ]
         return inside[:count]
 
@@ -120,25 +134,35 @@ class Place:
             return f"all real {name}"
         left = "" if self.left is None else f"{self.left.text()} < "
         right = "" if self.right is None else f" < {self.right.text()}"
-        return f"{name} > {self.left.text()}" if self.left and not self.right else f"{left}{name}{right}"
+        return (
+            f"{name} > {self.left.text()}"
+            if self.left and not self.right
+            else f"{left}{name}{right}"
+        )
 
 
 def places(factors: Iterable[Any], box: Box) -> list[Place]:
     """All places of the box, from left to right; the faces of the box are candidate points too."""
     # distinct irreducible polynomials have distinct roots
     distinct = {_sign_free(factor): factor for factor in factors}
-    points = [r for factor in distinct.values() for r in real_roots(factor) if _strictly_inside(r, box)]
+    points = [
+        r for factor in distinct.values() for r in real_roots(factor) if _strictly_inside(r, box)
+    ]
     lower = None if box.lower is None else rational_point(box.lower)
     upper = None if box.upper is None else rational_point(box.upper)
     if lower is not None and upper is not None and box.lower == box.upper:
         return [Place(at=lower)]
     # the inner points must not touch the faces either, so that samples lie inside
-    points = [p for p in apart([*points, *[f for f in (lower, upper) if f is not None]]) if _strictly_inside(p, box)]
+    points = [
+        p
+        for p in apart([*points, *[f for f in (lower, upper) if f is not None]])
+        if _strictly_inside(p, box)
+    ]
     found: list[Place] = []
     if lower is not None and not box.lower_open:
         found.append(Place(at=lower))
     edges = [lower, *points, upper]
-    for k, (left, right) in enumerate(zip(edges, edges[1:], strict=False)):
+    for k, (left, right) in enumerate(pairwise(edges)):
         found.append(Place(left=left, right=right, is_cell=True))
         if k < len(points):
             found.append(Place(at=points[k]))

@@ -65,7 +65,7 @@ def coefficients_in(p: Poly, index: int, least: int = 0) -> list[Poly]:
 
 
 def grouped(p: Poly, indices: Sequence[int]) -> dict[tuple[int, ...], Poly]:
-    """The polynomial split by its monomials in some variables: exponents of these -> coefficient."""
+    """The polynomial split by its monomials in some variables: exponents -> coefficient."""
     context = p.context()
     chosen = set(indices)
     parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
@@ -79,11 +79,15 @@ def grouped(p: Poly, indices: Sequence[int]) -> dict[tuple[int, ...], Poly]:
 def monomial_content(p: Poly, indices: Sequence[int]) -> tuple[int, ...]:
     """Smallest exponent of each of these variables over all terms."""
     lists = [tuple(e[i] for i in indices) for e, _ in terms(p)]
-    return tuple(min(column) for column in zip(*lists, strict=True)) if lists else (0,) * len(indices)
+    return (
+        tuple(min(column) for column in zip(*lists, strict=True)) if lists else (0,) * len(indices)
+    )
 
 
 def univariate(p: Poly, index: int) -> Any:
-    """A polynomial in one variable only as primitive flint.fmpz_poly. Raises ValueError if others occur."""
+    """A polynomial in one variable only as primitive flint.fmpz_poly. Raises ValueError if others
+    occur.
+    """
     dense: dict[int, Fraction] = {}
     for exponents, coefficient in terms(p):
         if any(e for i, e in enumerate(exponents) if i != index):

@@ -23,7 +23,8 @@ class Rel:
 
 @dataclass(frozen=True)
 class Statement:
-    """All relations hold where all conditions do (`if`); or relations <=> conditions (`iff`), relations => conditions.
+    """All relations hold where all conditions do (`if`); or relations <=> conditions (`iff`),
+    relations => conditions.
 
     `needed` are expressions that must have a value too, for example what was differentiated.
     """
@@ -49,13 +50,18 @@ class Statement:
             return tuple(Rel(r.operator, change(r.left), change(r.right)) for r in rels)
 
         return Statement(
-            each(self.relations), each(self.conditions), self.connective, tuple(change(e) for e in self.needed)
+            each(self.relations),
+            each(self.conditions),
+            self.connective,
+            tuple(change(e) for e in self.needed),
         )
 
 
 @dataclass(frozen=True)
 class Enclosure:
-    """A real number between midpoint - radius and midpoint + radius, both decimal text; or why there is none."""
+    """A real number between midpoint - radius and midpoint + radius, both decimal text; or why
+    there is none.
+    """
 
     midpoint: str
     radius: str
@@ -69,14 +75,20 @@ class Enclosure:
 
     def text(self) -> str:
         """Readable."""
-        return f"no value ({self.undefined})" if self.undefined else f"{self.midpoint} +/- {self.radius}"
+        return (
+            f"no value ({self.undefined})"
+            if self.undefined
+            else f"{self.midpoint} +/- {self.radius}"
+        )
 
 
 @dataclass(frozen=True)
 class Witness:
-    """A point of the domain where a relation fails, and both sides there, in balls that do not overlap.
+    """A point of the domain where a relation fails, and both sides there, in balls that do not
+    overlap.
 
-    `exact` says that the sides were shown equal exactly (a strict inequality that is an equality there).
+    `exact` says that the sides were shown equal exactly (a strict inequality that is an equality
+    there).
     """
 
     point: Mapping[str, str]
@@ -105,7 +117,9 @@ class Witness:
     def text(self) -> str:
         """Readable."""
         where = ", ".join(f"{name} = {value}" for name, value in self.point.items()) or "always"
-        return f"at {where}: left {self.left.text()}, right {self.right.text()}" + (f" ({self.note})" if self.note else "")
+        return f"at {where}: left {self.left.text()}, right {self.right.text()}" + (
+            f" ({self.note})" if self.note else ""
+        )
 
 
 @dataclass(frozen=True)

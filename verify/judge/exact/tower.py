@@ -1,8 +1,9 @@
 """One tower of radicals for all expressions of a claim.
 
-Every root (N/D)^(1/n), n = 2 or 3, becomes a variable t = D * root with the monic relation t^n = N D^(n-1). Every
-subexpression becomes a quotient of polynomials, reduced by the relations from the top down. Nothing is inverted,
-and nothing is supposed about the signs of roots: that is decided at a place (see `decision`).
+Every root (N/D)^(1/n), n = 2 or 3, becomes a variable t = D * root with the monic relation t^n = N
+D^(n-1). Every subexpression becomes a quotient of polynomials, reduced by the relations from the
+top down. Nothing is inverted, and nothing is supposed about the signs of roots: that is decided at
+a place (see `decision`).
 """
 
 from __future__ import annotations
@@ -28,7 +29,9 @@ from gainproof.verify.judge.exact.poly import (
 
 
 class NeedsPower(Exception):
-    """A root of an odd power of a positive symbol: the symbol must be written as a power of a new one."""
+    """A root of an odd power of a positive symbol: the symbol must be written as a power of a new
+    one.
+    """
 
     def __init__(self, name: str, order: int) -> None:
         super().__init__(f"{name} = new^{order}")
@@ -61,7 +64,9 @@ class Root:
 
 @dataclass(frozen=True)
 class Check:
-    """What must hold for `node` to be defined: the divisor `poly` is not zero, or the root's radicand not negative."""
+    """What must hold for `node` to be defined: the divisor `poly` is not zero, or the root's
+    radicand not negative.
+    """
 
     node: Expr
     poly: Poly
@@ -70,7 +75,9 @@ class Check:
 
 @dataclass
 class Tower:
-    """Variables, highest first: roots (last made first), free symbols, then the parameter if there is one."""
+    """Variables, highest first: roots (last made first), free symbols, then the parameter if there
+    is one.
+    """
 
     parameter: str | None
     free: tuple[str, ...]
@@ -108,7 +115,11 @@ class Tower:
 
     def relations_text(self) -> list[str]:
         """The relations, readable, lowest first."""
-        return [f"{self.names[r.index]}^{r.order} = {text(self.context.gen(r.index) ** r.order - r.relation)}" for r in self.roots]
+        found = []
+        for root in self.roots:
+            right = self.context.gen(root.index) ** root.order - root.relation
+            found.append(f"{self.names[root.index]}^{root.order} = {text(right)}")
+        return found
 
 
 def build_tower(
@@ -118,9 +129,11 @@ def build_tower(
     positive: frozenset[str],
     limits: Limits = DEFAULT_LIMITS,
 ) -> Tower:
-    """The tower of these expressions; all powers must be integer powers, square roots or cube roots.
+    """The tower of these expressions; all powers must be integer powers, square roots or cube
+    roots.
 
-    `free` symbols may not stand under a root except as powers of those in `positive`. Raises Undecided, NeedsPower.
+    `free` symbols may not stand under a root except as powers of those in `positive`. Raises
+    Undecided, NeedsPower.
     """
     nodes = list(walk(*exprs))
     slots = sum(1 for n in nodes if n.kind == "pow" and n.fraction.denominator != 1)
@@ -163,14 +176,16 @@ def _element(tower: Tower, node: Expr) -> Element:
             return Element(-parts[0].num, parts[0].den)
         case "div":
             tower.checks.append(Check(node, parts[1].num, None))
-            return _product(tower, parts[0], _inverse(tower, parts[1], node))
+            return _product(tower, parts[0], _inverse(tower, parts[1]))
         case "pow":
             return _power(tower, node, parts[0])
         case _:
-            raise Undecided(f"the function {node.value} is not covered" if node.kind == "call" else node.kind)
+            raise Undecided(
+                f"the function {node.value} is not covered" if node.kind == "call" else node.kind
+            )
 
 
-def _inverse(tower: Tower, x: Element, node: Expr) -> Element:
+def _inverse(tower: Tower, x: Element) -> Element:
     if x.num.is_zero():
         # the check on this node fails everywhere, so the value is never used
         return Element(constant(tower.context, 0), constant(tower.context, 1))
@@ -190,7 +205,9 @@ def _product(tower: Tower, x: Element, y: Element) -> Element:
 def _tidy(tower: Tower, num: Poly, den: Poly) -> Element:
     num, den = tower.reduce(num), tower.reduce(den)
     if den.is_zero():
-        raise Undecided("a product of two denominators vanishes identically on another branch of the roots")
+        raise Undecided(
+            "a product of two denominators vanishes identically on another branch of the roots"
+        )
     if num.is_zero():
         return Element(num, constant(tower.context, 1))
     if not den.is_constant():
@@ -211,7 +228,7 @@ def _power(tower: Tower, node: Expr, base: Element) -> Element:
         raise Undecided(f"an exponent beyond {tower.limits.exponent}")
     if exponent < 0:
         tower.checks.append(Check(node, base.num, None))
-        base = _inverse(tower, base, node)
+        base = _inverse(tower, base)
     result = Element(constant(tower.context, 1), constant(tower.context, 1))
     for _ in range(times):
         result = _product(tower, result, base)
@@ -227,7 +244,9 @@ def _root(tower: Tower, node: Expr, base: Element, order: int) -> Element:
             raise Undecided("several parameters stand under one root")
     plain = _number_root(num, den, order)
     if plain is not None:
-        return _product(tower, outside, Element(constant(tower.context, plain), constant(tower.context, 1)))
+        return _product(
+            tower, outside, Element(constant(tower.context, plain), constant(tower.context, 1))
+        )
     for root in tower.roots:
         if root.order == order and root.radicand.num == num and root.radicand.den == den:
             break

@@ -1,4 +1,6 @@
-"""Counterexamples: exact rational points, the simplest first, with both sides in balls that do not overlap."""
+"""Counterexamples: exact rational points, the simplest first, with both sides in balls that do not
+overlap.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +17,12 @@ from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
 from gainproof.verify.judge.exact.tower import Element
 
-FREE_PATTERNS = ((1, 2, 3, 5, 7, 11, 13, 17), (2, 3, 5, 7, 11, 13, 17, 19), (3, 1, 4, 1, 5, 9, 2, 6), (1, 1, 1, 1, 1, 1, 1, 1))
+FREE_PATTERNS = (
+    (1, 2, 3, 5, 7, 11, 13, 17),
+    (2, 3, 5, 7, 11, 13, 17, 19),
+    (3, 1, 4, 1, 5, 9, 2, 6),
+    (1, 1, 1, 1, 1, 1, 1, 1),
+)
 
 
 def enclosure(ball: Ball, digits: int) -> Enclosure:
@@ -53,7 +60,13 @@ def separated(a: Ball, b: Ball) -> tuple[Enclosure, Enclosure] | None:
     return None
 
 
-def value_ball(local: Local, element: Element, sample: Fraction | None, precision: int, free: tuple[Fraction, ...]) -> Ball | None:
+def value_ball(
+    local: Local,
+    element: Element,
+    sample: Fraction | None,
+    precision: int,
+    free: tuple[Fraction, ...],
+) -> Ball | None:
     """A ball round num / den, or None where it is not resolved."""
     top = local.ball(element.num, sample, precision, free)
     bottom = local.ball(element.den, sample, precision, free)
@@ -152,19 +165,32 @@ def point_text(
     return point
 
 
-def equal_sides_witness(local: Local, rel: Rel, boxes: Mapping[str, Box], labels: Mapping[str, str], integer: bool) -> Witness:
-    """Where a strict inequality (or !=) fails because both sides are exactly equal. Raises Undecided."""
+def equal_sides_witness(
+    local: Local, rel: Rel, boxes: Mapping[str, Box], labels: Mapping[str, str], integer: bool
+) -> Witness:
+    """Where a strict inequality (or !=) fails because both sides are exactly equal. Raises
+    Undecided.
+    """
     for sample in sample_points(local.place, integer):
         for free in free_values(local.tower.free, boxes):
             ball = value_ball(local, local.tower.element(rel.left), sample, FIRST_PRECISION, free)
             if ball is not None:
                 both = enclosure(ball, 12)
                 point = point_text(local, sample, free, labels)
-                return Witness(point, rel.operator, both, both, exact=True, note="both sides are equal, exactly")
+                return Witness(
+                    point,
+                    rel.operator,
+                    both,
+                    both,
+                    exact=True,
+                    note="both sides are equal, exactly",
+                )
     raise Undecided("no simple point of the set where both sides are equal was found")
 
 
-def undefined_witness(local: Local, rel: Rel, boxes: Mapping[str, Box], labels: Mapping[str, str], integer: bool) -> Witness | None:
+def undefined_witness(
+    local: Local, rel: Rel, boxes: Mapping[str, Box], labels: Mapping[str, str], integer: bool
+) -> Witness | None:
     """A point of the place where one side has no value."""
     samples = list(sample_points(local.place, integer))
     if not samples:
@@ -175,9 +201,14 @@ def undefined_witness(local: Local, rel: Rel, boxes: Mapping[str, Box], labels: 
     sides = []
     for expr in (rel.left, rel.right):
         why = local.undefined(expr)
-        ball = None if why else value_ball(local, local.tower.element(expr), samples[0], FIRST_PRECISION, free)
+        ball = (
+            None
+            if why
+            else value_ball(local, local.tower.element(expr), samples[0], FIRST_PRECISION, free)
+        )
         if why is None and ball is not None:
             sides.append(enclosure(ball, 12))
         else:
             sides.append(Enclosure("", "", why or "not evaluated"))
-    return Witness(point_text(local, samples[0], free, labels), rel.operator, *sides, note="a side has no value")
+    point = point_text(local, samples[0], free, labels)
+    return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")

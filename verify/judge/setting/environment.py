@@ -19,7 +19,9 @@ ANY_REAL = Box(stated=False)
 
 
 class NotEstablished(ValueError):
-    """The judge could not show that its own solution is the setting's; the text says which step failed."""
+    """The judge could not show that its own solution is the setting's; the text says which step
+    failed.
+    """
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,11 @@
-"""Least squares over all samples 0..k with a polynomial of degree 0, 1 or 2, symbolic in the sample number k.
+"""Least squares over all samples 0..k with a polynomial of degree 0, 1 or 2, symbolic in the sample
+number k.
 
-With phi(j)' = H F^j, j = i - k <= 0, the normal matrix is J(k) = sum of phi phi'. Its closed form comes from power
-sums fitted through points; what makes it the normal matrix is J(0) = H'H and J(k) = F^-T J(k-1) F^-1 + H'H, shown
-identically in k. The batch solution then obeys J(k) x = F^-T J(k-1) x_before + H' y, and the recursion with gain
-K = J^-1 H' solves exactly that equation, shown identically in k, the previous state and the new measurement.
+With phi(j)' = H F^j, j = i - k <= 0, the normal matrix is J(k) = sum of phi phi'. Its closed form
+comes from power sums fitted through points; what makes it the normal matrix is J(0) = H'H and J(k)
+= F^-T J(k-1) F^-1 + H'H, shown identically in k. The batch solution then obeys J(k) x = F^-T J(k-1)
+x_before + H' y, and the recursion with gain K = J^-1 H' solves exactly that equation, shown
+identically in k, the previous state and the new measurement.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from math import factorial
 
 from gainproof.verify.judge.exact.calculus import substituted
@@ -44,14 +47,17 @@ def power_sum(m: int) -> Polynomial:
     table = list(points)
     for order in range(m + 2):
         found = _add(found, [table[0] * c for c in basis])
-        table = [b - a for a, b in zip(table, table[1:], strict=False)]
+        table = [b - a for a, b in pairwise(table)]
         basis = [c / (order + 1) for c in _mul(basis, [Fraction(-order), Fraction(1)])]
     return found
 
 
 def _add(a: Polynomial, b: Polynomial) -> Polynomial:
     size = max(len(a), len(b))
-    return [(a[k] if k < len(a) else Fraction(0)) + (b[k] if k < len(b) else Fraction(0)) for k in range(size)]
+    return [
+        (a[k] if k < len(a) else Fraction(0)) + (b[k] if k < len(b) else Fraction(0))
+        for k in range(size)
+    ]
 
 
 def _mul(a: Polynomial, b: Polynomial) -> Polynomial:
@@ -83,12 +89,18 @@ def growing_memory(degree: int) -> GrowingMemory:
         raise Undecided(f"least squares of degree {degree} is not covered")
     size = degree + 1
     normal = [
-        [[c * (-1) ** (a + b) / (factorial(a) * factorial(b)) for c in power_sum(a + b)] for b in range(size)]
+        [
+            [c * (-1) ** (a + b) / (factorial(a) * factorial(b)) for c in power_sum(a + b)]
+            for b in range(size)
+        ]
         for a in range(size)
     ]
     determinant = _determinant(normal)
     inverse = tuple(
-        tuple(_expr([c * (-1) ** (a + b) for c in _minor(normal, b, a)]) / _expr(determinant) for b in range(size))
+        tuple(
+            _expr([c * (-1) ** (a + b) for c in _minor(normal, b, a)]) / _expr(determinant)
+            for b in range(size)
+        )
         for a in range(size)
     )
     j = tuple(tuple(_expr(p) for p in row) for row in normal)
@@ -99,12 +111,17 @@ def growing_memory(degree: int) -> GrowingMemory:
 
 
 def _minor(rows: Sequence[Sequence[Polynomial]], i: int, j: int) -> Polynomial:
-    return _determinant([[x for c, x in enumerate(row) if c != j] for r, row in enumerate(rows) if r != i])
+    return _determinant(
+        [[x for c, x in enumerate(row) if c != j] for r, row in enumerate(rows) if r != i]
+    )
 
 
 def _taylor(size: int, step: int) -> tuple[tuple[Fraction, ...], ...]:
     return tuple(
-        tuple(Fraction(step ** (c - r), factorial(c - r)) if c >= r else Fraction(0) for c in range(size))
+        tuple(
+            Fraction(step ** (c - r), factorial(c - r)) if c >= r else Fraction(0)
+            for c in range(size)
+        )
         for r in range(size)
     )
 
@@ -124,15 +141,21 @@ def _establish(
     innovation = y - forward[0][0]
     new = tuple((p[0] + g * innovation,) for p, g in zip(forward, gain, strict=True))
     left = times(j, new)
-    right = plus(times(times(transposed(back), before), state), tuple((e[0] * y,) for e in transposed(h)))
+    right = plus(
+        times(times(transposed(back), before), state), tuple((e[0] * y,) for e in transposed(h))
+    )
     start = [substituted(e, {SAMPLE: number(0)}) for row in minus(j, measured) for e in row]
     return (
         _shown("F F^-1 = I", minus(times(f, back), exprs(_taylor(size, 0))), degree),
         _shown("J(0) = H'H", (tuple(start),), degree),
-        _shown("J(k) = F^-T J(k-1) F^-1 + H'H for every k", minus(j, plus(moved, measured)), degree),
+        _shown(
+            "J(k) = F^-T J(k-1) F^-1 + H'H for every k", minus(j, plus(moved, measured)), degree
+        ),
         _shown("J J^-1 = I", minus(times(j, inverse), exprs(_taylor(size, 0))), degree),
         _shown(f"det J(k) > 0 for k >= {degree}", ((determinant,),), degree, ">"),
-        _shown("the recursion solves the normal equations of the batch", minus(left, right), degree),
+        _shown(
+            "the recursion solves the normal equations of the batch", minus(left, right), degree
+        ),
     )
 
 

@@ -25,14 +25,21 @@ def numbers(rows: Any, what: str) -> Numbers:
 
 
 def model_matrices(model: Mapping[str, Any]) -> tuple[Numbers, Numbers, Numbers, Numbers]:
-    """Transition, process noise (for index 1), measurement and measurement noise. Raises Malformed."""
+    """Transition, process noise (for index 1), measurement, its noise. Raises Malformed."""
     names = ("transition", "process_noise", "measurement", "measurement_noise")
     f, q, h, r = (numbers(model.get(name), name) for name in names)
     n, m = len(f), len(h)
-    shapes = {"transition": (f, n, n), "process_noise": (q, n, n), "measurement": (h, m, n), "measurement_noise": (r, m, m)}
+    shapes = {
+        "transition": (f, n, n),
+        "process_noise": (q, n, n),
+        "measurement": (h, m, n),
+        "measurement_noise": (r, m, m),
+    }
     for name, (matrix, rows, columns) in shapes.items():
         if (len(matrix), len(matrix[0])) != (rows, columns):
-            raise Malformed(f"{name}: wanted {rows} x {columns}, got {len(matrix)} x {len(matrix[0])}")
+            raise Malformed(
+                f"{name}: wanted {rows} x {columns}, got {len(matrix)} x {len(matrix[0])}"
+            )
     return f, q, h, r
 
 
@@ -58,7 +65,9 @@ def plus(a: Exprs, b: Exprs) -> Exprs:
 
 def minus(a: Exprs, b: Exprs) -> Exprs:
     """Difference."""
-    return tuple(tuple(add(x, neg(y)) for x, y in zip(p, q, strict=True)) for p, q in zip(a, b, strict=True))
+    return tuple(
+        tuple(add(x, neg(y)) for x, y in zip(p, q, strict=True)) for p, q in zip(a, b, strict=True)
+    )
 
 
 def scaled(a: Exprs, factor: Expr) -> Exprs:
@@ -84,9 +93,11 @@ def _is(x: Expr, value: int) -> bool:
 
 
 def solve_rows(matrix: Sequence[Sequence[Fraction]], right: Sequence[Expr]) -> list[Expr] | None:
-    """Unknowns of a linear system with numbers on the left and expressions on the right, by elimination.
+    """Unknowns of a linear system with numbers on the left and expressions on the right, by
+    elimination.
 
-    Rows that depend on others are dropped unread: the caller must check all equations. None if rank is short.
+    Rows that depend on others are dropped unread: the caller must check all equations. None if rank
+    is short.
     """
     width = len(matrix[0])
     rows = [(list(row), {k: Fraction(1)}) for k, row in enumerate(matrix)]
@@ -104,7 +115,9 @@ def solve_rows(matrix: Sequence[Sequence[Fraction]], right: Sequence[Expr]) -> l
 
 
 def _cleared(
-    row: tuple[list[Fraction], dict[int, Fraction]], unit: tuple[list[Fraction], dict[int, Fraction]], column: int
+    row: tuple[list[Fraction], dict[int, Fraction]],
+    unit: tuple[list[Fraction], dict[int, Fraction]],
+    column: int,
 ) -> tuple[list[Fraction], dict[int, Fraction]]:
     factor = row[0][column]
     if factor == 0:
@@ -116,5 +129,9 @@ def _cleared(
 
 
 def _combined(weights: Mapping[int, Fraction], right: Sequence[Expr]) -> Expr:
-    kept = [_times(number(c), right[k]) for k, c in sorted(weights.items()) if c != 0 and not _is(right[k], 0)]
+    kept = [
+        _times(number(c), right[k])
+        for k, c in sorted(weights.items())
+        if c != 0 and not _is(right[k], 0)
+    ]
     return add(*kept) if kept else number(0)

@@ -1,4 +1,6 @@
-"""Environments of settings: the quantities of a steady state or a growing memory in the source's units."""
+"""Environments of settings: the quantities of a steady state or a growing memory in the source's
+units.
+"""
 
 from __future__ import annotations
 
@@ -32,13 +34,17 @@ def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environ
     """The steady state of a model; with `predictor`, what a source calls its gain is F K."""
     state = solve(model)
     if model.get("measurement_noise") != [["1"]] and model.get("measurement_noise") != (("1",),):
-        raise Undecided("model data must be in units of the measurement noise, with measurement_noise [['1']]")
+        raise Undecided(
+            "model data must be in units of the measurement noise, with measurement_noise [['1']]"
+        )
     named = {"filter": state.filter_gain, "predictor": state.predictor_gain}
     quantities = _common()
     for i in range(2):
         quantities[f"filter_gain.{i + 1}"] = named[gain_form][i]
         quantities[f"predictor_gain.{i + 1}"] = state.predictor_gain[i]
-    quantities |= _covariances("predicted", state.predicted) | _covariances("updated", state.updated)
+    quantities |= _covariances("predicted", state.predicted) | _covariances(
+        "updated", state.updated
+    )
     quantities["innovation_variance"] = state.innovation * power(SIGMA, 2)
     quantities["closed_loop.trace"] = -state.closed_loop[0]
     quantities["closed_loop.determinant"] = state.closed_loop[1]
@@ -55,7 +61,9 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
     size = degree + 1
     predictor = tuple(row[0] for row in times(fit.transition, tuple((g,) for g in fit.gain)))
     named = {"filter": fit.gain, "predictor": predictor}
-    before = tuple(tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in fit.updated)
+    before = tuple(
+        tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in fit.updated
+    )
     predicted = times(times(fit.transition, before), transposed(fit.transition))
     quantities = _common()
     for i in range(size):
@@ -73,7 +81,9 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
     boxes = {SAMPLE: Box(lower=Fraction(degree), lower_open=False, integer=True), **_boxes(size)}
     what = {0: "mean", 1: "line", 2: "parabola"}[degree]
     suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
-    return Environment(f"least squares, {what}{suffix}", quantities, boxes, SAMPLE, fit.facts, missing)
+    return Environment(
+        f"least squares, {what}{suffix}", quantities, boxes, SAMPLE, fit.facts, missing
+    )
 
 
 def _common() -> dict[str, Expr]:
@@ -101,12 +111,15 @@ def _covariances(which: str, matrix: Exprs) -> dict[str, Expr]:
 
 def _taylor(size: int) -> Exprs:
     return tuple(
-        tuple(number(Fraction(1, factorial(c - r))) if c >= r else number(0) for c in range(size)) for r in range(size)
+        tuple(number(Fraction(1, factorial(c - r))) if c >= r else number(0) for c in range(size))
+        for r in range(size)
     )
 
 
 def _states(transition: Exprs, gain: tuple[Expr, ...]) -> dict[str, Expr]:
-    """Predicted and updated state from the previous state and the new measurement; T enters with its powers."""
+    """Predicted and updated state from the previous state and the new measurement; T enters with
+    its powers.
+    """
     size = len(gain)
     before = [symbol(f"previous_state.{i + 1}") for i in range(size)]
     predicted = []

@@ -1,8 +1,10 @@
-"""The innovation spectrum of a model with one scalar measurement, and its stable factor for two states.
+"""The innovation spectrum of a model with one scalar measurement, and its stable factor for two
+states.
 
-With d(z) = det(zI - F) and the noise of the state seen through H (zI - F)^-1, the spectrum of the measurement times
-d(z) d(1/z) is N(z) = n0 + n1 (z + 1/z) + n2 (z^2 + 1/z^2) = S c(z) c(1/z), where c is the closed-loop polynomial and S the
-innovation variance. At z = 1 and z = -1 this gives S c(1)^2 and S c(-1)^2, at the highest power S c(0) = n2.
+With d(z) = det(zI - F) and the noise of the state seen through H (zI - F)^-1, the spectrum of the
+measurement times d(z) d(1/z) is N(z) = n0 + n1 (z + 1/z) + n2 (z^2 + 1/z^2) = S c(z) c(1/z), where
+c is the closed-loop polynomial and S the innovation variance. At z = 1 and z = -1 this gives S
+c(1)^2 and S c(-1)^2, at the highest power S c(0) = n2.
 """
 
 from __future__ import annotations
@@ -20,7 +22,7 @@ Laurent = dict[int, Fraction]
 
 @dataclass(frozen=True)
 class Factor:
-    """c(z) = z^2 + c1 z + c0 and the innovation variance S, as expressions of the tracking index."""
+    """c(z) = z^2 + c1 z + c0 and the innovation variance S, in terms of the tracking index."""
 
     c1: Expr
     c0: Expr
@@ -34,7 +36,9 @@ def characteristic(f: Numbers) -> list[Fraction]:
 
 
 def spectrum(f: Numbers, q: Numbers, h: Numbers, r: Fraction) -> tuple[Laurent, Laurent]:
-    """N(z) as the part without noise of the state and the part that is multiplied by the index squared."""
+    """N(z) as the part without noise of the state and the part that is multiplied by the index
+    squared.
+    """
     d = characteristic(f)
     rest: Laurent = {}
     for i, x in enumerate(d):
@@ -69,7 +73,8 @@ def stable_factor(f: Numbers, q: Numbers, h: Numbers, r: Fraction) -> Factor:
     if n2 == 0 or noise.get(2, Fraction(0)) != 0:
         raise Undecided("the transition matrix is singular")
     plus, minus = at(1), at(-1)
-    # S c(1) + S c(-1) = 2 S + 2 n2 and S c(+-1) = deviation * root: 2 deviation^2 - (plus + minus) deviation + 2 n2 = 0;
+    # S c(1) + S c(-1) = 2 S + 2 n2 and S c(+-1) = deviation * root: 2 deviation^2 - (plus + minus)
+    # deviation + 2 n2 = 0;
     # the product of its roots is n2, the greater one is the deviation because |c(0)| < 1
     total = plus + minus
     root = sqrt(power(total, 2) - number(16 * n2))

@@ -1,9 +1,11 @@
-"""The steady-state Kalman filter of a two-state model with one scalar measurement: solved here, then established.
+"""The steady-state Kalman filter of a two-state model with one scalar measurement: solved here,
+then established.
 
-Solved from the model's matrices alone: spectral factor, gains by matching the closed-loop polynomial, covariance from
-linear equations. None of this is trusted: what makes the result the steady state is that the Riccati residual
-vanishes identically, that the closed loop is stable (Jury) and that the covariance is positive, each shown with the
-exact tools for all positive indices; a stabilising solution is unique (a textbook theorem, cited).
+Solved from the model's matrices alone: spectral factor, gains by matching the closed-loop
+polynomial, covariance from linear equations. None of this is trusted: what makes the result the
+steady state is that the Riccati residual vanishes identically, that the closed loop is stable
+(Jury) and that the covariance is positive, each shown with the exact tools for all positive
+indices; a stabilising solution is unique (a textbook theorem, cited).
 """
 
 from __future__ import annotations
@@ -40,7 +42,9 @@ UNIQUENESS = (
 
 @dataclass(frozen=True)
 class SteadyState:
-    """All in units T = 1, measurement noise variance of the model; expressions of the tracking index."""
+    """All in units T = 1, measurement noise variance of the model; expressions of the tracking
+    index.
+    """
 
     filter_gain: tuple[Expr, ...]
     predictor_gain: tuple[Expr, ...]
@@ -55,7 +59,9 @@ def solve(model: Mapping[str, Any]) -> SteadyState:
     """The established steady state of a model. Raises Malformed, Undecided, NotEstablished."""
     f, q, h, r = model_matrices(model)
     if len(f) != 2 or len(h) != 1:
-        raise Undecided(f"a steady state with {len(f)} states and {len(h)} measurements is not covered")
+        raise Undecided(
+            f"a steady state with {len(f)} states and {len(h)} measurements is not covered"
+        )
     factor = stable_factor(f, q, h, r[0][0])
     predictor = _predictor_gain(f, h, factor)
     gain = solve_rows(f, predictor)
@@ -65,9 +71,13 @@ def solve(model: Mapping[str, Any]) -> SteadyState:
     big = exprs(f)
     observed = times(exprs(h), predicted)
     updated = minus(predicted, times(tuple((g,) for g in gain), observed))
-    facts = _establish(big, exprs(q), exprs(h), r[0][0], predicted, updated, gain, predictor, factor)
+    facts = _establish(
+        big, exprs(q), exprs(h), r[0][0], predicted, updated, gain, predictor, factor
+    )
     closed = (factor.c1, factor.c0)
-    return SteadyState(tuple(gain), tuple(predictor), predicted, updated, factor.innovation, closed, facts)
+    return SteadyState(
+        tuple(gain), tuple(predictor), predicted, updated, factor.innovation, closed, facts
+    )
 
 
 def _predictor_gain(f: Numbers, h: Numbers, factor: Factor) -> list[Expr]:
@@ -83,7 +93,9 @@ def _predictor_gain(f: Numbers, h: Numbers, factor: Factor) -> list[Expr]:
     return solved
 
 
-def _predicted(f: Numbers, q: Numbers, h: Numbers, gain: list[Expr], predictor: list[Expr], innovation: Expr) -> Exprs:
+def _predicted(
+    f: Numbers, q: Numbers, h: Numbers, gain: list[Expr], predictor: list[Expr], innovation: Expr
+) -> Exprs:
     """M from M H' = S K and M - F M F' = index^2 Q - S L L', linear in the entries 11, 12, 22."""
     rows: list[list[Fraction]] = []
     right: list[Expr] = []
@@ -107,7 +119,15 @@ def _predicted(f: Numbers, q: Numbers, h: Numbers, gain: list[Expr], predictor: 
 
 
 def _establish(
-    f: Exprs, q: Exprs, h: Exprs, r: Fraction, m: Exprs, x: Exprs, gain: list[Expr], predictor: list[Expr], factor: Factor
+    f: Exprs,
+    q: Exprs,
+    h: Exprs,
+    r: Fraction,
+    m: Exprs,
+    x: Exprs,
+    gain: list[Expr],
+    predictor: list[Expr],
+    factor: Factor,
 ) -> tuple[Fact, ...]:
     index2 = power(symbol(INDEX), 2)
     variance = times(times(h, m), transposed(h))[0][0] + number(r)
@@ -120,20 +140,30 @@ def _establish(
     c1, c0 = factor.c1, factor.c0
     # the closed loop of the gains themselves, not of the factor they came from
     loop = minus(f, times(tuple((g,) for g in predictor), h))
-    residuals += [loop[0][0] + loop[1][1] + c1, loop[0][0] * loop[1][1] - loop[0][1] * loop[1][0] - c0]
-    residuals += [a[0] - b for a, b in zip(times(f, tuple((g,) for g in gain)), predictor, strict=True)]
+    residuals += [
+        loop[0][0] + loop[1][1] + c1,
+        loop[0][0] * loop[1][1] - loop[0][1] * loop[1][0] - c0,
+    ]
+    residuals += [
+        a[0] - b for a, b in zip(times(f, tuple((g,) for g in gain)), predictor, strict=True)
+    ]
     facts = [
         shown(
-            "the Riccati equation, gain and innovation variance hold identically: M = F X F' + Q, S K = M H', S = H M H' + R",
+            "the Riccati equation, gain and innovation variance hold identically: "
+            "M = F X F' + Q, S K = M H', S = H M H' + R",
             [Rel("=", e, number(0)) for e in residuals],
         ),
         shown(
-            "the closed loop F - L H is stable (Jury): 1 + c1 + c0 > 0, 1 - c1 + c0 > 0, 1 - c0 > 0, 1 + c0 > 0",
+            "the closed loop F - L H is stable (Jury): "
+            "1 + c1 + c0 > 0, 1 - c1 + c0 > 0, 1 - c0 > 0, 1 + c0 > 0",
             [Rel(">", e, number(0)) for e in (one + c1 + c0, one - c1 + c0, one - c0, one + c0)],
         ),
         shown(
             "the predicted covariance is positive definite",
-            [Rel(">", e, number(0)) for e in (m[0][0], m[0][0] * m[1][1] - m[0][1] * m[0][1], factor.innovation)],
+            [
+                Rel(">", e, number(0))
+                for e in (m[0][0], m[0][0] * m[1][1] - m[0][1] * m[0][1], factor.innovation)
+            ],
         ),
         Fact(f"cited: {UNIQUENESS[0]}", UNIQUENESS[1]),
     ]
@@ -142,8 +172,10 @@ def _establish(
 
 def shown(sentence: str, relations: list[Rel]) -> Fact:
     """The fact that these relations hold for all positive indices. Raises NotEstablished."""
+    certificate: Mapping[str, Any] = {}
     for rel in relations:
         outcome = decide(Statement((rel,)), {INDEX: POSITIVE}, INDEX)
         if outcome.verdict != "proved":
             raise NotEstablished(f"{sentence}: {outcome.reason}")
-    return Fact(sentence, "tower of radicals, cells of the tracking index", outcome.certificate)
+        certificate = outcome.certificate
+    return Fact(sentence, "tower of radicals, cells of the tracking index", certificate)

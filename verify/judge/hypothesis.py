@@ -1,0 +1,94 @@
+"""Equations taken as hypotheses: each is solved for a free symbol that occurs linearly, which is
+then replaced.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gainproof.verify.judge.domain import box_conditions
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.decision import decide
+from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+
+
+def candidates(statement: Statement, parameter: str | None) -> list[str | None]:
+    """Which symbol may play the one real parameter, the most promising first."""
+    names = sorted(statement.symbols())
+    if parameter in names:
+        return [parameter]
+    if len(names) == 1:
+        return [names[0]]
+    return [None, *names]
+
+
+def settle(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Outcome:
+    """Decides with the first symbol that can play the parameter. Raises Undecided with the last
+    reason.
+    """
+    last = Undecided("no variable")
+    for choice in candidates(statement, parameter):
+        try:
+            return decide(statement, boxes, choice, labels)
+        except Undecided as reason:
+            last = reason
+    raise last
+
+
+def without_equations(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Statement:
+    """The statement with equations between free symbols, among its conditions, solved and put in.
+
+    Equations of the parameter alone stay: cells decide them. Raises Undecided if an equation cannot
+    be solved.
+    """
+    while True:
+        equation = next(
+            (c for c in statement.conditions if c.operator == "=" and _is_free(c, parameter)), None
+        )
+        if equation is None or len(statement.symbols()) == 1:
+            return statement
+        name, value = solved(equation, boxes, parameter, labels)
+        rest = tuple(c for c in statement.conditions if c is not equation)
+        moved = Statement(statement.relations, rest, statement.connective, statement.needed).mapped(
+            lambda e, n=name, v=value: substituted(e, {n: v})  # type: ignore[misc]
+        )
+        inside = box_conditions(name, value, boxes.get(name, Box(stated=False)))
+        statement = Statement(
+            moved.relations, (*moved.conditions, *inside), moved.connective, (*moved.needed, value)
+        )
+
+
+def _is_free(rel: Rel, parameter: str | None) -> bool:
+    return bool(symbols_of(rel.left, rel.right) - {parameter})
+
+
+def solved(
+    equation: Rel, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> tuple[str, Expr]:
+    """A free symbol and what it equals: left - right = a + b * symbol identically, b nowhere zero
+    on the domain.
+    """
+    difference = equation.left - equation.right
+    names = sorted(symbols_of(difference) - {parameter})
+    for name in names:
+        if boxes.get(name, Box(stated=False)).integer:
+            continue
+        at_zero = substituted(difference, {name: number(0)})
+        slope = substituted(difference, {name: number(1)}) - at_zero
+        line = at_zero + symbol(name) * slope
+        rest = {n: b for n, b in boxes.items() if n != name}
+        try:
+            linear = settle(Statement((Rel("=", difference, line),)), boxes, parameter, labels)
+            nowhere = settle(Statement((Rel("!=", slope, number(0)),)), rest, parameter, labels)
+        except Undecided:
+            continue
+        if linear.verdict == nowhere.verdict == "proved":
+            return name, neg(at_zero / slope)
+    raise Undecided("a hypothesis cannot be solved for a symbol that occurs linearly")

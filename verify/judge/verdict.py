@@ -1,0 +1,98 @@
+"""Verdicts with their evidence, and their form as plain data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from gainproof.verify.judge.exact.statement import Outcome, Witness
+
+VERDICTS = (
+    "proved",
+    "refuted",
+    "conditional",
+    "undefined",
+    "held",
+    "undecided",
+    "definition",
+    "remark",
+)
+SETTLED = frozenset(VERDICTS) - {"held", "undecided"}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """The verdict on one statement under one convention; `reach` counts the points tried before a
+    witness.
+    """
+
+    verdict: str
+    reason: str
+    domain: str | None = None
+    method: str | None = None
+    witness: Witness | None = None
+    certificate: Mapping[str, Any] = field(default_factory=dict)
+    reading: str | None = None
+    reach: int = 0
+
+
+@dataclass(frozen=True)
+class ClaimVerdict:
+    """The verdict on one claim of a file. `repair` is None: none looked for, or none found."""
+
+    id: str
+    place: str
+    kind: str
+    latex: str
+    verdict: str
+    domain: str | None
+    method: str | None
+    certificate: Mapping[str, Any]
+    witness: Mapping[str, Any] | None
+    repair: Mapping[str, str] | None
+    convention: str | None
+    reading: str | None
+    undefined: tuple[Mapping[str, Any], ...]
+    reason: str
+    seconds: float
+
+    @property
+    def settled(self) -> bool:
+        """Whether the claim is decided, one way or the other."""
+        return self.verdict in SETTLED
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data."""
+        return {
+            "id": self.id,
+            "place": self.place,
+            "kind": self.kind,
+            "latex": self.latex,
+            "verdict": self.verdict,
+            "domain": self.domain,
+            "evidence": {
+                "method": self.method,
+                "certificate": dict(self.certificate) or None,
+                "witness": None if self.witness is None else dict(self.witness),
+            },
+            "repair": None if self.repair is None else dict(self.repair),
+            "convention": self.convention,
+            "reading": self.reading,
+            "undefined": [dict(entry) for entry in self.undefined],
+            "reason": self.reason,
+            "seconds": round(self.seconds, 3),
+        }
+
+
+def finding_of(outcome: Outcome) -> Finding:
+    """An outcome as a finding."""
+    return Finding(
+        outcome.verdict,
+        outcome.reason,
+        outcome.domain,
+        outcome.method,
+        outcome.witness,
+        outcome.certificate,
+        reach=outcome.reach,
+    )
