@@ -15,29 +15,29 @@ from gainproof.workshop import Workshop
 
 def catalogue(shop: Workshop) -> list[str]:
     """Names of all subjects, in the order of the catalogue."""
-    (found,) = shop.results("read", [workers.Job("the catalogue", "catalogue", {})])
+    (found,) = shop.results("", [workers.Job("the catalogue", "catalogue", {})])
     return list(found)
 
 
 def overview(shop: Workshop) -> list[dict[str, Any]]:
-    """{"name", "title", "sources", "kernels", "cited"} of every subject."""
-    (found,) = shop.results("read", [workers.Job("all subjects", "overview", {})])
+    """{"name", "title", "model", "sources", "kernels", "cited"} of every subject."""
+    (found,) = shop.results("", [workers.Job("all subjects", "overview", {})])
     return list(found)
 
 
 def derive(names: Sequence[str], shop: Workshop) -> list[Derived]:
     """The subjects of these names. Raises BadInputError for a name the catalogue does not have."""
-    for name in names:
-        require_name(name, shop)
+    require_names(names, shop)
     jobs = [workers.Job(name, "derive", {"name": name}) for name in names]
     return [derived_from(data) for data in shop.results("derived", jobs)]
 
 
-def require_name(name: str, shop: Workshop) -> None:
+def require_names(names: Sequence[str], shop: Workshop) -> None:
     """Raises BadInputError, with the nearest names, for a name the catalogue does not have."""
     known = catalogue(shop)
-    if name not in known:
-        raise unknown_name("derivation", name, known)
+    for name in names:
+        if name not in known:
+            raise unknown_name("derivation", name, known)
 
 
 def derive_file(path: Path, shop: Workshop) -> Derived:
@@ -81,7 +81,7 @@ def recheck(pairs: Sequence[tuple[Any, Derived]], shop: Workshop) -> list[dict[s
     return shop.results("certificate checked", jobs)
 
 
-def marks(derived: Derived, shop: Workshop) -> dict[str, str]:
-    """The checker's word on each step, by id."""
+def own_report(derived: Derived, shop: Workshop) -> dict[str, Any]:
+    """The checker's report on the certificate that the derivation has just written."""
     (report,) = recheck([(derived.certificate, derived)], shop)
-    return {entry["id"]: entry["status"] for entry in report["statements"]}
+    return dict(report)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 from gainproof.bad_input import unknown_name
 from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.quantity import MEASUREMENT_DEVIATION, SAMPLING_INTERVAL
 from gainproof.derive.source import SOURCES
 from gainproof.derive.subject import Subject
 from gainproof.derived import Derived, DerivedStep
+
+GRAPH_FIELDS: tuple[Literal["nodes"], Literal["outputs"]] = ("nodes", "outputs")
+_SHARED_SYMBOLS = {q.name: q.latex for q in (SAMPLING_INTERVAL, MEASUREMENT_DEVIATION)}
 
 
 def catalogue_names() -> list[str]:
@@ -17,7 +21,7 @@ def catalogue_names() -> list[str]:
 
 
 def overview() -> list[dict[str, Any]]:
-    """{"name", "title", "sources", "kernels", "cited"} of every subject; no certificate is made."""
+    """Every subject without its certificate: name, title, model, sources, kernels, cited."""
     return [_overview(entry.build()) for entry in CATALOGUE]
 
 
@@ -26,6 +30,7 @@ def _overview(subject: Subject) -> dict[str, Any]:
     return {
         "name": subject.name,
         "title": derivation.title or subject.title,
+        "model": subject.model_data,
         "sources": [_source(key) for key in derivation.sources],
         "kernels": _kernels(subject),
         "cited": [
@@ -74,7 +79,7 @@ def plain_subject(subject: Subject) -> Derived:
             )
             for step in derivation.steps
         ),
-        symbols=dict(derivation.latex),
+        symbols={**_SHARED_SYMBOLS, **derivation.latex},
         sources=tuple(_source(key) for key in derivation.sources),
         kernels=tuple(_kernels(subject)),
         certificate=subject.certificate(),
@@ -94,7 +99,11 @@ def _programs(subject: Subject) -> dict[str, Any]:
     if unproved:
         raise LookupError(f"{subject.name}: kernels without a program to prove: {unproved}")
     return {
-        name: {"inputs": dict(program.inputs), "graph": printed.get(name, program.graph)}
+        name: {
+            "inputs": dict(program.inputs),
+            # the names of intermediate values are for readers of the code and prove nothing
+            "graph": {field: printed.get(name, program.graph)[field] for field in GRAPH_FIELDS},
+        }
         for name, program in subject.programs.items()
     }
 

@@ -61,5 +61,5 @@ def first_difference(content: bytes, wanted: bytes) -> str:
 
 
 def _shown(line: bytes) -> str:
-    text = line.decode("utf-8", errors="replace").strip()
+    text = line.decode("utf-8", errors="replace")
     return repr(text if len(text) <= 60 else text[:57] + "...")

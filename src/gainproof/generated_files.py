@@ -19,7 +19,7 @@ def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
         depends = derivations.model_text(path)
         job = workers.Job(name_or_file, "print_file", {"path": str(path.resolve())})
     else:
-        derivations.require_name(name_or_file, shop)
+        derivations.require_names([name_or_file], shop)
         job, depends = workers.Job(name_or_file, "print_one", {"name": name_or_file}), b""
     (found,) = shop.results("printed", [job], depends)
     return {name: text.encode("utf-8") for name, text in found.items()}

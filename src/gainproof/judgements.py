@@ -6,20 +6,26 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from gainproof import places, workers
+from gainproof import derivations, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.workshop import Workshop
 
 
 def judge(files: Sequence[Path], shop: Workshop) -> list[dict[str, Any]]:
     """{"source", "claims"} of every file. Raises BadInputError for a file that cannot be used."""
-    jobs = []
+    texts = {}
     for file in files:
         try:
-            text = file.read_text(encoding="utf-8")
+            texts[file] = file.read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as error:
             raise BadInputError(f"{places.shown(file)}: cannot be read: {error}") from None
-        jobs.append(workers.Job(file.stem, "judge", {"path": places.shown(file), "text": text}))
+    models = [entry["model"] for entry in derivations.overview(shop) if entry["model"]]
+    jobs = [
+        workers.Job(
+            file.stem, "judge", {"path": places.shown(file), "text": text, "models": models}
+        )
+        for file, text in texts.items()
+    ]
     return shop.results("judged", jobs)
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import functools
 import textwrap
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from gainproof.derived import Derived, DerivedStep
 from gainproof.formula_block import marked_matrix, set_formula
@@ -15,8 +17,9 @@ WIDTH = 92
 INDENT = "     "
 
 
-def page(derived: Derived, marks: Mapping[str, str], *, with_steps: bool = True) -> str:
-    """The page as text. `marks`: the checker's word on each step by id (`proved`, `cited`, ...)."""
+def page(derived: Derived, report: Mapping[str, Any], *, with_steps: bool = True) -> str:
+    """The page as text. `report`: what the checker says of the subject's certificate."""
+    marks = marks_of(report)
     names = {name: plain_name(latex) for name, latex in derived.symbols.items()}
     writer = Writer(names, functools.partial(formula_text, matrix=marked_matrix))
     parts = [heading(derived.title)]
@@ -29,7 +32,7 @@ def page(derived: Derived, marks: Mapping[str, str], *, with_steps: bool = True)
         parts += [step_text(i, step, writer, marks) for i, step in enumerate(shown, 1)]
     else:
         parts.append(results(derived, writer, marks))
-    parts.append(closing(derived, marks))
+    parts.append(closing(derived, report))
     return "\n\n".join(parts) + "\n"
 
 
@@ -60,7 +63,7 @@ def model_text(model: Mapping[str, object]) -> str:
 
 def step_text(number: int, step: DerivedStep, writer: Writer, marks: Mapping[str, str]) -> str:
     """One numbered step: the sentence, the formula, the reason, and how it is known."""
-    mark = marks.get(step.id, "not checked")
+    mark = marks[step.id]
     first = f"{number:>3}. "
     lines = [textwrap.fill(step.sentence, WIDTH, initial_indent=first, subsequent_indent=INDENT)]
     lines.append("")
@@ -97,21 +100,29 @@ def results(derived: Derived, writer: Writer, marks: Mapping[str, str]) -> str:
     return "\n".join(lines)
 
 
-def closing(derived: Derived, marks: Mapping[str, str]) -> str:
+def marks_of(report: Mapping[str, Any]) -> Mapping[str, str]:
+    """The checker's word on each step by id; `not checked` for all it was not asked about."""
+    marks = {entry["id"]: entry["status"] for entry in report["statements"]}
+    return defaultdict(lambda: "not checked", marks)
+
+
+def closing(derived: Derived, report: Mapping[str, Any]) -> str:
     """How many steps are known in which way, the hidden ones included."""
-    tally = count(marks.get(step.id, "not checked") for step in derived.steps)
+    marks = marks_of(report)
+    tally = count(marks[step.id] for step in derived.steps)
     hidden = sum(not step.shown for step in derived.steps)
     more = f" ({hidden} of them not shown)" if hidden else ""
-    return paragraph(
-        f"{len(derived.steps)} steps{more}: {tally}, by the checker that uses no computer algebra. "
-        f"`gainproof cite {derived.name}` names the works this rests on."
-    )
+    lines = [
+        f"{len(derived.steps)} steps{more}: {tally}, by the checker that uses no computer algebra."
+    ]
+    if not report["accepted"]:
+        lines.append(f"The certificate is REJECTED: {report['reason']}.")
+    if derived.sources:
+        lines.append(f"`gainproof cite {derived.name}` names the works this rests on.")
+    return paragraph(" ".join(lines))
 
 
 def count(words: Iterable[str]) -> str:
     """`12 proved, 1 cited`, the most frequent first."""
-    found: dict[str, int] = {}
-    for word in words:
-        found[word] = found.get(word, 0) + 1
-    ordered = sorted(found.items(), key=lambda item: (-item[1], item[0]))
+    ordered = sorted(Counter(words).items(), key=lambda item: (-item[1], item[0]))
     return ", ".join(f"{number} {word}" for word, number in ordered)

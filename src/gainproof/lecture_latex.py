@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from gainproof.derived import Derived, DerivedStep
 from gainproof.formula_latex import formula_latex
-from gainproof.lecture import count
+from gainproof.lecture import count, marks_of
 from gainproof.relation_text import Writer, relation_lines
 
 _SPECIAL = {
@@ -31,8 +32,9 @@ MODEL_FIELDS = (
 )
 
 
-def document(derived: Derived, marks: Mapping[str, str]) -> str:
-    """The whole document. `marks`: the checker's word on each step by id."""
+def document(derived: Derived, report: Mapping[str, Any]) -> str:
+    """The whole document. `report`: what the checker says of the subject's certificate."""
+    marks = marks_of(report)
     writer = Writer(
         derived.symbols,
         formula_latex,
@@ -42,7 +44,7 @@ def document(derived: Derived, marks: Mapping[str, str]) -> str:
         infinity=r"\infty",
     )
     shown = [step for step in derived.steps if step.shown]
-    tally = count(marks.get(step.id, "not checked") for step in derived.steps)
+    tally = count(marks[step.id] for step in derived.steps)
     parts = [
         r"\documentclass{article}",
         r"\usepackage{amsmath}",
@@ -71,7 +73,7 @@ def escaped(text: str) -> str:
 def _step(step: DerivedStep, writer: Writer, marks: Mapping[str, str]) -> str:
     lines = relation_lines(step.kind, step.claim, writer)
     display = "\\\\\n".join(rf"&{line}" for line in lines)
-    mark = escaped(marks.get(step.id, "not checked"))
+    mark = escaped(marks[step.id])
     return (
         f"\\item {escaped(step.sentence)}\n"
         f"\\begin{{align*}}\n{display}\n\\end{{align*}}\n"

@@ -55,7 +55,7 @@ def _equal(claim: Claim, w: Writer) -> list[str]:
     pairs = [(w.value(a), w.value(b)) for a, b in _entries(left, right)]
     # entries that read alike on both sides say nothing to a reader
     telling = [(a, b) for a, b in pairs if a != b] or pairs[:1]
-    return [f"{a} = {b}" for a, b in telling]
+    return list(dict.fromkeys(f"{a} = {b}" for a, b in telling))
 
 
 def _entries(left: Graph, right: Graph) -> list[tuple[Graph, Graph]]:

@@ -69,11 +69,11 @@ def recheck(certificate: Any, expected: Plain) -> Plain:
     return decide(certificate, expected)
 
 
-def judge(path: str, text: str) -> Plain:
-    """Judge a claim file of this text; `path` is for messages."""
+def judge(path: str, text: str, models: list[Plain]) -> Plain:
+    """Judge a claim file of this text, given the catalogue's models; `path` is for messages."""
     from gainproof.judging import judge_text
 
-    return judge_text(path, text)
+    return judge_text(path, text, models)
 
 
 def environment(names: list[str]) -> dict[str, str | None]:

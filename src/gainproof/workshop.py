@@ -21,7 +21,7 @@ class Workshop:
     code: str
 
     def results(self, work: str, jobs: Sequence[workers.Job], *depends: bytes) -> list[Any]:
-        """What the jobs answer, in their order; `work` is for people.
+        """What the jobs answer, in their order; `work` is for people, and nothing is said without.
 
         A result is known if the job, all code and versions, and whatever else it `depends` on are
         the same. Raises BadInputError or JobError of the first job that fails.
@@ -31,7 +31,8 @@ class Workshop:
         missing = [i for i, result in enumerate(found) if result is None]
 
         def done(job: workers.Job, seconds: float) -> None:
-            self.progress.say(f"{work} {job.label} ({seconds:.1f} s)")
+            if work:
+                self.progress.say(f"{work} {job.label} ({seconds:.1f} s)")
 
         if missing:
             for i, result in zip(
@@ -39,7 +40,7 @@ class Workshop:
             ):
                 found[i] = result
                 self.cache.store(keys[i], result)
-        if len(missing) < len(jobs):
+        if work and len(missing) < len(jobs):
             self.progress.say(f"{work}: {len(jobs) - len(missing)} unchanged")
         return found
 

@@ -149,7 +149,14 @@ def test_names_are_replaced() -> None:
 
 @pytest.mark.parametrize(
     ("latex", "word"),
-    [(r"\alpha", "alpha"), ("M_{11}", "M11"), (r"\operatorname{Re} z_1", "Re z1"), ("p", "p")],
+    [
+        (r"\alpha", "alpha"),
+        ("M_{11}", "M11"),
+        (r"\alpha_k", "alpha_k"),
+        ("(FK)_1", "(FK)1"),
+        (r"\operatorname{Re} z_1", "Re z1"),
+        ("p", "p"),
+    ],
 )
 def test_plain_name(latex: str, word: str) -> None:
     assert plain_name(latex) == word

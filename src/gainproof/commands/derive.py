@@ -27,10 +27,9 @@ def run(options: argparse.Namespace) -> int:
 
     shop = open_workshop(fresh=options.fresh, quiet=True)
     derived = derivations.one(options.subject, shop)
-    marks = derivations.marks(derived, shop)
+    report = derivations.own_report(derived, shop)
     if options.latex:
-        print(lecture_latex.document(derived, marks), end="")
+        print(lecture_latex.document(derived, report), end="")
     else:
-        print(lecture.page(derived, marks, with_steps=options.steps), end="")
-    accepted = {"proved", "cited", "definition"}
-    return 0 if all(marks.get(step.id) in accepted for step in derived.steps) else 1
+        print(lecture.page(derived, report, with_steps=options.steps), end="")
+    return 0 if report["accepted"] else 1

@@ -1,0 +1,27 @@
+"""A claim file judged, as plain data. From the derivations the judge gets models and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from gainproof.bad_input import BadInputError
+from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_text
+from gainproof.verify.judge.judge import judge_file
+
+
+def judge_text(path: str, text: str, models: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages.
+
+    Raises BadInputError, with line and column where known, for a file that is not accepted.
+    """
+    try:
+        claim_file = read_claim_text(text, path)
+    except ClaimFileError as error:
+        raise BadInputError(str(error)) from None
+    verdicts = judge_file(claim_file, models)
+    return {
+        "source": asdict(claim_file.source),
+        "claims": [verdict.to_json() for verdict in verdicts],
+    }

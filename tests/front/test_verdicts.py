@@ -1,0 +1,141 @@
+"""Snapshots of verdicts: each change that matters is seen, time is none of them."""
+
+from __future__ import annotations
+
+import copy
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gainproof import verdict_text, verdicts
+from gainproof.bad_input import BadInputError
+
+
+def claim(name: str, verdict: str, **fields: Any) -> dict[str, Any]:
+    return {
+        "id": name,
+        "place": "slide 3",
+        "kind": "identity",
+        "latex": r"\beta = \alpha",
+        "verdict": verdict,
+        "domain": None,
+        "evidence": {"method": "towers", "certificate": {"steps": 3}, "witness": None},
+        "repair": None,
+        "convention": None,
+        "reading": None,
+        "undefined": [],
+        "reason": "",
+        "seconds": 0.01,
+    } | fields
+
+
+JUDGED: dict[str, Any] = {
+    "source": {"key": "lecture", "title": "Tracking"},
+    "claims": [
+        claim("a", "proved", convention="filter gain"),
+        claim(
+            "b",
+            "refuted",
+            repair={"latex": r"\beta = 2", "verdict": "proved"},
+            reason="false at Lambda = 1",
+        ),
+        claim("c", "remark", reason="an opinion"),
+    ],
+}
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "lecture.toml"
+    verdicts.write_snapshot(JUDGED, path)
+    return path
+
+
+def test_unchanged_verdicts_are_no_change(file: Path) -> None:
+    assert (file.parent / "lecture.verdicts.json").is_file()
+    again = copy.deepcopy(JUDGED)
+    again["claims"][0]["seconds"] = 99
+    again["claims"][0]["evidence"]["certificate"] = {"steps": 4}
+    assert verdicts.changes(again, file) == []
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("verdict", "held"),
+        ("domain", "Lambda < 1"),
+        ("convention", "predictor gain"),
+        ("reading", "(4a/b)T"),
+        ("repair", {"latex": "x", "verdict": "proved"}),
+        ("undefined", [{"symbol": "r", "solution": "1", "consumed": ["b"]}]),
+    ],
+)
+def test_each_change_is_seen(file: Path, field: str, value: Any) -> None:
+    again = copy.deepcopy(JUDGED)
+    again["claims"][0][field] = value
+    (line,) = verdicts.changes(again, file)
+    assert line.startswith(f"a: {field} was ")
+
+
+def test_a_weaker_method_is_seen(file: Path) -> None:
+    again = copy.deepcopy(JUDGED)
+    again["claims"][0]["evidence"]["method"] = "replayed"
+    assert verdicts.changes(again, file) == ["a: method was towers, is replayed"]
+
+
+def test_new_lost_and_moved_claims_are_seen(file: Path) -> None:
+    again = copy.deepcopy(JUDGED)
+    again["claims"][0]["id"] = "z"
+    assert verdicts.changes(again, file) == ["a: no longer among the claims", "z: new, proved"]
+    moved = copy.deepcopy(JUDGED)
+    moved["claims"].reverse()
+    assert len(verdicts.changes(moved, file)) == 1
+
+
+def test_no_snapshot_is_a_change(tmp_path: Path) -> None:
+    assert verdicts.changes(JUDGED, tmp_path / "new.toml") == [
+        "new.verdicts.json: there is no snapshot yet"
+    ]
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"claims": [1]}', '{"claims": [{"id": []}]}'])
+def test_a_damaged_snapshot_is_bad_input(file: Path, text: str) -> None:
+    file.with_name("lecture.verdicts.json").write_text(text)
+    with pytest.raises(BadInputError, match="not a snapshot"):
+        verdicts.changes(JUDGED, file)
+
+
+def test_snapshots_hold_no_times(file: Path) -> None:
+    text = file.with_name("lecture.verdicts.json").read_text()
+    assert "seconds" not in text
+    assert [c["id"] for c in json.loads(text)["claims"]] == ["a", "b", "c"]
+
+
+def test_unsettled_and_tally() -> None:
+    data = copy.deepcopy(JUDGED)
+    assert verdicts.unsettled(data) == []
+    data["claims"] += [claim("d", "held"), claim("e", "undecided")]
+    assert verdicts.unsettled(data) == ["d", "e"]
+    assert list(verdicts.tally([data])) == ["proved", "refuted", "held", "undecided", "remark"]
+
+
+def test_overview_names_verdicts_repairs_and_reasons() -> None:
+    text = verdict_text.overview(JUDGED)
+    assert "  a  proved\n     convention: filter gain\n" in text
+    assert r"nearest true formula: \beta = 2 (proved)" in text
+    assert "3 claims: 1 proved, 1 refuted, 1 remark" in text
+
+
+def test_explanation_holds_the_whole_evidence() -> None:
+    evidence = {
+        "method": "cells",
+        "certificate": {"factors": ["x - 1", {"deep": list(range(60))}]},
+        "witness": {"Lambda": "22/7"},
+    }
+    text = verdict_text.explanation(JUDGED, claim("q", "conditional", evidence=evidence))
+    assert "22/7" in text
+    assert "x - 1" in text
+    assert all(f"{i}" in text for i in range(60))
+    assert max(map(len, text.splitlines())) <= verdict_text.WIDTH
