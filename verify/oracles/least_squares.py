@@ -14,7 +14,15 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import factorial
 
-from gainproof.verify.oracles.matrices import Matrix, Vector, matrix, product, solve, transpose
+from gainproof.verify.oracles.matrices import (
+    Matrix,
+    Vector,
+    identity,
+    matrix,
+    product,
+    solve,
+    transpose,
+)
 from gainproof.verify.oracles.state_space import exact
 
 
@@ -24,11 +32,7 @@ def weights(degree: int, newest: int) -> Matrix:
     Row i gives the i-th derivative (per unit interval) at the time of the newest sample.
     Raises ValueError when there are too few samples for the degree.
     """
-    if degree < 0 or newest < degree:
-        raise ValueError(
-            f"a fit of degree {degree} needs degree >= 0 and a newest sample number >= degree, "
-            f"got {newest}"
-        )
+    _require_samples(degree, newest)
     design = tuple(
         tuple(Fraction(j - newest) ** i / factorial(i) for i in range(degree + 1))
         for j in range(newest + 1)
@@ -47,15 +51,44 @@ def gains(degree: int, newest: int) -> Vector:
     """The weights of the newest innovation in the fit at sample ``newest``.
 
     The prediction from older samples does not contain the newest one, so the weight of the
-    innovation (newest sample minus its prediction) is the weight of that sample itself.
+    innovation (newest sample minus its prediction) is the weight of that sample itself. Its row
+    of the design is (1, 0, ...), so the weights are the first column of the covariance.
     """
-    return tuple(row[-1] for row in weights(degree, newest))
+    return tuple(row[0] for row in covariance(degree, newest))
 
 
 def covariance(degree: int, newest: int) -> Matrix:
-    """The covariance of value and derivatives at k, for samples of variance one."""
-    rows = weights(degree, newest)
-    return product(rows, transpose(rows))
+    """The covariance of value and derivatives at k, for samples of variance one.
+
+    The inverse of the normal matrix, whose entries are sums of powers of 0, 1, ..., k; works for
+    any sample number, however large.
+    """
+    _require_samples(degree, newest)
+    normal = tuple(
+        tuple(
+            (-1) ** (i + j) * power_sum(i + j, newest) / (factorial(i) * factorial(j))
+            for j in range(degree + 1)
+        )
+        for i in range(degree + 1)
+    )
+    return solve(normal, identity(degree + 1, Fraction(1)))
+
+
+def power_sum(power: int, last: int) -> Fraction:
+    """0^power + 1^power + ... + last^power, exactly.
+
+    A polynomial in ``last`` of degree ``power + 1``: interpolated from as many plain sums.
+    """
+    if last <= power + 2:
+        return Fraction(sum(j**power for j in range(last + 1)))
+    total = Fraction(0)
+    for i in range(power + 2):
+        basis = Fraction(1)
+        for j in range(power + 2):
+            if j != i:
+                basis *= Fraction(last - j, i - j)
+        total += basis * sum(j**power for j in range(i + 1))
+    return total
 
 
 def taylor(degree: int) -> Matrix:
@@ -86,3 +119,11 @@ def run(
         state = tuple(x + exact(g) * innovation for x, g in zip(predicted, gain_at(k), strict=True))
         states.append(state)
     return tuple(states)
+
+
+def _require_samples(degree: int, newest: int) -> None:
+    if degree < 0 or newest < degree:
+        raise ValueError(
+            f"a fit of degree {degree} needs degree >= 0 and a newest sample number >= degree, "
+            f"got {newest}"
+        )

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gainproof.verify.oracles import least_squares, recursion
-from gainproof.verify.oracles.matrices import matrix
+from gainproof.verify.oracles.matrices import matrix, product, transpose
 from gainproof.verify.oracles.riccati import predict
 from gainproof.verify.oracles.state_space import StateSpace
 
@@ -54,6 +54,21 @@ def test_the_recursion_with_batch_gains_reproduces_the_batch(
     states = least_squares.run(lambda k: least_squares.gains(degree, k), samples, first, start)
     for k, state in enumerate(states, first):
         assert state == least_squares.fit(degree, samples[: k + 1])
+
+
+@pytest.mark.parametrize("degree", [0, 1, 2, 3])
+def test_gains_and_covariance_are_those_of_the_weights(degree: int) -> None:
+    for newest in range(degree, 14):
+        rows = least_squares.weights(degree, newest)
+        assert least_squares.gains(degree, newest) == tuple(row[-1] for row in rows)
+        assert least_squares.covariance(degree, newest) == product(rows, transpose(rows))
+
+
+def test_sums_of_powers() -> None:
+    for power in range(7):
+        for last in (0, 1, 5, 30):
+            assert least_squares.power_sum(power, last) == sum(j**power for j in range(last + 1))
+    assert least_squares.power_sum(1, 10**20) == 10**20 * (10**20 + 1) // 2
 
 
 def test_a_wrong_gain_is_noticed() -> None:
