@@ -6,7 +6,6 @@ from bisect import bisect_left
 
 from gainproof.verify.judge.reader.errors import ReaderError
 
-
 _HEADERS = ("[[claims]]", "[settings", "[symbols", "[source]")
 
 

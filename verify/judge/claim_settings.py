@@ -106,8 +106,9 @@ def _own_model(
         "measurement_noise": (measured, measured),
     }
     for name, (rows, columns) in wanted.items():
-        if (len(read[name]), len(read[name][0])) != (rows, columns):
-            shape = f"{len(read[name])} by {len(read[name][0])}"
+        found = (len(read[name]), min(map(len, read[name])))
+        if found != (rows, columns):
+            shape = f"{found[0]} by {found[1]}"
             raise fields.fail(name, f"wanted {rows} by {columns}, but it is {shape}")
     return OwnModel(**read)
 
@@ -130,10 +131,10 @@ def _matrix(
 
 def _entry(fields: Fields, name: str, entry: str, symbols: Mapping[str, SymbolEntry]) -> Graph:
     try:
-        readings = read_expression(entry, symbols)
+        graph, *others = read_expression(entry, symbols)
     except ReaderError as error:
         where = f"{fields.where}.{name}"
         raise fields.text.formula_error(where, entry, error, fields.line) from error
-    if len(readings) > 1:
+    if others:
         raise fields.fail(name, f"{entry[:80]!r} has two readings: write \\frac")
-    return readings[0]
+    return graph

@@ -12,7 +12,7 @@ from gainproof.verify.judge.reader.constant import constant_value
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_EXPONENT
 from gainproof.verify.judge.reader.nodes import NodeList
-from gainproof.verify.judge.reader.slash import factors_under, product_parts
+from gainproof.verify.judge.reader.slash import factors_under, product_parts, refuse_open_slash
 
 Branch = Tree[Token]
 
@@ -48,7 +48,7 @@ class _Builder:
                 return add("number", str(Fraction(str(tree.children[0]))))
             case "symbol":
                 return add("symbol", str(tree.children[0]))
-            case "group" | "single":
+            case "group" | "braced" | "single":
                 return self.value(children(tree)[0])
             case "absolute":
                 return add("call", "abs", self.value(children(tree)[0]))
@@ -157,7 +157,9 @@ def extents_of(tree: Branch, text: str) -> dict[int, tuple[int, ...]]:
     divide by.
     """
     found: dict[int, tuple[int, ...]] = {}
-    for product in tree.iter_subtrees():
-        if product.data == "product":
-            found.update(factors_under(product, text))
+    for branch in tree.iter_subtrees():
+        if branch.data == "product":
+            found.update(factors_under(branch, text))
+        elif branch.data == "times_big":
+            refuse_open_slash(branch, text)
     return found

@@ -42,7 +42,7 @@ divided: SLASH power
 ?atom: NUMBER -> number
      | SYMBOL -> symbol
      | OPEN expression CLOSE -> group
-     | LEFT_BRACE expression RIGHT_BRACE -> group
+     | LEFT_BRACE atom RIGHT_BRACE -> braced
      | BAR_OPEN expression BAR_CLOSE -> absolute
      | FRAC argument argument -> fraction
      | FRAC_PARTIAL LEFT_BRACE PARTIAL product RIGHT_BRACE over_symbol -> derivative
@@ -126,4 +126,7 @@ def _unexpected(text: str, tokens: Sequence[FormulaToken], error: UnexpectedToke
             "\\infty may only stand alone on the right of an arrow", text, position, token.value
         )
     shown = text[position : token.end_pos]
+    if token.type == "AND" and shown.startswith("\\"):
+        problem = f"{shown} separates relations and cannot stand within one{wanted}"
+        return ReaderError(problem, text, position, shown)
     return ReaderError(f"{shown} cannot stand here{wanted}", text, position, shown)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import NamedTuple
 
 from gainproof.verify.judge.formula import Graph, Reading, Relation
@@ -153,9 +154,10 @@ def _add(terms: list[Printed]) -> Printed:
 
 def _mul(factors: list[Printed]) -> Printed:
     text = _at_least(factors[0], _POWER)
-    for factor in factors[1:]:
-        # two digits side by side would read as one number or not at all
-        joint = " \\cdot " if factor.digit else " "
+    for before, factor in pairwise(factors):
+        # a digit beside a digit or a fraction is refused: one number to some
+        is_mixed = before.digit and factor.text.startswith("\\frac")
+        joint = " \\cdot " if factor.digit or is_mixed else " "
         text += joint + _at_least(factor, _POWER)
     return Printed(text, _PRODUCT, digit=factors[0].digit)
 

@@ -21,11 +21,13 @@ from gainproof.verify.judge.reader.scan import (
     scan_number,
     scan_sized,
 )
+from gainproof.verify.judge.reader.spaces import settle_wide_spaces
 from gainproof.verify.judge.reader.tokens import (
     COMMANDS,
     SIZES,
     SPACES,
     TAKES_ARGUMENTS,
+    WIDE_SPACES,
     FormulaToken,
 )
 
@@ -38,7 +40,7 @@ def read_tokens(text: str, functions: Mapping[str, bool]) -> tuple[FormulaToken,
     whether it is a function.
     """
     refuse_characters(text)
-    return pair_brackets(text, _Lexer(text, functions).run())
+    return settle_wide_spaces(pair_brackets(text, _Lexer(text, functions).run()))
 
 
 class _Lexer:
@@ -133,6 +135,8 @@ class _Lexer:
         end = start + len(command)
         if command in SPACES:
             self.position = end
+        elif command in WIDE_SPACES:
+            self._add("WIDE", command, end)
         elif command in ("\\begin", "\\end"):
             self._environment(command, end)
         elif command in SIZES:

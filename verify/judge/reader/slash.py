@@ -23,7 +23,9 @@ class Part(NamedTuple):
 
 
 def product_parts(tree: Tree[Token], text: str) -> list[Part]:
-    """The factors of a flat product in order. A number right after another factor is refused."""
+    """The factors of a flat product in order. ReaderError where the print is open to another
+    reading.
+    """
     parts: list[Part] = []
     slashes = 0
     for child in tree.children:
@@ -33,17 +35,55 @@ def product_parts(tree: Tree[Token], text: str) -> list[Part]:
             continue
         factor = child.children[-1]
         assert isinstance(factor, Tree)
-        leading = factor.children[0] if factor.data == "raised" else factor
-        if child.data == "juxtaposed" and isinstance(leading, Tree) and leading.data == "number":
-            problem = "a number right after a factor: brace an exponent or write a dot"
-            raise ReaderError(problem, text, child.meta.start_pos, str(leading.children[0]))
+        if child.data == "juxtaposed":
+            _refuse_digits(parts[-1].factor, factor, text)
         slashes += child.data == "divided"
         if slashes > MOST_SLASHES:
-            raise ReaderError(
-                f"more than {MOST_SLASHES} slashes in one product", text, child.meta.start_pos, "/"
-            )
+            problem = f"more than {MOST_SLASHES} slashes in one product"
+            raise ReaderError(problem, text, child.meta.start_pos, "/")
         parts.append(Part(str(child.data), child.meta.start_pos, factor))
     return parts
+
+
+def _refuse_digits(before: Tree[Token], factor: Tree[Token], text: str) -> None:
+    """A number right after a factor may be part of an exponent or of a longer number in print, and
+    a number right before a fraction of numbers is a mixed number to some.
+    """
+    base = factor.children[0] if factor.data == "raised" else factor
+    if _is_number(base):
+        problem = "a number right after a factor: brace an exponent or write a dot"
+        raise ReaderError(problem, text, factor.meta.start_pos, text[factor.meta.start_pos])
+    parts = base.children[1:] if isinstance(base, Tree) and base.data == "fraction" else []
+    if _is_number(before) and parts and all(map(_is_number, parts)):
+        problem = "a number before a fraction of numbers: write a dot for a product, + for a sum"
+        raise ReaderError(problem, text, factor.meta.start_pos, "\\frac")
+
+
+def _is_number(tree: object) -> bool:
+    """Whether it is a number, in braces or not."""
+    while isinstance(tree, Tree) and tree.data in ("braced", "group", "sum", "product"):
+        inner = [child for child in tree.children if isinstance(child, Tree)]
+        if len(inner) != 1 or _is_bracketed(tree):
+            return False
+        tree = inner[0]
+    return isinstance(tree, Tree) and tree.data == "number"
+
+
+def _is_bracketed(tree: Tree[Token]) -> bool:
+    first = tree.children[0]
+    return isinstance(first, Token) and first.type == "OPEN"
+
+
+def refuse_open_slash(tree: Tree[Token], text: str) -> None:
+    """A slash in a product before a sum or a derivative: whether that stands under it too, nobody
+    can tell.
+    """
+    product = tree.children[0]
+    assert isinstance(product, Tree)
+    for part in product_parts(product, text):
+        if part.operator == "divided":
+            problem = "a slash before a sum or a derivative: write \\frac or brackets"
+            raise ReaderError(problem, text, part.place, "/")
 
 
 def factors_under(tree: Tree[Token], text: str) -> dict[int, tuple[int, ...]]:

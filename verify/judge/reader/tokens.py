@@ -17,20 +17,8 @@ class FormulaToken:
     end: int
 
 
-SPACES = frozenset(
-    (
-        "\\quad",
-        "\\qquad",
-        "\\,",
-        "\\;",
-        "\\:",
-        "\\!",
-        "\\ ",
-        "\\displaystyle",
-        "\\limits",
-        "\\nolimits",
-    )
-)
+SPACES = frozenset(("\\,", "\\;", "\\:", "\\!", "\\ ", "\\displaystyle", "\\limits", "\\nolimits"))
+WIDE_SPACES = frozenset(("\\quad", "\\qquad"))
 SIZES = frozenset(
     "\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")
 ) | {"\\left", "\\right"}

@@ -46,7 +46,8 @@ def written(graph: Mapping[str, Any]) -> str:
                 done.append(f"{rest[0]}({', '.join(done[i] for i in rest[1:])})")
             case _:
                 done.append(f"{kind}({', '.join(done[i] for i in rest)})")
-    return done[graph["outputs"]["value"]]
+    value: int = graph["outputs"]["value"]
+    return done[value]
 
 
 @pytest.mark.parametrize(
@@ -83,6 +84,7 @@ def written(graph: Mapping[str, Any]) -> str:
         (r"\left( a + \frac{b}{2} \right)^2", "pow(add(a, div(b, 2)), 2)"),
         (r"\{a [b - (c)]\}", "mul(a, add(b, neg(c)))"),
         (r"\Bigl\{a\Bigr\}", "a"),
+        (r"{a} {(b)}^2", "mul(a, pow(b, 2))"),
         (r"\left| a - b \right|", "abs(add(a, neg(b)))"),
         (r"\lvert a \rvert b", "mul(abs(a), b)"),
         ("S(a, b) c", "mul(S(a, b), c)"),
@@ -93,7 +95,7 @@ def written(graph: Mapping[str, Any]) -> str:
         (r"\frac{\partial}{\partial a} S(a,b)", "derivative(S(a, b), a)"),
         (r"\frac{\partial a^2b}{\partial a} c", "mul(derivative(mul(pow(a, 2), b), a), c)"),
         (r"x'_k x' x", "mul(x'_k, x', x)"),
-        (r"a \, b \; c \quad k ~ T", "mul(a, b, c, k, T)"),
+        (r"a \, b \; c \: k ~ T", "mul(a, b, c, k, T)"),
     ],
 )
 def test_expression(text: str, wanted: str) -> None:
@@ -176,6 +178,8 @@ def test_limit() -> None:
         r"0 < \alpha \quad \text{and} \quad 0 < \beta < 4 - 2\alpha",
         r"0 < \alpha and 0 < \beta < 4 - 2\alpha",
         r"0 < \alpha, 0 < \beta < 4 - 2\alpha",
+        r"0 < \alpha \quad 0 < \beta < 4 - 2\alpha \qquad",
+        r"0 < \alpha, \qquad 0 < \beta < 4 - 2\alpha",
         r"\begin{aligned}0 &< \alpha \\ 0 &< \beta < 4 - 2\alpha\end{aligned}",
     ],
 )

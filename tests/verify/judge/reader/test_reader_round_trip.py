@@ -112,9 +112,10 @@ def _larger(draw: st.DrawFn, parts: st.SearchStrategy[Text]) -> Text:
         return Text(f"({'-' + inner.text})", value, 3)
     if kind == "multiply":
         left, right = _bracketed(draw, a, 2), _bracketed(draw, b, 2)
+        needs_dot = right.digit or "frac{" in right.text[:6]
         joint = (
             r" \cdot "
-            if right.digit
+            if needs_dot
             else draw(st.sampled_from((" ", r" \cdot ", r" \times ", r"\,")))
         )
         value = _combine(Fraction.__mul__, left.value, right.value)
@@ -149,7 +150,8 @@ def value_of(graph: Mapping[str, Any]) -> Fraction | None:
     done: list[Fraction | None] = []
     for kind, *rest in graph["nodes"]:
         done.append(_node_value(kind, rest, done))
-    return done[graph["outputs"]["value"]]
+    value: int = graph["outputs"]["value"]
+    return done[value]
 
 
 def _node_value(kind: str, rest: list[Any], done: list[Fraction | None]) -> Fraction | None:
