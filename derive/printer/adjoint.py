@@ -57,7 +57,7 @@ class Adjoint:
                 self._account(number)
                 self._pass_on(number)
         self.upper *= interval.SLACK
-        self.upper[np.isnan(self.upper)] = np.inf
+        self.upper[~(self.upper >= self.lower)] = np.inf
 
     def _start(self, row: int, output: int, scale: int) -> None:
         value, reference = self.values[output], self.values[scale]
@@ -103,13 +103,15 @@ class Adjoint:
         value, weight = self.values[number], self.weights[number]
         if value.rounding:
             most = interval.magnitude(weight.share) * value.rounding
+            # an empty interval would be a fault of the bounds themselves: proves nothing
+            most = np.where(weight.share[0] <= weight.share[1], most, np.inf)
             least = interval.mignitude(weight.share) * value.rounding
             self.upper += np.where(weight.active, most, 0.0)
             self.lower += np.where(weight.active, least, 0.0)
         if value.tiny is not None:
             assert weight.absolute is not None
             exposed = weight.active & (value.tiny > 0)
-            self.upper += np.where(exposed, 2.0 * interval.up(weight.absolute * value.tiny), 0.0)
+            self.upper += np.where(exposed, interval.up(weight.absolute * value.tiny) / 2, 0.0)
         if value.invalid is not None:
             self.upper[weight.active & value.invalid] = np.inf
 
@@ -159,8 +161,7 @@ class Adjoint:
                 return [(over, share, interval.up(1.0 / low)), (under, turned, most)]
             case "sqrt":
                 half = share[0] / 2, share[1] / 2
-                least = np.fmax(value.size[0][0] / (1.0 + value.drift), 0.0)
-                return [(parts[0], half, interval.up(0.5 / interval.down(least)))]
+                return [(parts[0], half, interval.up(0.5 / self._least_of(value)))]
             case "neg" | "abs":
                 return [(parts[0], share, 1.0)]
         return []
@@ -181,6 +182,8 @@ class Adjoint:
         return interval.up(high + none_as_zero(value.stray))
 
     def _least(self, number: int) -> Array:
-        value = self.values[number]
+        return self._least_of(self.values[number])
+
+    def _least_of(self, value: Value) -> Array:
         low = value.size[0][0] / ((1.0 + value.drift) * interval.SLACK)
-        return np.fmax(interval.down(low - none_as_zero(value.stray)), 0.0)
+        return interval.down(np.fmax(low - none_as_zero(value.stray), 0.0) + 0.0)

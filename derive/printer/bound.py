@@ -184,6 +184,7 @@ class _Proof:
     def _refine(self, grid: Grid) -> KernelBound:
         count = len(self.ends)
         settled, least, total = np.zeros(count), np.zeros(count), 0
+        before = np.full(count, np.inf)
         amplification: list[dict[str, float]] = [{} for _ in range(count)]
         for _ in range(ROUNDS):
             adjoint = Adjoint(self._forward(grid), self.ends)
@@ -192,6 +193,10 @@ class _Proof:
             least = np.maximum(least, lower.max(axis=1, initial=0.0))
             wide = grid.low < grid.high
             open_ = (upper > least[:, None] * (1.0 + TOLERANCE)) & inside
+            largest = upper.max(axis=1, initial=0.0)
+            # what two bisections do not improve is as good as settled
+            open_ &= ~(largest > before * (1.0 - TOLERANCE / 4))[:, None] | np.isinf(upper)
+            before = largest
             again = open_.any(axis=0) & wide
             if total > GREATEST_COUNT:
                 again[:] = False

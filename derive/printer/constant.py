@@ -37,7 +37,8 @@ class Constant:
         ball = self.ball(precision)
         if not ball.is_finite():
             raise ValueError(f"the constant of node {self.number} is not a finite real number")
-        return _fraction(ball.lower()), _fraction(ball.upper())
+        with flint.ctx.workprec(precision + 64):  # the ends themselves are rounded to it
+            return _fraction(ball.lower()), _fraction(ball.upper())
 
     def nearest(self, form: Format) -> float:
         """The nearest number of the format."""

@@ -58,7 +58,6 @@ class Forward:
         self.cancellations = cancellations
         self.count = len(grid.low)
         self.unit = form.unit_roundoff * MARGIN
-        self.half_least = form.least / 2 if form is not FLOAT64 else form.least
         self.least_normal = form.least_normal * (1.0 - 2.0**-14)
         self.values: list[Value] = []
         for number in range(len(program.steps)):
@@ -101,7 +100,7 @@ class Forward:
         high = value.size[1][0] * (1.0 + value.drift)
         if value.stray is not None:
             high = high + value.stray
-        over = ~(high <= self.form.largest)
+        over = ~((high <= self.form.largest) & (value.size[0][0] <= value.size[1][0]))
         if over.any():
             value.invalid = over if value.invalid is None else over | value.invalid
         step = self.program.steps[number]
@@ -109,7 +108,10 @@ class Forward:
             low = value.size[0][0] / (1.0 + value.drift)
             tiny = (low < self.least_normal) & (value.size[1][0] > 0)
             if tiny.any():
-                value.tiny = np.where(tiny, self.half_least, 0.0)
+                # an error of half the least number, or of the value itself where that is smaller
+                value.tiny = np.where(
+                    tiny, np.minimum(self.form.least, 2.0 * value.size[1][0]), 0.0
+                )
                 value.stray = value.tiny if value.stray is None else value.stray + value.tiny
         return value
 
@@ -263,7 +265,6 @@ class Forward:
     def ratio(self, a: Value, b: Value) -> Interval:
         """a/b over each box, under every possible rounding."""
         wide = (1.0 + sum_of(a.drift, b.drift)) * interval.SLACK
-        (a_low, a_high), (b_low, b_high) = a.size, b.size
         least = np.nextafter(a.slope[0] - b.slope[1], -np.inf)
         most = np.nextafter(a.slope[1] - b.slope[0], np.inf)
         low, high = interval.divide(a.size, b.size)
@@ -274,12 +275,18 @@ class Forward:
         high = np.where(rises, high[2], np.where(falls, high[1], np.fmin(high[0], from_ends[1])))
         low, high = low / wide, high * wide
         if a.stray is not None or b.stray is not None:
-            lost_a, lost_b = none_as_zero(a.stray) * 2.0, none_as_zero(b.stray) * 2.0
+            # (a +- lost)/(b +- lost) from the tight a/b, b at its least
+            lost_a, lost_b = none_as_zero(a.stray) * wide, none_as_zero(b.stray) * wide
+            least_b = b.size[0][0] / wide
+            above, below = least_b + lost_b, np.fmax(least_b - lost_b, 0.0)
+            most_b = b.size[1][0] * wide + lost_b
+            plain_low = np.fmax(a.size[0][0] / wide - lost_a, 0.0) / most_b / wide
+            plain_high = (a.size[1][0] * wide + lost_a) / below * wide
             lost = (lost_a > 0) | (lost_b > 0)
-            over, under = np.fmax(a_low[0] / wide - lost_a, 0.0), b_high[0] * wide + lost_b
-            low = np.where(lost, over / under / wide, low)
-            over, under = a_high[0] * wide + lost_a, np.fmax(b_low[0] / wide - lost_b, 0.0)
-            high = np.where(lost, over / under * wide, high)
+            tight_low = low * (least_b / above) - lost_a / above * wide
+            tight_high = high * (least_b / below) + lost_a / below * wide
+            low = np.where(lost, np.fmax(tight_low / wide, plain_low), low)
+            high = np.where(lost, np.fmin(tight_high * wide, plain_high), high)
         return np.fmax(interval.down(low), 0.0), np.fmin(interval.up(high), np.inf)
 
     def _name(self, number: int) -> str:

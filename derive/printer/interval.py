@@ -102,12 +102,12 @@ def signed_multiply(a: Interval, weight: Interval) -> Interval:
 
 def magnitude(a: Interval) -> Array:
     """The largest |x| of an interval of either sign."""
-    return np.maximum(-a[0], a[1])
+    return np.maximum(-a[0], a[1]) + 0.0  # never -0, whose reciprocal would be -infinity
 
 
 def mignitude(a: Interval) -> Array:
     """The smallest |x| of an interval of either sign."""
-    return np.maximum(np.maximum(a[0], -a[1]), 0.0)
+    return np.maximum(np.maximum(a[0], -a[1]), 0.0) + 0.0
 
 
 def _whole_where_nan(low: Array, high: Array) -> Interval:

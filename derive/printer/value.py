@@ -34,6 +34,8 @@ class Value:
 
     `size` encloses |exact value|; where `loose` (a named cancellation) it is the reference that
     errors are measured by, the sum of the operands' sizes, and `true_size` encloses the value.
+    `tiny` is twice the absolute rounding error where the result may be subnormal, `stray` bounds
+    all absolute errors of the step.
     """
 
     size: Interval
