@@ -1,0 +1,177 @@
+"""`check` and `explain` on the lecture and small claim files: verdicts, statuses, bad input."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gainproof import cli
+
+Capture = pytest.CaptureFixture[str]
+
+HEAD = r"""
+format = "gainproof claims 1"
+
+[source]
+key = "own-paper"
+title = "Notes on a filter"
+authors = ["A. Reader"]
+publication = "unpublished"
+
+[settings.steady]
+title = "alpha-beta filter"
+kind = "steady_state"
+model = "random-velocity"
+gain = "filter"
+
+[settings.steady.symbols]
+'\alpha' = { quantity = "filter_gain.1", meaning = "position gain" }
+'\beta' = { quantity = "filter_gain.2", meaning = "velocity gain" }
+'\Lambda' = { quantity = "tracking_index", meaning = "tracking index" }
+"""
+
+FIELDS = {
+    "id",
+    "place",
+    "kind",
+    "latex",
+    "verdict",
+    "domain",
+    "evidence",
+    "repair",
+    "convention",
+    "reading",
+    "undefined",
+    "reason",
+    "seconds",
+}
+
+
+def claim(name: str, latex: str, kind: str = "identity") -> str:
+    lines = ["", "[[claims]]", f'id = "{name}"', 'place = "page 1"', f'kind = "{kind}"']
+    return "\n".join([*lines, 'setting = "steady"', f"latex = '{latex}'", ""])
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "own-paper.toml"
+    text = claim("1", r"\alpha^2 + \alpha\beta = 2\beta") + claim("2", r"\alpha^2 = 2\beta")
+    path.write_text(HEAD + text)
+    return path
+
+
+def as_json(capsys: Capture) -> Any:
+    return json.loads(capsys.readouterr().out)
+
+
+def test_a_true_and_a_false_claim_are_settled(file: Path, capsys: Capture) -> None:
+    assert cli.main(["check", str(file)]) == 0
+    text = capsys.readouterr().out
+    assert "2 claims: 1 proved, 1 refuted" in text
+
+
+def test_json_has_the_documented_fields(file: Path, capsys: Capture) -> None:
+    assert cli.main(["check", str(file), "--json"]) == 0
+    data = as_json(capsys)
+    assert set(data) == {"source", "claims"}
+    assert data["source"]["key"] == "own-paper"
+    for entry in data["claims"]:
+        assert set(entry) == FIELDS
+        assert set(entry["evidence"]) == {"method", "certificate", "witness"}
+    true, false = data["claims"]
+    assert true["verdict"] == "proved"
+    assert true["evidence"]["certificate"]
+    assert false["verdict"] == "refuted"
+    assert false["evidence"]["witness"]
+
+
+def test_without_a_file_json_is_a_list_of_all(capsys: Capture) -> None:
+    assert cli.main(["check", "--json"]) == 0
+    data = as_json(capsys)
+    assert "kosuge-slides" in [judgement["source"]["key"] for judgement in data]
+
+
+def test_the_lecture_is_settled_and_the_noise_of_each_row_found(capsys: Capture) -> None:
+    assert cli.main(["check", "kosuge-slides", "--json"]) == 0
+    claims = {entry["id"]: entry for entry in as_json(capsys)["claims"]}
+    assert not [name for name, entry in claims.items() if entry["verdict"] in {"held", "undecided"}]
+    assert "random-velocity" in claims["table-ab-RV"]["convention"]
+    assert "random-acceleration" in claims["table-ab-RA"]["convention"]
+
+
+def test_a_claim_that_cannot_be_decided_has_status_1(tmp_path: Path, capsys: Capture) -> None:
+    """No exact method covers what the reader has no name for; the verdict must not be more."""
+    path = tmp_path / "open.toml"
+    powers = " + ".join(rf"\sqrt{{{n} + \alpha}}" for n in range(2, 12))
+    path.write_text(HEAD + claim("hard", rf"{powers} = 7 + \sqrt{{\beta + \Lambda}}"))
+    assert cli.main(["check", str(path), "--json"]) == 1
+    (entry,) = as_json(capsys)["claims"]
+    assert entry["verdict"] in {"held", "undecided"}
+    assert entry["reason"]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        (HEAD + claim("1", r"\alpha = \bata"), ["line 2", r"\bata", r"\beta"]),
+        (HEAD + claim("1", r"\alpha = \beta +"), ["line 2", "column"]),
+        (HEAD.replace('model = "random-velocity"\n', ""), ["settings.steady"]),
+        (HEAD.replace("gainproof claims 1", "gainproof claims 9"), ["format"]),
+        ("format = ", ["not TOML"]),
+        (HEAD + claim("1", r"\alpha = __import__('os').system('true')"), ["line 2", "column"]),
+    ],
+)
+def test_bad_claim_files_have_status_2_and_a_place(
+    text: str, wanted: list[str], tmp_path: Path, capsys: Capture
+) -> None:
+    path = tmp_path / "bad.toml"
+    path.write_text(text)
+    assert cli.main(["check", str(path)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert str(path) in captured.err
+    assert all(part in captured.err for part in wanted), captured.err
+
+
+def test_a_model_that_nobody_knows_gets_the_nearest(tmp_path: Path, capsys: Capture) -> None:
+    path = tmp_path / "model.toml"
+    path.write_text(HEAD.replace("random-velocity", "random-velocty") + claim("1", r"\alpha = 1"))
+    status = cli.main(["check", str(path)])
+    captured = capsys.readouterr()
+    assert status in {1, 2}
+    assert "random-velocty" in captured.out + captured.err
+
+
+def test_explain_shows_proof_and_witness(file: Path, capsys: Capture) -> None:
+    assert cli.main(["explain", str(file), "1"]) == 0
+    text = capsys.readouterr().out
+    assert text.startswith("own-paper 1: proved\n")
+    assert "certificate:" in text
+    assert cli.main(["explain", str(file), "2"]) == 0
+    text = capsys.readouterr().out
+    assert text.startswith("own-paper 2: refuted\n")
+    assert "witness:" in text
+
+
+def test_explain_an_unknown_claim_names_the_nearest(capsys: Capture) -> None:
+    assert cli.main(["explain", "kosuge-slides", "table-ab-RW"]) == 2
+    assert "nearest: table-ab-RV" in capsys.readouterr().err
+
+
+def test_a_damaged_cache_entry_is_judged_again(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    """`refuted` turned into `proved` inside the cache is not believed."""
+    cache = tmp_path / "cache"
+    monkeypatch.setenv("GAINPROOF_CACHE", str(cache))
+    cli.main(["check", str(file), "--json"])
+    first = as_json(capsys)
+    for path in cache.glob("judge-*.json"):
+        path.write_bytes(path.read_bytes().replace(b'"refuted"', b'"proved"'))
+    assert cli.main(["check", str(file), "--json"]) == 0
+    again = as_json(capsys)
+    verdicts = [[c["verdict"] for c in data["claims"]] for data in (first, again)]
+    assert verdicts == [["proved", "refuted"]] * 2
