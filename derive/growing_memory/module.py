@@ -37,18 +37,32 @@ def _graph(entries: dict[str, sp.Expr], first: int) -> Graph:
 
 
 def _rational(builder: GraphBuilder, number: Node, value: sp.Expr, first: int) -> Node:
+    """The numerator over the denominator's factors two at a time: k^2 is in float32's range."""
     top, bottom = sp.fraction(sp.together(value))
-    return _product(builder, number, top, first) / _product(builder, number, bottom, first)
+    (top_constant, above), (bottom_constant, below) = (
+        _factors(number, part, first) for part in (top, bottom)
+    )
+    constant = builder.number(str(sp.Rational(top_constant, bottom_constant)))
+    result = constant if not above else _product(above)
+    if above and top_constant != bottom_constant:
+        result = result * constant
+    for position in range(0, len(below), 2):
+        result = result / _product(below[position : position + 2])
+    return result
 
 
-def _product(builder: GraphBuilder, number: Node, value: sp.Expr, first: int) -> Node:
+def _product(factors: list[Node]) -> Node:
+    result, *rest = factors
+    for factor in rest:
+        result = result * factor
+    return result
+
+
+def _factors(number: Node, value: sp.Expr, first: int) -> tuple[sp.Rational, list[Node]]:
     constant, factors = sp.factor_list(sp.Poly(value, K))
-    result: Node | None = None if constant == 1 else builder.number(int(constant))
-    for factor, power in factors:
-        part = _horner(number, factor, first)
-        for _ in range(power):
-            result = part if result is None else result * part
-    return builder.number(1) if result is None else result
+    return constant, [
+        node for factor, power in factors for node in [_horner(number, factor, first)] * power
+    ]
 
 
 def _horner(number: Node, factor: sp.Poly, first: int) -> Node:

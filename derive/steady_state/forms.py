@@ -113,7 +113,7 @@ def _rate_with_independent_noise(x: Basis) -> Any:
 
 
 def _rate_with_interval_noise(x: Basis) -> Any:
-    start = 4 / (x.m * x.s)
+    start = (4 / x.m) / x.s
     if x.e == 0:
         return start + (x.index * (x.h / x.s)) / 4
     end = x.growth * ((x.h + times(x.e, x.p)) / x.s)

@@ -1,8 +1,7 @@
 """From one gain back to the index and to the other gain, in positive forms.
 
 Differences here are between exact inputs and exact constants only. With
-R(alpha) = sqrt(4 (1 - alpha) + e alpha^2) and W(beta) = sqrt(beta (8 + e beta)), held as 2^30 W so
-that subnormal gains lose nothing:
+R(alpha) = sqrt(4 (1 - alpha) + e alpha^2) and W(beta) = sqrt(beta (8 + e beta)):
 beta = 2 alpha^2/((2 - alpha) + R), Lambda = beta/sqrt(1 - alpha),
 alpha = beta (8 - (1 - e) beta)/(2 (W + beta)),
 1 - alpha = (4 - 4 beta + (1 - e) beta^2)/(2 (2 + beta + W)), whose numerator is
@@ -18,7 +17,7 @@ from typing import Any
 from gainproof.derive.steady_state.forms import times
 
 Root = Callable[[Any], Any]
-SCALE = 2**30
+SCALE = 2**30  # kernels hold 2^30 W, so that subnormal gains lose nothing
 
 
 def alpha_radical(alpha: Any, e: Fraction, root: Root) -> Any:
@@ -27,9 +26,9 @@ def alpha_radical(alpha: Any, e: Fraction, root: Root) -> Any:
     return root(four if e == 0 else four + times(e, alpha * alpha))
 
 
-def beta_radical(beta: Any, e: Fraction, root: Root) -> Any:
-    """2^30 W(beta)."""
-    scaled = beta * SCALE**2
+def beta_radical(beta: Any, e: Fraction, root: Root, scale: int = 1) -> Any:
+    """W(beta) times the scale."""
+    scaled = beta if scale == 1 else beta * scale**2
     return root(scaled * 8 if e == 0 else scaled * (8 + times(e, beta)))
 
 
@@ -43,11 +42,11 @@ def index_from_alpha(alpha: Any, radical: Any, root_of_rest: Any) -> Any:
     return beta_from_alpha(alpha, radical) / root_of_rest
 
 
-def alpha_from_beta(beta: Any, e: Fraction, radical: Any) -> Any:
-    """The position gain that belongs to a velocity gain."""
-    c, scaled = 1 - e, beta * SCALE**2
+def alpha_from_beta(beta: Any, e: Fraction, radical: Any, scale: int = 1) -> Any:
+    """The position gain that belongs to a velocity gain; `radical` is W times the scale."""
+    c, scaled = 1 - e, beta if scale == 1 else beta * scale**2
     top = scaled * 8 if c == 0 else scaled * times(c, 8 / c - beta)
-    return top / ((radical + beta * SCALE) * (2 * SCALE))
+    return top / ((radical + (beta if scale == 1 else beta * scale)) * (2 * scale))
 
 
 def rest_from_beta(beta: Any, e: Fraction, radical: Any, root_e: Any) -> Any:
@@ -59,4 +58,4 @@ def rest_from_beta(beta: Any, e: Fraction, radical: Any, root_e: Any) -> Any:
     else:
         c = 1 - e
         top = times(c, ((2 - 2 * root_e) / c - beta) * ((2 + 2 * root_e) / c - beta))
-    return top / (2 * ((2 + beta) + radical / SCALE))
+    return top / (2 * ((2 + beta) + radical))

@@ -63,10 +63,11 @@ def beta_graph(e: Fraction, output: str) -> Graph:
     """alpha or the index as a function of beta."""
     builder = GraphBuilder()
     beta = builder.symbol("beta")
-    radical = inverses.beta_radical(beta, e, builder.sqrt)
-    names = {"beta_radical": radical}
+    scale = inverses.SCALE if output == "alpha" else 1
+    radical = inverses.beta_radical(beta, e, builder.sqrt, scale)
+    names = {"beta_radical" if scale == 1 else "scaled_beta_radical": radical}
     if output == "alpha":
-        return builder.graph({"alpha": inverses.alpha_from_beta(beta, e, radical)}, names)
+        return builder.graph({"alpha": inverses.alpha_from_beta(beta, e, radical, scale)}, names)
     names["root_of_e"] = builder.sqrt(builder.number(e))
     rest = inverses.rest_from_beta(beta, e, radical, names["root_of_e"])
     names["root_of_rest"] = builder.sqrt(rest)
@@ -93,12 +94,11 @@ def pole_graph(e: Fraction, n: Fraction) -> Graph:
     limit = builder.number(8 / (1 - e))
     names["turning_root"] = builder.sqrt(builder.number(1 - e))
     turning = builder.number(4) if e == 0 else 4 / names["turning_root"]
-    names["distance"] = builder.absolute(limit - x.index)
-    names["root_of_distance"] = builder.sqrt(names["distance"])
-    below = names["root_of_distance"] / 2
+    names["distance"] = builder.absolute(limit / 4 - x.index / 4)
+    names["below"] = builder.sqrt(names["distance"])
     names["above"] = builder.sqrt(limit / 4 + x.index / 4)
     middle = poles.centre(x, turning)
-    width = poles.half_width(x, below, names["above"])
+    width = poles.half_width(x, names["below"], names["above"])
     names["middle_size"] = builder.absolute(middle)
     larger = names["middle_size"] + width
     smaller = (mean_modulus / larger) / x.deviation

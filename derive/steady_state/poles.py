@@ -23,9 +23,9 @@ def centre(x: Basis, turning: Any) -> Any:
     """(h - p)/(2 m), the mean of the poles; `turning` is L0 (unused for e = 1)."""
     if x.e == 1:
         return modulus(x) / ((x.p / 4) * (x.h + x.p))
-    first = (turning - x.index) / (x.h + x.p)
+    first = (turning / 2 - x.index / 2) / (x.h + x.p)
     second = ((turning / 2 + x.index / 2) / x.m) / x.index
-    return times(1 - x.e, first * second)
+    return times(2 * (1 - x.e), first * second)
 
 
 def half_width(x: Basis, below: Any, above: Any) -> Any:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from fractions import Fraction
+
 import sympy as sp
 
 from gainproof.derive.derivation import Step
@@ -48,7 +51,8 @@ def model_steps(c: Context) -> list[Step]:
         ),
         Step(
             "noise-spectrum",
-            "The process noise reaches the measured position through this numerator.",
+            "The process noise reaches the measured position through this numerator; in v it is "
+            f"{c.spectrum.noise}.",
             equal(
                 noise_numerator(c.model),
                 sp.ImmutableDenseMatrix([[c.spectrum.noise.subs(V, v)]]),
@@ -102,13 +106,31 @@ def _used(names: tuple[str, ...], factors: tuple[sp.ImmutableDenseMatrix, ...]) 
 
 
 def _model_text(c: Context) -> str:
+    """The matrices in the model's own quantities, by rows."""
+    plain = {
+        quantity.symbol: sp.Symbol(re.sub(r"[\\{} ]|tilde", "", quantity.latex))
+        for quantity in c.original.quantities
+    }
+
     def rows(matrix: sp.ImmutableDenseMatrix) -> str:
-        return str([[str(entry) for entry in row] for row in matrix.tolist()]).replace("'", "")
+        entries = matrix.subs(plain).tolist()
+        texts = (", ".join(str(entry).replace("**", "^") for entry in row) for row in entries)
+        return "[" + "; ".join(texts) + "]"
 
     return (
         f"F = {rows(c.original.transition)}, Q = {rows(c.original.process_noise)}, "
         f"H = {rows(c.original.measurement)}, R = {rows(c.original.measurement_noise)}"
     )
+
+
+def _ratio_text(number: Fraction) -> str:
+    return "Lambda" if number == 1 else f"({number}) Lambda"
+
+
+def _high_text(c: Context) -> str:
+    if c.e == 0:
+        return "H = 4"
+    return "H^2 = 16 + Lambda^2" if c.e == 1 else f"H^2 = 16 + ({c.e}) Lambda^2"
 
 
 def gain_steps(c: Context) -> list[Step]:
@@ -141,13 +163,14 @@ def gain_steps(c: Context) -> list[Step]:
             "other-end",
             "At z = -1, where v = 4, it gives an equation for sigma alone.",
             equal(index_equation(c.spectrum), high),
-            "The positive square root of 16 + q noise(4) = S c(-1)^2, with H^2 = 16 + e Lambda^2.",
+            f"The positive square root of 16 + q noise(4) = S c(-1)^2, with {_high_text(c)}.",
         ),
         Step(
             "deviation",
             "Its root above 1 is sigma; s is a root of positive terms only.",
             equal(DEVIATION, (ROOT**2 + high + 2 * ROOT * ROOT_S) / 4),
-            "The quadratic sigma + 1/sigma = (Lambda + H)/2, with 4 s^2 = (1 + e) Lambda + 2 H.",
+            "The quadratic sigma + 1/sigma = (Lambda + H)/2, with 4 s^2 = "
+            f"{_ratio_text(1 + c.e)} + 2 H and {_high_text(c)}.",
         ),
         Step(
             "roots",
@@ -156,7 +179,7 @@ def gain_steps(c: Context) -> list[Step]:
                 sp.ImmutableDenseMatrix([[high**2, 4 * ROOT_S**2]]),
                 sp.ImmutableDenseMatrix([[16 + ratio * INDEX**2, (1 + ratio) * INDEX + 2 * high]]),
             ),
-            "This is how H and s are defined.",
+            f"The defining equations of the tower; {_high_text(c)}.",
         ),
         Step(
             "position-gain",

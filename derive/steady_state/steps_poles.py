@@ -161,7 +161,7 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
             )
         ]
     limit = rational(8 / (1 - c.e))
-    roots |= {"turning_root": turning_root(c.e), "root_of_distance": 2 * BELOW, "above": ABOVE}
+    roots |= {"turning_root": turning_root(c.e), "below": BELOW, "above": ABOVE}
     choices = [f"choice_{number}" for number in range(1, 7)]
     below = dict.fromkeys(choices, "then")
     above = dict.fromkeys(choices, "else")
@@ -182,7 +182,7 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
             "complex_poles",
             roots,
             {**below, "distance": "positive"},
-            {**dict.fromkeys(choices, gap), "distance": gap},
+            {**dict.fromkeys(choices, gap), "distance": gap / 4},
             graph,
             reason,
         ),
@@ -195,7 +195,7 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
             {**above, "distance": "negative", "middle_size": "negative"},
             {
                 **dict.fromkeys(choices, G**2),
-                "distance": G**2,
+                "distance": G**2 / 4,
                 "middle_size": middle_size(c.basis),
             },
             graph,

@@ -128,7 +128,7 @@ def proof_steps(c: Context) -> list[Step]:
         ),
         Step(
             "rest",
-            "What the position gain leaves to 1 is one over the innovation variance.",
+            "What the position gain leaves to 1 is one over the innovation variance S.",
             equal(1 - ALPHA, real("rest")),
             "1 - alpha = 1/sigma^2.",
         ),

@@ -59,9 +59,11 @@ def inverse_tower(c: Context) -> Tower:
 def inverse_roots(c: Context) -> dict[str, sp.Expr]:
     """Tower values of the radicals in `inverses`."""
     ratio = rational(c.e)
+    from_beta = (2 * ROOT * c.basis.s + INDEX) / DEVIATION
     return {
         "alpha_radical": (ratio * INDEX + root_of_16(c.e)) / (2 * DEVIATION),
-        "beta_radical": inverses.SCALE * (2 * ROOT * c.basis.s + INDEX) / DEVIATION,
+        "beta_radical": from_beta,
+        "scaled_beta_radical": inverses.SCALE * from_beta,
         "root_of_rest": 1 / DEVIATION,
         "root_of_e": surd(c.e)[0] if c.e else sp.Integer(0),
     }
@@ -95,7 +97,7 @@ def inverse_steps(c: Context) -> list[Step]:
         Step(
             "beta-radical",
             "The root that the way back from beta needs.",
-            equal((from_beta / inverses.SCALE) ** 2, BETA * (8 + ratio * BETA)),
+            equal(from_beta**2, BETA * (8 + ratio * BETA)),
             "Square it; it is positive.",
         ),
         Step(

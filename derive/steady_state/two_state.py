@@ -54,12 +54,13 @@ def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
         *_program_steps(c, graphs),
         *pole_programs(c, graphs["closed_loop_poles"]),
     )
+    latex = {**LATEX, **{quantity.name: quantity.latex for quantity in model.quantities}}
     towers = (c.tower, inverse_tower(c), *pole_towers(c))
     return Subject(
         name=model.name,
         title=model.title,
         model=c.model,
-        derivation=Derivation(model.title, OPENING, steps, sources, LATEX),
+        derivation=Derivation(model.title, OPENING, steps, sources, latex),
         towers={tower.name: tower for tower in towers},
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
