@@ -1,5 +1,39 @@
 """Claim files: one TOML file a source, read into frozen records, everything checked.
 
+    format = "gainproof claims 1"
+
+    [source]                   # year, url, doi and note may be missing
+    key = "someone-2001"
+    title = "..."
+    authors = ["A. Someone"]
+    publication = "..."
+
+    [symbols]                  # by LaTeX token, in literal quotes; each is one of four things
+    'T' = { quantity = "sampling_interval", meaning = "..." }   # of a model: `quantity_names`
+    'a' = { unit = "m s^-2", domain = 'a > 0', meaning = "..." }   # free; or integer = true
+    'f' = { definition = '\\frac{x}{T}', arguments = ["x"], meaning = "..." }
+    '\\lambda' = { undefined = true, meaning = "printed and never defined" }
+
+    [settings.NAME]
+    title = "..."
+    kind = "steady_state"      # or growing_memory, with degree = 1; or algebra, without a model
+    model = "search"           # or a name of the catalogue, or the four matrices transition,
+                               # process_noise, measurement, measurement_noise as rows of formulas
+    gain = "filter"            # or predictor, or search where the source does not say
+
+    [settings.NAME.symbols]    # of this setting alone; none may repeat one of [symbols]
+
+    [[claims]]                 # in the order of the source
+    id = "16a"
+    place = "equation (16a)"
+    kind = "identity"          # see CLAIM_KINDS
+    setting = "NAME"
+    latex = '\\alpha = ...'     # as printed; or text = "..." for a claim in words
+    domain = 'x > 0'           # where the formula does not print its own
+    given = ['x = 1']          # hypotheses
+    about = ['\\alpha', 'x']    # for the kind `determines` only
+    note = "..."
+
 A claim file is untrusted input: nothing in it is evaluated, and its size and the number of its
 parts are limited.
 """
