@@ -112,8 +112,9 @@ class Adjoint:
             assert weight.absolute is not None
             exposed = weight.active & (value.tiny > 0)
             self.upper += np.where(exposed, interval.up(weight.absolute * value.tiny) / 2, 0.0)
-        if value.invalid is not None:
-            self.upper[weight.active & value.invalid] = np.inf
+        for failed in (value.invalid, value.over):
+            if failed is not None:
+                self.upper[weight.active & failed] = np.inf
 
     def _pass_on(self, number: int) -> None:
         step, value, weight = self.program.steps[number], self.values[number], self.weights[number]

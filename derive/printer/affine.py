@@ -61,10 +61,10 @@ class AffineSum:
         low, high_ = error + (low_rest - lost), error + (high_rest + lost)
         exact = (low == 0) & (high_ == 0)
         low, high_ = np.nextafter(low, -np.inf), np.nextafter(high_, np.inf)
-        return (
-            np.where(exact, total, np.nextafter(total + low, -np.inf)),
-            np.where(exact, total, np.nextafter(total + high_, np.inf)),
-        )
+        # an end that the rest cannot pass stays the number itself: matters next to the largest one
+        below = np.where(exact | (low >= 0), total, np.nextafter(total + low, -np.inf))
+        above = np.where(exact | (high_ <= 0), total, np.nextafter(total + high_, np.inf))
+        return below, above
 
 
 def affine_sum(program: Program, number: int, form: Format) -> AffineSum | None:

@@ -103,3 +103,9 @@ class Behaviour:
             for end in (self.low[source], self.high[source])
         ]
         return np.minimum(*ends), np.maximum(*ends), np.isnan(ends[0]) | np.isnan(ends[1])
+
+    def settle_overflow(self) -> None:
+        """Clears the marks of overflow where no computed value is infinite."""
+        for number, value in enumerate(self.forward.values):
+            if value.over is not None:
+                value.over &= np.isinf(self.high[number])

@@ -187,7 +187,10 @@ class _Proof:
         before = np.full(count, np.inf)
         amplification: list[dict[str, float]] = [{} for _ in range(count)]
         for _ in range(ROUNDS):
-            adjoint = Adjoint(self._forward(grid), self.ends)
+            forward = self._forward(grid)
+            if any(value.over is not None for value in forward.values):
+                Behaviour(forward).settle_overflow()
+            adjoint = Adjoint(forward, self.ends)
             upper, lower, inside = self._inside(adjoint)
             total += len(grid.low)
             least = np.maximum(least, lower.max(axis=1, initial=0.0))
@@ -248,8 +251,10 @@ class _Proof:
             name = f"node {step.node} ({step.label or step.operation})"
             if reasons.keys() & set(step.operands):
                 continue  # only where it begins
-            if value.invalid is not None and value.invalid[box]:
-                reasons[number] = f"{name} overflows, or takes the root of what is not normal"
+            if value.over is not None and value.over[box]:
+                reasons[number] = f"{name} may overflow"
+            elif value.invalid is not None and value.invalid[box]:
+                reasons[number] = f"{name} divides by, or takes the root of, what is not normal"
             elif value.tiny is not None and value.tiny[box] > 0:
                 reasons[number] = f"{name} may be subnormal or 0"
         raise PrintingError(

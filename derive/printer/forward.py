@@ -102,7 +102,7 @@ class Forward:
             high = high + value.stray
         over = ~((high <= self.form.largest) & (value.size[0][0] <= value.size[1][0]))
         if over.any():
-            value.invalid = over if value.invalid is None else over | value.invalid
+            value.over = over
         step = self.program.steps[number]
         if step.operation in ("mul", "div", "sqrt") and (step.scale is None or step.scale < 1):
             low = value.size[0][0] / (1.0 + value.drift)

@@ -34,6 +34,7 @@ class Value:
 
     `size` encloses |exact value|; where `loose` (a named cancellation) it is the reference that
     errors are measured by, the sum of the operands' sizes, and `true_size` encloses the value.
+    `invalid`: where the step proves nothing; `over`: where it may overflow.
     `tiny` is twice the absolute rounding error where the result may be subnormal, `stray` bounds
     all absolute errors of the step.
     """
@@ -46,6 +47,7 @@ class Value:
     stray: Array | None = None
     tiny: Array | None = None
     invalid: Mask | None = None
+    over: Mask | None = None
     shares: tuple[Interval, Interval] | None = None
     chosen: Mask | None = None
     loose: bool = False
