@@ -39,7 +39,7 @@ def formula_text(
 
 
 def plain_name(latex: str) -> str:
-    """A LaTeX symbol as a word: `\\alpha_k` alpha_k, `M_{11}` M11, `\\operatorname{Re} z_1` Re z1."""
+    """A LaTeX symbol as a word: `\\alpha_k` alpha_k, `M_{11}` M11, `\\mathrm{Re} z_1` Re z1."""
     bare = re.sub(r"\\(?:operatorname|mathrm|text|bar|hat|dot|tilde)\{([^}]*)\}", r"\1", latex)
     return re.sub(r"[\\{}]|_(?=\{?\d)", "", bare).strip()
 

@@ -1,4 +1,4 @@
-"""A claim file judged, as plain data. From the derivations the judge gets models and nothing else."""
+"""A claim file judged, as plain data. Of the derivations the judge gets models, nothing else."""
 
 from __future__ import annotations
 

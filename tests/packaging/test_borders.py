@@ -55,7 +55,7 @@ def border_of(path: str) -> Border:
 def imported_names(source: str) -> list[tuple[int, str]]:
     """Line and dotted name of every import, wherever it stands; a relative one starts with a dot.
 
-    `import_module` and `__import__` with a literal argument count, without one they are reported as `?`.
+    `import_module` and `__import__` with a literal argument count; without one they come as `?`.
     """
     found: list[tuple[int, str]] = []
     for node in ast.walk(ast.parse(source)):

@@ -1,0 +1,60 @@
+"""A C loop of a kernel's graph, compiled on this machine."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+FLAGS = (
+    "-O3",
+    "-march=native",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    "-ffp-contract=off",
+    "-std=c99",
+    "-shared",
+    "-fPIC",
+)
+
+Loop = Callable[[NDArray[np.float64], list[NDArray[np.float64]]], None]
+
+
+def compiler() -> str | None:
+    """The C compiler: $CC, cc, gcc or clang; None where there is none."""
+    for name in (os.environ.get("CC"), "cc", "gcc", "clang"):
+        if name and shutil.which(name):
+            return name
+    return None
+
+
+def compiled(source: str, function: str, folder: Path) -> Loop:
+    """Compile `source` and wrap `function`(long n, const double *in, double *out0, ...).
+
+    Raises subprocess.CalledProcessError when the compiler refuses the source.
+    """
+    command = compiler()
+    if command is None:
+        raise FileNotFoundError("no C compiler: cc, gcc or clang is wanted")
+    text, library = folder / f"{function}.c", folder / f"{function}.so"
+    text.write_text(source, encoding="utf-8")
+    subprocess.run(
+        [command, *FLAGS, str(text), "-o", str(library), "-lm"],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    loop = getattr(ctypes.CDLL(str(library)), function)
+    loop.restype = None
+
+    def call(given: NDArray[np.float64], outputs: list[NDArray[np.float64]]) -> None:
+        pointers = [ctypes.c_void_p(array.ctypes.data) for array in (given, *outputs)]
+        loop(ctypes.c_size_t(given.size), *pointers)
+
+    return call
