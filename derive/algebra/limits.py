@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
@@ -12,7 +14,20 @@ from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.expression import real
 
 
-def end_evidence(tower: Tower, end: Any) -> dict[str, Any]:
+@dataclass(frozen=True)
+class End:
+    """How a tower behaves where its parameter tends to 0 or to infinity.
+
+    weights: growth of each generator in powers of the parameter (infinity only). constants: square
+    roots of numbers by symbol. boundary: the rescaled generator's value there.
+    """
+
+    weights: Mapping[str, int] = field(default_factory=dict)
+    constants: Mapping[str, int] = field(default_factory=dict)
+    boundary: Mapping[str, sp.Expr] = field(default_factory=dict)
+
+
+def end_evidence(tower: Tower, end: End) -> dict[str, Any]:
     """Weights, constants and boundary values of one end of a tower."""
     names = list(end.constants)
     ring = PolyRing([real(name) for name in names], sp.QQ, sp.lex)

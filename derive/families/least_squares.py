@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
-from gainproof.derive.growing_memory import module, steps
+from gainproof.derive.growing_memory import module, steps, steps_use
 from gainproof.derive.growing_memory.fit import batch_tower, fit, recursion_tower
 from gainproof.derive.relation import Relation
 from gainproof.derive.source import GAUSS_MARKOV, LECTURE
@@ -62,8 +62,8 @@ def _build(degree: int) -> Subject:
         (
             *steps.batch_steps(f),
             *steps.recursion_steps(f),
-            *steps.start_steps(f),
-            *steps.end_steps(f),
+            *steps_use.start_steps(f),
+            *steps_use.end_steps(f),
             *programs,
         ),
         (LECTURE.key, GAUSS_MARKOV.key),

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.steady_state.forms import Basis
 from gainproof.derive.steady_state.spectrum import Spectrum, factorise
-from gainproof.derive.steady_state.towers import End, end, main_tower, start, symbolic_basis
+from gainproof.derive.steady_state.towers import end, main_tower, start, symbolic_basis
 
 
 @dataclass(frozen=True)

@@ -10,13 +10,13 @@ from fractions import Fraction
 
 import sympy as sp
 
+from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.steady_state import poles
 from gainproof.derive.steady_state.forms import Basis
 from gainproof.derive.steady_state.names import INDEX, ROOT
 from gainproof.derive.steady_state.towers import (
-    End,
     rational,
     root_of_16,
     steady_elements,

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 
 import sympy as sp
 
+from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.steady_state.forms import Basis, updated_covariance
@@ -15,19 +14,6 @@ from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, R
 
 ROOT_16 = real("H")
 ROOT_S = real("s")
-
-
-@dataclass(frozen=True)
-class End:
-    """How a tower behaves where its parameter tends to 0 or to infinity.
-
-    weights: growth of each generator in powers of the parameter (infinity only). constants: square
-    roots of numbers by symbol. boundary: the rescaled generator's value there.
-    """
-
-    weights: Mapping[str, int] = field(default_factory=dict)
-    constants: Mapping[str, int] = field(default_factory=dict)
-    boundary: Mapping[str, sp.Expr] = field(default_factory=dict)
 
 
 def rational(value: Fraction) -> sp.Rational:

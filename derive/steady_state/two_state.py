@@ -16,8 +16,10 @@ from gainproof.derive.steady_state.context import Context, context
 from gainproof.derive.steady_state.kernels import alpha_graph, beta_graph, index_graph, pole_graph
 from gainproof.derive.steady_state.module import INDEX_KERNELS, kernel_module
 from gainproof.derive.steady_state.names import INDEX, LATEX
-from gainproof.derive.steady_state.steps_model import gain_steps, model_steps
-from gainproof.derive.steady_state.steps_poles import pole_programs, pole_steps, pole_towers
+from gainproof.derive.steady_state.steps_gains import gain_steps
+from gainproof.derive.steady_state.steps_model import model_steps
+from gainproof.derive.steady_state.steps_pole_kernel import pole_programs
+from gainproof.derive.steady_state.steps_poles import pole_steps, pole_towers
 from gainproof.derive.steady_state.steps_proof import covariance_steps, proof_steps
 from gainproof.derive.steady_state.steps_use import (
     derivative_steps,
