@@ -41,6 +41,8 @@ ARROWS = (
         frozenset({"numpy", "mpmath", "flint", "scipy"}),
     ),
     Border("src/gainproof", ("gainproof",), None, frozenset({"sympy"})),
+    # measures SymPy's lambdify and SciPy's solver beside our kernels
+    Border("src/gainproof/bench", ("gainproof",), None),
     Border("tests", ("gainproof",), None),
 )
 
