@@ -1,0 +1,92 @@
+"""A user's own model: derived like any other, and every mistake answered with its place."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from gainproof import cli
+
+Capture = pytest.CaptureFixture[str]
+
+MODEL = """
+from fractions import Fraction
+
+import sympy as sp
+
+from gainproof.derive.model import Model
+from gainproof.derive.quantity import (
+    MEASUREMENT_DEVIATION, METRE, SAMPLING_INTERVAL, SECOND, Quantity,
+)
+
+T, deviation = SAMPLING_INTERVAL.symbol, MEASUREMENT_DEVIATION.symbol
+SHAKE = Quantity("shake", "w", "strength of the noise", METRE / SECOND**2)
+w = SHAKE.symbol
+MODEL = Model(
+    name="half-and-half",
+    title="Noise of its own",
+    transition=sp.ImmutableDenseMatrix([[1, T], [0, 1]]),
+    process_noise=w**2 * sp.ImmutableDenseMatrix([[T**4 / 3, T**3 / 2], [T**3 / 2, T**2]]),
+    measurement=sp.ImmutableDenseMatrix([[1, 0]]),
+    measurement_noise=sp.ImmutableDenseMatrix([[deviation**2]]),
+    quantities=(SAMPLING_INTERVAL, MEASUREMENT_DEVIATION, SHAKE),
+    state_units=(METRE, METRE / SECOND),
+)
+"""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "own_model.py"
+    path.write_text(MODEL)
+    return path
+
+
+def test_own_model_is_derived_and_proved(file: Path, capsys: Capture) -> None:
+    assert cli.main(["derive", str(file), "--steps"]) == 0
+    text = capsys.readouterr().out
+    assert text.startswith("Noise of its own\n")
+    assert "rejected" not in text
+    assert len(re.findall(r"\[proved\]$", text, flags=re.MULTILINE)) > 50
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("x = 1\n", "wanted a variable MODEL"),
+        ("MODEL = 3\n", "it is int"),
+        ("x = 1\ny = 1 / 0\n", "line 2: ZeroDivisionError"),
+        ("x = = 1\n", "line 1: SyntaxError"),
+        ("raise SystemExit(0)\n", "SystemExit"),
+        (MODEL.replace("T**4 / 3", "T**4 * 3"), "are wanted, they are"),
+        (MODEL.replace("[[1, T], [0, 1]]", "[[1, 2 * T], [0, 1]]"), "here transition = [["),
+        (MODEL.replace("[[1, 0]]", "[[2, 0]]"), "the position measured"),
+        (MODEL.replace("[[1, 0]]", "[[0, 1]]"), "should be numbers"),
+        (MODEL.replace("T**4 / 3", "T**3 / 3"), "one strength times a matrix of numbers"),
+    ],
+)
+def test_each_mistake_has_status_2_and_names_the_file(
+    text: str, message: str, file: Path, capsys: Capture
+) -> None:
+    file.write_text(text)
+    assert cli.main(["derive", str(file)]) == 2
+    captured = capsys.readouterr()
+    assert message in captured.err
+    assert "own_model.py" in captured.err
+    assert "Traceback" not in captured.err
+
+
+def test_what_the_file_prints_does_not_spoil_the_answer(file: Path, capsys: Capture) -> None:
+    file.write_text(MODEL + "\nprint('{\"result\": 1}')\n")
+    assert cli.main(["derive", str(file)]) == 0
+    assert capsys.readouterr().out.startswith("Noise of its own\n")
+
+
+def test_a_changed_file_is_derived_again(file: Path, capsys: Capture) -> None:
+    cli.main(["derive", str(file)])
+    file.write_text(MODEL.replace("Noise of its own", "Another title"))
+    capsys.readouterr()
+    assert cli.main(["derive", str(file)]) == 0
+    assert capsys.readouterr().out.startswith("Another title\n")
