@@ -46,11 +46,13 @@ class OutputBound:
 
 @dataclass(frozen=True)
 class KernelBound:
-    """The bounds of all outputs in one format, with the number of boxes that prove them."""
+    """The bounds of all outputs in one format.
+
+    `inputs`: least and greatest number of each input's domain; `boxes`: how many prove the bounds.
+    """
 
     format: Format
-    lowest: float
-    highest: float
+    inputs: tuple[tuple[float, float], ...]
     outputs: tuple[OutputBound, ...]
     boxes: int
 
@@ -272,4 +274,5 @@ class _Proof:
             bound = Fraction(math.ceil(exact * DIGITS), DIGITS)
             low, high = self.domains[row]
             outputs.append(OutputBound(output.name, bound, low, high, amplification[row]))
-        return KernelBound(self.form, self.lowest, self.highest, tuple(outputs), total)
+        inputs = ((self.lowest, self.highest),)
+        return KernelBound(self.form, inputs, tuple(outputs), total)

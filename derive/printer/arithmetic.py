@@ -1,0 +1,195 @@
+"""The arithmetic of a kernel as NumPy statements on blocks."""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from gainproof.derive.printer.affine import affine_sum
+from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS
+from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.program import Step, program
+from gainproof.derive.printer.registers import plan
+from gainproof.derive.printer.threshold import threshold
+
+UFUNC = {
+    "add": "add",
+    "sub": "subtract",
+    "mul": "multiply",
+    "div": "divide",
+    "sqrt": "sqrt",
+    "neg": "negative",
+    "abs": "absolute",
+}
+
+
+class Arithmetic:
+    """The body of a block function, its `lines` without indentation, and its `work` buffers."""
+
+    def __init__(self, kernel: Kernel) -> None:
+        self.kernel = kernel
+        self.program = program(kernel.graph)
+        ends = [self.program.outputs[output.name] for output in kernel.outputs]
+        self.plan = plan(self.program, ends)
+        self.taken = {"np", "given", "out", "work", "single", "Array", "Sequence"}
+        self.inputs = [self._fresh(given.name) for given in kernel.inputs]
+        self.outputs = [self._fresh(output.name) for output in kernel.outputs]
+        self.buffers = [self._fresh(f"w{i}") for i in range(self.plan.work)]
+        self.names: dict[int, str] = {}
+        self.masks: dict[str, str] = {}
+        self.placed: dict[int, str] = {}  # results of select, known by their array's name
+        body = [*self._unpacking(), *self._body()]
+        self.lines = _without_unused_names(body)
+        self.uses_type = any(" if single else " in line for line in body)
+
+    @property
+    def work(self) -> int:
+        return self.plan.work
+
+    def _fresh(self, wanted: str) -> str:
+        name = wanted
+        while name in self.taken or keyword.iskeyword(name):
+            name += "_"
+        self.taken.add(name)
+        return name
+
+    def _unpacking(self) -> Iterator[str]:
+        for names, source in (
+            (self.inputs, "given"),
+            (self.outputs, "out"),
+            (self.buffers, "work"),
+        ):
+            if len(names) == 1:
+                yield f"({names[0]},) = {source}"
+            elif names:
+                yield f"{', '.join(names)} = {source}"
+
+    def _register(self, number: int) -> str:
+        return (self.outputs + self.buffers)[self.plan.register[number]]
+
+    def _body(self) -> Iterator[str]:
+        for number, step in enumerate(self.program.steps):
+            if step.operation == "input":
+                self.names[number] = self.inputs[
+                    [given.name for given in self.kernel.inputs].index(step.label)
+                ]
+        final = {number: name for name, number in zip(self.outputs, self._ends(), strict=True)}
+        for number in self.plan.order:
+            step = self.program.steps[number]
+            is_output = self.plan.register[number] < len(self.outputs) and number in final
+            if is_output:
+                self.names[number] = self._register(number)
+                target = ""
+            else:
+                name = self._fresh(step.label or f"t{number}")
+                target = f"{name} = "
+            yield from self._statements(number, step, target)
+            if not is_output:
+                self.names[number] = self.placed.get(number, name)
+        for output, number in self.plan.copies:
+            yield from self._prepared(number)
+            yield f"np.copyto({self.outputs[output]}, {self._operand(number)})"
+
+    def _ends(self) -> list[int]:
+        return [self.program.outputs[output.name] for output in self.kernel.outputs]
+
+    def _statements(self, number: int, step: Step, target: str) -> Iterator[str]:
+        register = self._register(number)
+        if step.operation == "select":
+            yield from self._select(number, step)
+            return
+        parts = [affine_sum(self.program, number, form) for form in FORMATS]
+        if all(part is not None for part in parts) and any(
+            part.parts == 2 for part in parts if part
+        ):
+            yield from self._two_parts(number, step, target)
+            return
+        if step.scale is not None:
+            operands = [self._operand(step.operands[0]), literal(step.scale)]
+        else:
+            operands = []
+            for part in step.operands:
+                yield from self._prepared(part)
+                operands.append(self._operand(part))
+        yield f"{target}np.{UFUNC[step.operation]}({', '.join(operands)}, out={register})"
+
+    def _two_parts(self, number: int, step: Step, target: str) -> Iterator[str]:
+        """A difference with a constant in two parts, the nearest number and the rest."""
+        register = self._register(number)
+        affine = affine_sum(self.program, number, FLOAT64)
+        assert affine is not None
+        value, sign = affine.constant, affine.sign
+        high, lines = self._by_type("high", [value.nearest(form) for form in FORMATS])
+        yield from lines
+        rest, lines = self._by_type("rest", [sign * value.remainder(form) for form in FORMATS])
+        yield from lines
+        constant = [self.program.steps[part].operation == "constant" for part in step.operands]
+        operands = [
+            high if fixed else self._operand(part)
+            for part, fixed in zip(step.operands, constant, strict=True)
+        ]
+        yield f"np.{UFUNC[step.operation]}({', '.join(operands)}, out={register})"
+        yield f"{target}np.add({register}, {rest}, out={register})"
+
+    def _select(self, number: int, step: Step) -> Iterator[str]:
+        limits = [threshold(self.program, step, form) for form in FORMATS]
+        value, lines = self._by_type("limit", [limit.value for limit in limits])
+        yield from lines
+        input_first = limits[0].input_first
+        compared = self._operand(step.operands[0 if input_first else 1])
+        first, second = (compared, value) if input_first else (value, compared)
+        register = self._register(number)
+        x, y = step.operands[2:]
+        for part in (x, y):
+            yield from self._prepared(part)
+        # the branch that already lies in the result's array stays there
+        stays = self.plan.register.get(x) == self.plan.register[number]
+        test = "np.greater_equal" if stays else "np.less"
+        kept, other = (x, y) if stays else (y, x)
+        condition = f"{test}({first}, {second})"
+        if condition not in self.masks:
+            self.masks[condition] = self._fresh("mask")
+            yield f"{self.masks[condition]} = {condition}"
+        mask = self.masks[condition]
+        if self.plan.register.get(kept) != self.plan.register[number]:
+            yield f"np.copyto({register}, {self._operand(kept)})"
+        yield f"np.copyto({register}, {self._operand(other)}, where={mask})"
+        self.placed[number] = register
+
+    def _prepared(self, part: int) -> Iterator[str]:
+        """What must be said before a constant is used whose two types need two literals."""
+        constant = self.program.steps[part].constant
+        if constant is not None and part not in self.names:
+            label = self.program.steps[part].label or "constant"
+            text, lines = self._by_type(label, [constant.nearest(form) for form in FORMATS])
+            self.names[part] = text
+            yield from lines
+
+    def _operand(self, number: int) -> str:
+        return self.names[number]
+
+    def _by_type(self, wanted: str, values: list[float]) -> tuple[str, list[str]]:
+        """The text of a number in both types, with the line that chooses where they differ."""
+        double, single = values
+        if FLOAT32.nearest(Fraction(double)) == single:
+            return literal(double), []
+        name = self._fresh(wanted)
+        return name, [f"{name} = {literal(single)} if single else {literal(double)}"]
+
+
+def literal(value: float) -> str:
+    """The shortest text of a number, as the formatter writes it."""
+    return repr(value).replace("e+", "e")
+
+
+def _without_unused_names(lines: list[str]) -> list[str]:
+    """Statements whose result lies where it is wanted need no name for it."""
+    words = [set(re.findall(r"\w+", line.partition(" = ")[2] or line)) for line in lines]
+    kept = []
+    for at, line in enumerate(lines):
+        name, equals, rest = line.partition(" = ")
+        unused = name.isidentifier() and not any(name in later for later in words[at + 1 :])
+        kept.append(rest if equals and unused and rest.startswith("np.") else line)
+    return [line for line in kept if line]

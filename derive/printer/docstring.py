@@ -1,0 +1,100 @@
+"""The docstring of a printed kernel: everything a user must know of it."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from gainproof.derive.printer.bound import KernelBound, OutputBound
+from gainproof.derive.printer.constant import Constant, constant
+from gainproof.derive.printer.formats import FLOAT64, Format
+from gainproof.derive.printer.kernel import Input, Kernel
+
+WIDTH = 96  # of the text, inside an indentation of four
+
+
+def number_text(value: float, form: Format) -> str:
+    """The shortest text that gives the number back in its format."""
+    text = repr(value) if form is FLOAT64 else str(np.float32(value))
+    return text.replace("e+", "e")
+
+
+def wanted_text(given: Input) -> str:
+    """The domain of an input in words, for its guard's message."""
+    number = "a whole number" if given.integer else "a number"
+    lower = constant(given.lower)
+    least = "above" if given.lower_open else "at least"
+    ends = [f"{least} {_value_text(lower)}"]
+    if given.upper is None:
+        ends.append("finite")
+    else:
+        ends.append(
+            f"{'below' if given.upper_open else 'at most'} {_value_text(constant(given.upper))}"
+        )
+    return f"{number} {' and '.join(ends)}"
+
+
+def _value_text(value: Constant) -> str:
+    return repr(value.nearest(FLOAT64)) if value.rational is None else str(value.rational)
+
+
+def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
+    """The text between the quotes, lines without indentation."""
+    sections = [
+        [kernel.summary],
+        [f"    {line}" for line in kernel.equations],
+        [line for given in kernel.inputs for line in _input(given)],
+        [line for row in range(len(kernel.outputs)) for line in _output(kernel, bounds, row)],
+        _wrap(
+            "Outside an output's range its true value is no normal number: it comes as 0, a "
+            "subnormal number or infinity, never as NaN. Numbers and arrays are taken, arrays of "
+            "any shape; inputs are broadcast. float64 and float32 stay what they are, integers "
+            "become float64. `out`: a tuple of arrays to fill."
+        ),
+        _wrap(
+            "ValueError: an input outside its domain, with its place; `out` that does not fit. "
+            "TypeError: an input that is no real number of these types."
+        ),
+        _wrap(f"Source: {kernel.source}"),
+    ]
+    return "\n\n".join("\n".join(section) for section in sections if section)
+
+
+def _input(given: Input) -> Iterator[str]:
+    unit = "" if given.unit == "1" else f" [{given.unit}]"
+    yield from _wrap(f"{given.name}: {given.meaning}{unit}; {wanted_text(given)}.", "    ")
+
+
+def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator[str]:
+    output = kernel.outputs[row]
+    unit = "" if output.unit == "1" else f" [{output.unit}]"
+    scale = "Relative error" if output.relative_to is None else f"Error over {output.relative_to}"
+    found = [(bound.format, bound.outputs[row]) for bound in bounds]
+    sizes = ", ".join(
+        f"{_decimal(each)} * 2^{1 - form.digits} ({form.name})" for form, each in found
+    )
+    text = f"{output.name}: {output.meaning}{unit}. {scale} at most {sizes}, proved for "
+    places = [
+        f"{number_text(each.lowest, form)} <= {kernel.inputs[0].name} <= "
+        f"{number_text(each.highest, form)} ({form.name})"
+        for form, each in found
+    ]
+    text += " and ".join(places) + "."
+    for name, reason in kernel.cancellations.items():
+        if found[0][1].amplification.get(name):
+            most = max(each.amplification[name] for _, each in found)
+            text += f" Cancellation in {name}, condition number {most:.3g}: {reason}."
+    yield from _wrap(text, "    ")
+
+
+def _decimal(bound: OutputBound) -> str:
+    hundredths = int(bound.bound * 100)
+    return f"{hundredths // 100}.{hundredths % 100:02d}"
+
+
+def _wrap(text: str, later: str = "") -> list[str]:
+    return textwrap.wrap(
+        text, WIDTH, subsequent_indent=later, break_long_words=False, break_on_hyphens=False
+    )

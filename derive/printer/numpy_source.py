@@ -1,0 +1,148 @@
+"""A module of kernels as the text of a typed NumPy module."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator, Sequence
+
+from gainproof.derive.printer.arithmetic import Arithmetic, literal
+from gainproof.derive.printer.bound import KernelBound, prove
+from gainproof.derive.printer.docstring import docstring, wanted_text
+from gainproof.derive.printer.formats import FORMATS
+from gainproof.derive.printer.kernel import Kernel, Module
+
+WIDTH = 100
+
+
+def module_source(module: Module) -> str:
+    """The text of one generated module; PrintingError where a kernel's bound cannot be proved."""
+    return printed(module, [prove_both(kernel) for kernel in module.kernels])
+
+
+def prove_both(kernel: Kernel) -> tuple[KernelBound, ...]:
+    """The kernel's bounds in float64 and float32."""
+    return tuple(prove(kernel, form) for form in FORMATS)
+
+
+def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
+    """The text of one generated module from bounds already proved, one pair a kernel."""
+    names = [kernel.name for kernel in module.kernels]
+    lines = [
+        f"# Made by: {_one_line(module.command)}",
+        f"# From: {_one_line(module.derivation)}",
+        f'"""{module.title}."""' if not module.title.endswith(".") else f'"""{module.title}"""',
+        "",
+        "from __future__ import annotations",
+        "",
+        "from typing import TYPE_CHECKING, NamedTuple",
+        "",
+        "import numpy as np",
+        "",
+        "from gainproof.generated._runtime import Domain, Signature, evaluate",
+        "",
+        "if TYPE_CHECKING:",
+        "    from collections.abc import Sequence",
+        "",
+        "    from numpy.typing import ArrayLike",
+        "",
+        "    from gainproof.generated._runtime import Array, Real",
+        "",
+        *_all(names),
+    ]
+    for kernel, pair in zip(module.kernels, bounds, strict=True):
+        lines += ["", "", *_kernel(kernel, pair)]
+    return "\n".join(lines) + "\n"
+
+
+def _one_line(text: str) -> str:
+    if "\n" in text:
+        raise ValueError(f"a header is one line, got {text!r}")
+    return text
+
+
+def _all(names: Sequence[str]) -> list[str]:
+    quoted = [f'"{name}"' for name in sorted(names)]
+    line = f"__all__ = [{', '.join(quoted)}]"
+    if len(line) <= WIDTH:
+        return [line]
+    return ["__all__ = [", *(f"    {name}," for name in quoted), "]"]
+
+
+def _kernel(kernel: Kernel, bounds: Sequence[KernelBound]) -> Iterator[str]:
+    arithmetic = Arithmetic(kernel)
+    block, signature = f"_{kernel.name}_block", f"_{kernel.name.upper()}"
+    yield from _result(kernel)
+    yield from ("", "")
+    yield from _function(kernel, bounds, signature)
+    yield from ("", "")
+    single = "single" if arithmetic.uses_type else "_single"
+    yield f"def {block}("
+    yield f"    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], {single}: bool"
+    yield ") -> None:"
+    yield from (f"    {line}" for line in arithmetic.lines)
+    yield from ("", "")
+    yield f"{signature} = Signature("
+    yield f'    "{kernel.name}",'
+    yield "    ("
+    for row, given in enumerate(kernel.inputs):
+        yield "        Domain("
+        yield f'            "{given.name}",'
+        yield f'            "{wanted_text(given)}",'
+        for bound in bounds:
+            least, most = (literal(end) for end in bound.inputs[row])
+            yield f"            ({least}, {most}),"
+        if given.integer:
+            yield "            whole=True,"
+        yield "        ),"
+    yield "    ),"
+    listed = ", ".join(f'"{output.name}"' for output in kernel.outputs)
+    line = f"    ({listed}{',' if len(kernel.outputs) == 1 else ''}),"
+    if len(line) <= WIDTH:
+        yield line
+    else:
+        yield from ("    (", *(f'        "{output.name}",' for output in kernel.outputs), "    ),")
+    yield f"    {arithmetic.work},"
+    yield f"    {block},"
+    yield ")"
+
+
+def _result(kernel: Kernel) -> Iterator[str]:
+    yield f"class {kernel.result}(NamedTuple):"
+    yield f'    """Result of `{kernel.name}`."""'
+    yield ""
+    for output in kernel.outputs:
+        yield f"    {output.name}: Real"
+        unit = "" if output.unit == "1" else f" [{output.unit}]"
+        text = f'"""{output.meaning[:1].upper()}{output.meaning[1:]}{unit}."""'
+        yield from (f"    {line}" for line in textwrap.wrap(text, WIDTH - 4))
+
+
+def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> Iterator[str]:
+    inputs = [f"{given.name}: ArrayLike" for given in kernel.inputs]
+    count = len(kernel.outputs)
+    several = ", ".join(["Real"] * count) if count > 1 else "Real,"
+    kind = f"tuple[{'Real' if count == 1 else several}]"
+    options = ["*", f"out: {kind} | None = None"]
+    head = f"def {kernel.name}({', '.join(inputs + options)}) -> {kernel.result}:"
+    if len(head) <= WIDTH:
+        yield head
+    else:
+        middle = f"    {', '.join(inputs + options)}"
+        yield f"def {kernel.name}("
+        if len(middle) <= WIDTH:
+            yield middle
+        else:
+            yield from (f"    {line}," for line in inputs + options)
+        yield f") -> {kernel.result}:"
+    text = docstring(kernel, bounds)
+    quoted = f'r"""{text}' if "\\" in text else f'"""{text}'
+    yield from (f"    {line}".rstrip() for line in (quoted + "\n").splitlines())
+    yield '    """'
+    given = ", ".join(each.name for each in kernel.inputs)
+    given = f"({given},)" if len(kernel.inputs) == 1 else f"({given})"
+    call = f"*evaluate({signature}, {given}, out)"
+    line = f"    return {kernel.result}({call})"
+    if len(line) <= WIDTH:
+        yield line
+    else:
+        yield from (f"    return {kernel.result}(", f"        {call}", "    )")
