@@ -112,8 +112,8 @@ name}; {"denominator": polynomial, "numerators": [[polynomial]], "cofactors": {"
 per generator]}}
     M = F X F' + q Q0 with q = index^2, K = M H'/(H M H' + R), X = M - K H M. With M = A/d, a = A H'
     and s = H a + R d (d and s manifestly positive) the entries i <= j of
-    s (F A F' - A + d q Q0) - F a a' F', expanded without reduction, equal the sums of cofactor times
-    (y^n - radicand). One scalar measurement; the index has no denominator.
+    s (F A F' - A + d q Q0) - F a a' F', expanded without reduction, equal the sums of cofactor
+    times (y^n - radicand). One scalar measurement; the index has no denominator.
 stable {"model": model, "gain": [names]}; {"values": [fraction, ...]}
     All roots of a(z) = det(z I - F (I - K H)) lie inside the unit circle. For each degree from n
     down to 1 the manifestly positive a_n - a_0 and a_n + a_0, then a_k <- a_n a_(k+1) - a_0
@@ -138,6 +138,7 @@ cited {"theorem": text, "reference": text}; {}
 
 model is {"name", "title", "transition", "process_noise", "measurement", "measurement_noise"}:
 rows of number texts in units T = R = 1; process_noise is Q0, symmetric; measurement_noise positive.
+All statements of a certificate that have a model have the same one.
 '''
 
 from __future__ import annotations

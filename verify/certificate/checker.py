@@ -86,7 +86,7 @@ def _reason(document: Document, results: tuple[StatementResult, ...]) -> str:
     if not any(result.status == "proved" for result in results):
         return "nothing is proved"
     try:
-        document.require_all_used()
+        document.require_coherent()
     except RejectedError as rejection:
         return str(rejection)
     return ""

@@ -17,7 +17,12 @@ from gainproof.verify.certificate.graph import (
 )
 from gainproof.verify.certificate.kinds import KINDS
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.rejection import MAXIMUM_STATEMENTS, MalformedError, Meter
+from gainproof.verify.certificate.rejection import (
+    MAXIMUM_STATEMENTS,
+    MalformedError,
+    Meter,
+    RejectedError,
+)
 from gainproof.verify.certificate.tower import Tower, read_tower
 
 FORMAT = "gainproof certificate 1"
@@ -53,8 +58,13 @@ class Document:
                     self.towers[statement.tower], self.programs)
         return KINDS[statement.kind](case)
 
-    def require_all_used(self) -> None:
-        """Reject towers, variables, elements and programs on which no statement depends."""
+    def require_coherent(self) -> None:
+        """Reject two different models, and what no statement depends on."""
+        models = [(s.id, s.claim["model"]) for s in self.statements
+                  if isinstance(s.claim, dict) and "model" in s.claim]
+        for identifier, model in models:
+            if model != models[0][1]:
+                raise RejectedError(f"{identifier}: another model than in {models[0][0]}")
         schema.unused(set(self.towers) - {s.tower for s in self.statements}, "towers", "towers")
         for name, tower in self.towers.items():
             schema.unused(tower.unused(), "names", f"towers.{name}")

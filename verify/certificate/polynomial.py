@@ -66,9 +66,9 @@ class Ring:
             if common != 1:
                 denominator //= common
                 terms = {m: c // common for m, c in terms.items()}
-        if terms and max(
-            denominator, max(terms.values()), -min(terms.values())
-        ).bit_length() > MAXIMUM_COEFFICIENT_BITS:
+        if max(denominator, *terms.values(), -min(terms.values(), default=0)).bit_length() > (
+            MAXIMUM_COEFFICIENT_BITS
+        ):
             raise RejectedError("a coefficient grew beyond every need")
         return Polynomial(self, terms, denominator)
 
@@ -197,4 +197,4 @@ class Polynomial:
 
 def _bits(polynomial: Polynomial) -> int:
     values = polynomial.terms.values()
-    return max(max(values), -min(values)).bit_length() if values else 0
+    return max(0, *values, -min(values, default=0)).bit_length()

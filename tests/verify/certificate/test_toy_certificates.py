@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from certificate_toy_writer import expectations
+from tests.verify.certificate.toy_writer import expectations
 
 from gainproof.verify.certificate import check
 

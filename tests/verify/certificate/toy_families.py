@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import sympy as sp
-from certificate_toy_writer import (
+from tests.verify.certificate.toy_writer import (
     Data,
     fraction,
     graph,

@@ -29,11 +29,12 @@ def limit(case: Case) -> str:
     at_infinity = claim["point"] == "infinity"
     variable = schema.name(claim["variable"], f"{case.place}.claim.variable")
     require_end(case.tower, variable, at_infinity)
-    nonzero = case.nonzero(evidence.pop("nonzero"))
+    nonzero = case.nonzero(evidence["nonzero"])
     expression = case.expression(claim["expression"], "expression")
     value = case.evaluation(nonzero).scalar(expression)
     case.finish(nonzero)
-    _require_limit(case, value, evidence, claim["value"], at_infinity, "value")
+    end: Plain = {key: entry for key, entry in evidence.items() if key != "nonzero"}
+    _require_limit(case, value, end, claim["value"], at_infinity, "value")
     return "proved"
 
 

@@ -69,7 +69,8 @@ class _Run(Evaluation):
         self._roots = dict(roots)
         self._branches = dict(branches)
         self._gaps = dict(gaps)
-        self._visited: set[int] = set()
+        self._rooted: set[int] = set()
+        self._decided: set[int] = set()
 
     def skipped(self, graph: Graph) -> Mapping[int, int]:
         del graph
@@ -84,7 +85,7 @@ class _Run(Evaluation):
     def root(self, index: int, base: Ratio, degree: int) -> Ratio:
         if index not in self._roots:
             raise RejectedError("no root is given")
-        self._visited.add(index)
+        self._rooted.add(index)
         root = self._roots[index].nonnegative(self.tower.field)
         if not root.power(degree).equals(base):
             raise RejectedError("the root given is not a root of the base")
@@ -93,7 +94,7 @@ class _Run(Evaluation):
     def call(self, index: int, node: Call, values: Mapping[int, Value]) -> Ratio:
         if index not in self._branches or index not in self._gaps:
             raise RejectedError(f"no branch or no gap is given for {node.function!r}")
-        self._visited.add(index)
+        self._decided.add(index)
         choice, gap = self._branches[index], self._gaps[index]
         first = self._scalar(values, node.arguments[0])
         if node.function == "abs":
@@ -109,9 +110,10 @@ class _Run(Evaluation):
 
     def finish(self) -> None:
         """Reject evidence for nodes that were not evaluated."""
-        for listed, what in ((self._roots, "roots"), (self._branches, "branches"),
-                             (self._gaps, "gaps")):
-            schema.unused({str(i) for i in listed if i not in self._visited}, "nodes", what)
+        for listed, visited, what in ((self._roots, self._rooted, "roots"),
+                                      (self._branches, self._decided, "branches"),
+                                      (self._gaps, self._decided, "gaps")):
+            schema.unused({str(i) for i in listed if i not in visited}, "nodes", what)
 
     def _scalar(self, values: Mapping[int, Value], index: int) -> Ratio:
         value = values[index]

@@ -1,0 +1,195 @@
+"""program and sum: seen failing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy as sp
+from tests.verify.certificate.toy_changes import changed, reason, refused, statement
+from tests.verify.certificate.toy_writer import fraction, graph
+
+Data = dict[str, Any]
+
+p, s, g, j, k = sp.symbols("p s g j k")
+P = [p, s]
+
+
+@pytest.mark.parametrize(("path", "new", "why"), [
+    ("evidence.roots.1", fraction(-p, 1, P), "nonnegative"),
+    ("evidence.roots.1", fraction(2 * p, 1, P), "not a root"),
+    ("evidence.roots.8", fraction(s, 1, P), "not a root"),
+    ("evidence.roots.8", fraction(0, 1, P), "not a root"),
+    ("evidence.roots", {}, "no root"),
+    ("evidence.branches", {"1": "then"}, "no branches"),
+    ("evidence.branches", {"99": "then"}, "no branches"),
+    ("evidence.gaps", {"1": fraction(p, 1, P)}, "not used"),
+    ("claim.program", "nothing", "not in the certificate"),
+    ("claim.outputs.alpha", graph(sp.Symbol("beta")), "does not equal"),
+    ("claim.outputs", {}, "no output"),
+    ("claim.outputs", {"gamma": graph(1)}, "no output 'gamma'"),
+    ("claim.outputs.alpha", graph(sp.Matrix([[p, p]])), "matrix"),
+])
+def test_kernel(acceleration: Data, path: str, new: Any, why: str) -> None:
+    assert why in changed(acceleration, "kernel", path, new)
+
+
+def test_roots_of_nodes_that_are_none(acceleration: Data) -> None:
+    roots = statement(acceleration, "kernel")["evidence"]["roots"]
+    for key, why in (("7", "not used"), ("01", "not a node number"), ("-1", "not a node number"),
+                     ("1 ", "not a node number"), ("9" * 5, "not used")):
+        assert why in changed(acceleration, "kernel", "evidence.roots",
+                              {**roots, key: fraction(p, 1, P)})
+
+
+@pytest.mark.parametrize("node", range(17))
+def test_every_node_of_a_kernel_counts(acceleration: Data, node: int) -> None:
+    nodes = acceleration["programs"]["gains"]["graph"]["nodes"]
+    kind = nodes[node][0]
+    other: Any = {
+        "symbol": ["symbol", "beta"], "number": ["number", "3"], "pow": ["pow", 0, "1/3"],
+        "div": ["mul", *nodes[node][1:]], "mul": ["add", *nodes[node][1:]],
+        "add": ["mul", *nodes[node][1:]],
+    }[kind]
+    nodes[node] = other
+    assert refused(acceleration)
+
+
+def test_inputs(acceleration: Data) -> None:
+    inputs = acceleration["programs"]["gains"]["inputs"]
+    inputs["tracking_index"] = "sigma"
+    assert "not a root" in reason(acceleration, "kernel")
+    inputs["tracking_index"] = graph(p**2)
+    assert reason(acceleration, "kernel") == ""
+    inputs["tracking_index"] = graph(p**2 + 1)
+    assert "not a root" in reason(acceleration, "kernel")
+    inputs["tracking_index"] = "nothing"
+    assert "neither" in reason(acceleration, "kernel")
+    inputs["alpha"] = "alpha"
+    assert "not used" in reason(acceleration, "kernel")
+    del inputs["tracking_index"]
+    assert reason(acceleration, "kernel")
+
+
+def test_kernel_cannot_see_the_tower(acceleration: Data) -> None:
+    """A symbol of the graph is an input, even when the tower has that name too."""
+    program = acceleration["programs"]["gains"]
+    program["graph"] = {"nodes": [["symbol", "alpha"], ["symbol", "beta"]],
+                        "outputs": {"alpha": 0, "beta": 1}}
+    program["inputs"] = {"alpha": "beta", "beta": "alpha"}
+    statement(acceleration, "kernel")["evidence"]["roots"] = {}
+    assert "does not equal" in reason(acceleration, "kernel")
+
+
+def test_kernel_does_not_differentiate(acceleration: Data) -> None:
+    nodes = acceleration["programs"]["gains"]["graph"]["nodes"]
+    nodes[16] = ["derivative", 15, "p"]
+    assert "differentiate" in refused(acceleration)
+
+
+@pytest.mark.parametrize(("path", "new", "why"), [
+    ("evidence.branches.5", "then", "positive"),
+    ("evidence.branches.5", "positive", "one of"),
+    ("evidence.branches.6", "negative", "gap"),
+    ("evidence.branches.6", "else", "one of"),
+    ("evidence.branches.6", 1, "one of"),
+    ("evidence.branches", {"6": "positive"}, "no branch"),
+    ("evidence.gaps.5", fraction(g, 1, [g]), "gap"),
+    ("evidence.gaps.5", fraction(-g**2, 1, [g]), "nonnegative"),
+    ("evidence.gaps.6", fraction(2 * g**2, 1, [g]), "gap"),
+    ("evidence.gaps", {}, "no branch or no gap"),
+    ("evidence.roots.3", fraction(-g, 1, [g]), "nonnegative"),
+    ("claim.outputs.low", graph(-1), "does not equal"),
+    ("claim.outputs.high", graph(-g**2), "does not equal"),
+])
+def test_branches(memory: Data, path: str, new: Any, why: str) -> None:
+    assert why in changed(memory, "root", path, new)
+
+
+def test_strict_branch_wants_a_strict_gap(memory: Data) -> None:
+    """select(1, u, ...): 1 < u fails at g = 0, so the gap g^2 does not do."""
+    memory["programs"]["root"]["graph"]["nodes"][5] = ["call", "select", 4, 0, 3, 1]
+    statement(memory, "root")["evidence"]["branches"]["5"] = "then"
+    assert "not manifestly positive" in reason(memory, "root")
+
+
+def test_branch_not_taken_is_not_evaluated(memory: Data) -> None:
+    """The other branch may hold a root of something negative; no evidence is wanted for it."""
+    nodes = memory["programs"]["root"]["graph"]["nodes"]
+    nodes[1:1] = [["number", "-2"], ["pow", 1, "1/2"]]
+    for node in nodes[3:]:
+        for place in range(1, len(node)):
+            if isinstance(node[place], int) and node[place]:
+                node[place] += 2
+    nodes[7][4] = 2
+    memory["programs"]["root"]["graph"]["outputs"] = {"low": 7, "high": 8}
+    evidence = statement(memory, "root")["evidence"]
+    for field in ("roots", "branches", "gaps"):
+        evidence[field] = {str(int(key) + 2): value for key, value in evidence[field].items()}
+    assert reason(memory, "root") == ""
+    evidence["roots"]["2"] = fraction(g, 1, [g])
+    assert "not used" in reason(memory, "root")
+
+
+def test_calls_belong_in_programs(memory: Data) -> None:
+    claim = {"nodes": [["symbol", "g"], ["call", "abs", 0]], "outputs": {"value": 1}}
+    assert "only in programs" in changed(memory, "root", "claim.outputs.low", claim)
+
+
+@pytest.mark.parametrize(("path", "new", "why"), [
+    ("claim.closed", graph(k * (k + 1) * (2 * k + 1) / 6 + 1), "at the start"),
+    ("claim.closed", graph(k * (k + 1) / 2), "grow"),
+    ("claim.summand", graph(j), "grow"),
+    ("claim.summand", graph(j**2 + 0 * k + k), "upper limit occurs"),
+    ("claim.start", "0", ""),
+    ("claim.start", "2", "integer start"),
+    ("claim.start", "1/2", "integer start"),
+    ("claim.upper", "j", "parameter"),
+    ("claim.upper", "a", "parameter"),
+    ("claim.index", "k", "already has a meaning"),
+    ("claim.index", "a", "already has a meaning"),
+    ("claim.index", "i", "neither"),
+    ("claim.closed", graph(1 / (k + 1)), "polynomial"),
+    ("claim.summand", graph(sp.Symbol("a")), "polynomial"),
+    ("evidence", {"nonzero": []}, "not known"),
+])
+def test_sum(memory: Data, path: str, new: Any, why: str) -> None:
+    found = changed(memory, "squares", path, new)
+    assert (why in found) if why else found == ""
+
+
+def test_sum_of_cubes_start(memory: Data) -> None:
+    """A summand that does not vanish at 0 tells the start 0 from 1."""
+    claim = statement(memory, "squares")["claim"]
+    claim |= {"summand": graph(sp.Integer(1)), "closed": graph(k)}
+    assert "neither" in reason(memory, "squares") or reason(memory, "squares") == ""
+    claim["start"] = "0"
+    assert "at the start" in reason(memory, "squares")
+
+
+def test_sum_from_below_the_start(memory: Data) -> None:
+    memory["towers"]["samples"]["parameters"][0]["from"] = "0"
+    assert "integer start" in reason(memory, "squares")
+
+
+def test_sum_with_an_open_parameter(acceleration: Data) -> None:
+    acceleration["statements"] = [{
+        "id": "x", "kind": "sum", "tower": "main", "evidence": {}, "claim": {
+            "index": "j", "start": "0", "upper": "p", "summand": graph(j), "closed": graph(p)}}]
+    assert "without generators" in reason(acceleration, "x")
+    acceleration["towers"]["main"] = {
+        "parameters": [{"symbol": "p", "above": "0"}], "generators": [], "elements": {}}
+    assert "integer start" in reason(acceleration, "x")
+
+
+def test_substitution(memory: Data) -> None:
+    a = sp.Symbol("a")
+    for place, value in ((sp.Integer(0), 1), (sp.Integer(-1), 0), (sp.Integer(-2), 0)):
+        left = graph(sp.Subs(a, k, place, evaluate=False))
+        found = changed(memory, "first", "claim.left", left)
+        assert ("nonzero" in found) == (value == 0)
+
+
+def test_no_substitution_over_generators(acceleration: Data) -> None:
+    left = graph(sp.Subs(s, p, p + 1, evaluate=False))
+    assert "without generators" in changed(acceleration, "relation", "claim.left", left)
