@@ -1,0 +1,79 @@
+"""The README's examples run and print what it says; its two commands are those of .ci/run."""
+
+from __future__ import annotations
+
+import doctest
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```$", README, flags=re.MULTILINE | re.DOTALL)
+
+
+def console_examples() -> list[tuple[str, str]]:
+    """Each command after `$ ` with the output below it."""
+    return [
+        (command, output)
+        for block in blocks("console")
+        for command, output in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", block, re.MULTILINE)
+    ]
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A working folder with the files that the README shows."""
+    for block in blocks("toml"):
+        name = block.partition("\n")[0].removeprefix("# ")
+        (tmp_path / name).write_text(block, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.skipif(os.name != "posix", reason="the examples use a POSIX shell")
+@pytest.mark.parametrize(("command", "output"), console_examples())
+def test_console_example(command: str, output: str, folder: Path) -> None:
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(
+        command,
+        shell=True,
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+        env={**os.environ, "PATH": path},
+    )
+    checker = doctest.OutputChecker()
+    assert checker.check_output(output, done.stdout, doctest.ELLIPSIS), done.stdout + done.stderr
+
+
+def test_python_examples() -> None:
+    text = "\n".join(blocks("pycon"))
+    assert text
+    example = doctest.DocTestParser().get_doctest(text, {}, "README.md", "README.md", 0)
+    told: list[str] = []
+    doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(example, out=told.append)
+    assert not told, "".join(told)
+
+
+def test_the_two_commands_are_those_of_continuous_integration() -> None:
+    commands = re.findall(r"^    (.*\.venv.*)$", README, flags=re.MULTILINE)
+    assert commands == [
+        "python3 -m venv .venv && .venv/bin/pip install -e . && .venv/bin/gainproof run",
+        ".venv/bin/pip install -e '.[test]' && .venv/bin/pytest",
+    ]
+    script = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    steps = re.findall(r'^step "(.*)"$', script, flags=re.MULTILINE)
+    assert steps[:2] == commands
+
+
+def test_lines_fit() -> None:
+    prose = re.sub(r"^```.*?^```$", "", README, flags=re.MULTILINE | re.DOTALL)
+    assert max(map(len, prose.splitlines())) <= 130
