@@ -56,8 +56,28 @@ class Algebraic:
         with flint.ctx.workprec(precision + 10):
             if self.is_rational:
                 return flint.arb(rational(self.low))
-            tight = self.refined(Fraction(1, 1 << precision))
-            return flint.arb(rational(tight.low)).union(flint.arb(rational(tight.high)))
+            start = self.refined(Fraction(1, 1 << 20))
+            ball = flint.arb(rational(start.low)).union(flint.arb(rational(start.high)))
+            return self._newton(start, ball, precision)
+
+    def _newton(self, start: Algebraic, ball: Ball, precision: int) -> Ball:
+        """Interval Newton steps; each result encloses the root, and bisection helps where the slope
+        is unclear.
+        """
+        f: Any = flint.arb_poly(list(self.coefficients))
+        slope = f.derivative()
+        while ball.rad() > abs(ball.mid()) * flint.arb(2) ** -precision:
+            steep = slope(ball)
+            if steep.contains(0):
+                start = start.refined((start.high - start.low) / 1024)
+                ball = flint.arb(rational(start.low)).union(flint.arb(rational(start.high)))
+                continue
+            middle = ball.mid()
+            narrow = (middle - f(middle) / steep).intersection(ball)
+            if narrow.rad() * 2 > ball.rad():
+                return narrow  # as tight as the working precision allows
+            ball = narrow
+        return ball
 
     def text(self) -> str:
         """Readable, in closed form up to degree two."""
@@ -98,7 +118,9 @@ def real_roots(factor: Any) -> list[Algebraic]:
     for root, _ in factor.complex_roots():
         if not root.imag.is_zero():
             continue
-        low, high = _exact(root.real.lower()), _exact(root.real.upper())
+        # exact: lower() and upper() would round to the working precision
+        middle, radius = _exact(root.real.mid()), _exact(root.real.rad())
+        low, high = middle - radius, middle + radius
         number = Algebraic(coefficients, low, high)
         if number.value_at(low) * number.value_at(high) >= 0:
             raise ArithmeticError("an isolating interval without a change of sign")

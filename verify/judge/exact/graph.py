@@ -7,9 +7,8 @@ from fractions import Fraction
 from typing import Any
 
 from gainproof.verify.judge.exact.expression import Expr, absolute, walk
+from gainproof.verify.judge.exact.grid import Grid, combined
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Malformed
-
-Grid = tuple[tuple[Expr, ...], ...]
 
 
 def rational(text: object, limits: Limits = DEFAULT_LIMITS) -> Fraction:
@@ -82,15 +81,18 @@ def _node(
     kind, rest = node[0], list(node[1:])
     below: list[int] = []
 
-    def part(place: Any) -> Expr:
+    def either(place: Any) -> Expr | Grid:
         if not isinstance(place, int) or isinstance(place, bool) or not 0 <= place < position:
             raise Malformed(
                 f"node {position}: wanted the number of an earlier node, got {str(place)[:40]!r}"
             )
-        value = read[place]
+        below.append(depths[place])
+        return read[place]
+
+    def part(place: Any) -> Expr:
+        value = either(place)
         if not isinstance(value, Expr):
             raise Malformed(f"node {position}: a matrix stands where a scalar is wanted")
-        below.append(depths[place])
         return value
 
     def count(least: int, most: int | None = None) -> None:
@@ -107,13 +109,13 @@ def _node(
             made = Expr("symbol", _text(rest[0], position), ())
         case "add" | "mul":
             count(2)
-            made = Expr(kind, None, tuple(part(p) for p in rest))
+            made = combined(kind, [either(p) for p in rest])
         case "div":
             count(2, 2)
             made = Expr(kind, None, (part(rest[0]), part(rest[1])))
         case "neg":
             count(1, 1)
-            made = Expr(kind, None, (part(rest[0]),))
+            made = combined(kind, [either(rest[0])])
         case "pow":
             count(2, 2)
             exponent = rational(rest[1], limits)

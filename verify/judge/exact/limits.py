@@ -25,7 +25,7 @@ class Limits:
     digits: int = 200
     terms: int = 50_000
     tower_degree: int = 64
-    root_count: int = 10
+    root_count: int = 16
     norm_degree: int = 600
     symbols: int = 40
     precision: int = 4096

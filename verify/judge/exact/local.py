@@ -115,23 +115,32 @@ class Local:
         q = cofactor(self.tower, p, root)
         if not self._zero(self.reduce(p * q)):
             return False
-        for precision in self._precisions():
+        early, late = self._precisions()[:2], self._precisions()[2:]
+        found = self._which(p, q, early)
+        if found is None:
+            # where p and q both vanish, and the root does not, every coefficient vanishes
+            if all(self._zero(c) for c in coefficients_in(p, root.index)):
+                return True
+            found = self._which(p, q, late)
+        if found is None:
+            bits = self.tower.limits.precision
+            raise Undecided(f"balls of {bits} bits cannot tell two branches apart")
+        return found
+
+    def _which(self, p: Poly, q: Poly, precisions: list[int]) -> bool | None:
+        """p q vanishes: whether p does, shown by a ball round q or p that excludes zero; None if
+        neither does.
+        """
+        for precision in precisions:
             for sample in self._points():
                 if self._excludes_zero(q, sample, precision):
-                    self.steps.append(
-                        f"cofactor not zero at {self._at_text(sample)} ({precision} bits)"
-                    )
+                    where = self._at_text(sample)
+                    self.steps.append(f"cofactor not zero at {where} ({precision} bits)")
                     return True
                 if self._excludes_zero(p, sample, precision):
                     self.steps.append(f"not zero at {self._at_text(sample)} ({precision} bits)")
                     return False
-        # here p and q both vanish, which for a root that is not zero means that every coefficient
-        # does
-        if all(self._zero(c) for c in coefficients_in(p, root.index)):
-            return True
-        raise Undecided(
-            f"balls of {self.tower.limits.precision} bits cannot tell two branches apart"
-        )
+        return None
 
     def sign(self, p: Poly) -> int:
         """Sign on the place of an element that is not identically zero and does not change its sign

@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
+from math import gcd, lcm
+from typing import Any
 
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
@@ -22,10 +24,13 @@ from gainproof.verify.judge.exact.poly import (
     fraction,
     from_terms,
     monomial_content,
+    rational,
     ring,
     terms,
     text,
 )
+
+SMALL_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47)
 
 
 class NeedsPower(Exception):
@@ -287,7 +292,49 @@ def _extracted(tower: Tower, base: Element, order: int) -> tuple[Poly, Poly, Ele
                 outside = outside * tower.context.gen(i) ** (whole // order)
         sides.append((inside, outside))
     (num, top), (den, bottom) = sides
-    return num, den, Element(top, bottom)
+    if num.is_zero():
+        return num, den, Element(top, bottom)
+    num, den, factor = _without_squares(num, den, order)
+    return num, den, Element(top * factor, bottom)
+
+
+def _without_squares(num: Poly, den: Poly, order: int) -> tuple[Poly, Poly, Any]:
+    """num / den = factor^order * (num' / den'), both primitive but for a number without small
+    powers.
+
+    So that roots that differ by a rational factor are one variable of the tower.
+    """
+    ratio = Fraction(1)
+    made = []
+    for p, sign in ((num, 1), (den, -1)):
+        content = _content(p)
+        made.append(p / rational(content))
+        ratio *= content**sign
+    # u / v = u v^(n-1) / v^n
+    whole = abs(ratio.numerator) * ratio.denominator ** (order - 1)
+    outside, inside = _power_part(whole, order)
+    inside = -inside if ratio < 0 else inside
+    return made[0] * inside, made[1], rational(Fraction(outside, ratio.denominator))
+
+
+def _content(p: Poly) -> Fraction:
+    """The positive number that leaves integer coefficients without common factor."""
+    coefficients = [fraction(c) for _, c in terms(p)]
+    top, bottom = 0, 1
+    for c in coefficients:
+        top, bottom = gcd(top, c.numerator), lcm(bottom, c.denominator)
+    return Fraction(top, bottom)
+
+
+def _power_part(n: int, order: int) -> tuple[int, int]:
+    """n = a^order * b, with no small prime left to that power in b."""
+    outside = 1
+    for prime in SMALL_PRIMES:
+        while n % prime**order == 0:
+            n //= prime**order
+            outside *= prime
+    exact = _integer_root(n, order)
+    return (outside, n) if exact is None else (outside * exact, 1)
 
 
 def _number_root(num: Poly, den: Poly, order: int) -> Fraction | None:

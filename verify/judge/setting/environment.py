@@ -37,7 +37,9 @@ class Fact:
 class Environment:
     """`quantities` maps names of quantities to expressions over the base variables in `boxes`.
 
-    `missing` says why a quantity that has a name is not determined by the setting.
+    `missing` says why a quantity that has a name is not determined by the setting. `continued` are
+    rational functions equal to quantities wherever these have a value, and defined where their
+    formula still is.
     """
 
     name: str
@@ -46,6 +48,7 @@ class Environment:
     parameter: str | None = None
     facts: tuple[Fact, ...] = ()
     missing: Mapping[str, str] = field(default_factory=dict)
+    continued: Mapping[str, Expr] = field(default_factory=dict)
 
 
 def algebra() -> Environment:

@@ -16,11 +16,14 @@ from fractions import Fraction
 from itertools import pairwise
 from math import factorial
 
+import flint
+
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol, weighted
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.exact.poly import fraction, rational
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.setting.environment import ANY_REAL, SAMPLE, Fact, NotEstablished
 from gainproof.verify.judge.setting.matrix import Exprs, exprs, minus, plus, times, transposed
@@ -35,7 +38,9 @@ class GrowingMemory:
     degree: int
     transition: Exprs
     gain: tuple[Expr, ...]
+    continued_gain: tuple[Expr, ...]
     updated: Exprs
+    information: Exprs
     facts: tuple[Fact, ...]
 
 
@@ -106,8 +111,19 @@ def growing_memory(degree: int) -> GrowingMemory:
     j = tuple(tuple(_expr(p) for p in row) for row in normal)
     f = exprs(_taylor(size, 1))
     gain = tuple(row[0] for row in inverse)
+    continued = tuple(_cancelled(_minor(normal, 0, a), determinant, (-1) ** a) for a in range(size))
     facts = _establish(degree, j, _expr(determinant), f, gain, inverse)
-    return GrowingMemory(degree, f, gain, inverse, facts)
+    same = (tuple(a - b for a, b in zip(gain, continued, strict=True)),)
+    facts = (*facts, _shown("the gains with common factors cancelled", same, degree))
+    return GrowingMemory(degree, f, gain, continued, inverse, j, facts)
+
+
+def _cancelled(top: Polynomial, bottom: Polynomial, sign: int) -> Expr:
+    """The quotient without common factors."""
+    a, b = (flint.fmpq_poly([rational(c) for c in p]) for p in (top, bottom))
+    common = a.gcd(b)
+    first, second = ([fraction(c) for c in (p / common).coeffs()] for p in (a, b))
+    return _expr([sign * c for c in first]) / _expr(second)
 
 
 def _minor(rows: Sequence[Sequence[Polynomial]], i: int, j: int) -> Polynomial:

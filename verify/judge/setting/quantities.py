@@ -71,6 +71,7 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
         quantities[f"predictor_gain.{i + 1}"] = predictor[i]
     quantities |= _covariances("predicted", predicted) | _covariances("updated", fit.updated)
     quantities["innovation_variance"] = (predicted[0][0] + 1) * power(SIGMA, 2)
+    quantities |= _covariances("information", fit.information)
     quantities |= _states(fit.transition, fit.gain)
     quantities[SAMPLE] = symbol(SAMPLE)
     missing = {}
@@ -81,9 +82,9 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
     boxes = {SAMPLE: Box(lower=Fraction(degree), lower_open=False, integer=True), **_boxes(size)}
     what = {0: "mean", 1: "line", 2: "parabola"}[degree]
     suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
-    return Environment(
-        f"least squares, {what}{suffix}", quantities, boxes, SAMPLE, fit.facts, missing
-    )
+    continued = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(fit.continued_gain)}
+    name = f"least squares, {what}{suffix}"
+    return Environment(name, quantities, boxes, SAMPLE, fit.facts, missing, continued)
 
 
 def _common() -> dict[str, Expr]:
@@ -105,7 +106,8 @@ def _covariances(which: str, matrix: Exprs) -> dict[str, Expr]:
     for i, row in enumerate(matrix):
         for j, entry in enumerate(row):
             scale = power(SIGMA, 2) if i + j == 0 else power(SIGMA, 2) / power(T, i + j)
-            found[f"{which}_covariance.{i + 1}.{j + 1}"] = entry * scale
+            name = which if which == "information" else f"{which}_covariance"
+            found[f"{name}.{i + 1}.{j + 1}"] = entry / scale if name == which else entry * scale
     return found
 
 

@@ -1,0 +1,3 @@
+"""Mutation campaign: formulas broken on purpose, an evaluator that shares nothing with the judge, a
+score.
+"""
