@@ -155,7 +155,7 @@ class Arithmetic:
         mask = self.masks[condition]
         if self.plan.register.get(kept) != self.plan.register[number]:
             yield f"np.copyto({register}, {self._operand(kept)})"
-        yield f"np.copyto({register}, {self._operand(other)}, where={mask})"
+        yield f"np.putmask({register}, {mask}, {self._operand(other)})"
         self.placed[number] = register
 
     def _prepared(self, part: int) -> Iterator[str]:

@@ -56,6 +56,16 @@ class KernelBound:
     outputs: tuple[OutputBound, ...]
     boxes: int
 
+    @property
+    def lowest(self) -> float:
+        """The least number of the first input's domain."""
+        return self.inputs[0][0]
+
+    @property
+    def highest(self) -> float:
+        """The greatest number of the first input's domain."""
+        return self.inputs[0][1]
+
 
 def input_range(given: Input, form: Format) -> tuple[float, float]:
     """The least and the greatest number of the format in an input's domain."""
