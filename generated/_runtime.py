@@ -1,0 +1,186 @@
+"""Guards, blocks and output arrays of the kernels beside this file.
+
+A kernel takes real numbers or arrays of them, float64 or float32 as they are; integers and lists
+become float64. Every input is checked before any given output array is touched, and no warning of
+NumPy escapes. The arithmetic runs in blocks through a few buffers that are used again and again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Array: TypeAlias = NDArray[np.floating[Any]]
+    Real: TypeAlias = np.floating[Any] | NDArray[np.floating[Any]]
+    Block: TypeAlias = Callable[[Sequence[Array], Sequence[Array], Sequence[Array], bool], None]
+
+SIZE = 16384  # elements of a block: a few buffers of it stay in the second-level cache
+
+
+class Domain(NamedTuple):
+    """One input: its name, the numbers wanted in words, least and greatest of each type."""
+
+    name: str
+    wanted: str
+    double: tuple[float, float]
+    single: tuple[float, float]
+    whole: bool = False
+
+
+class Signature(NamedTuple):
+    """A kernel: its name, inputs, names of outputs, number of work buffers, and arithmetic.
+
+    `block(inputs, outputs, work, single)` fills arrays of one shape and type; it may use the
+    outputs as buffers before it fills them.
+    """
+
+    name: str
+    inputs: tuple[Domain, ...]
+    outputs: tuple[str, ...]
+    work: int
+    block: Block
+
+
+def evaluate(
+    kernel: Signature, given: Sequence[ArrayLike], out: tuple[Real, ...] | None
+) -> tuple[Any, ...]:
+    """The outputs of a kernel: numbers for numbers, else arrays of the inputs' common shape.
+
+    TypeError for inputs that are not real numbers of the types above; ValueError for inputs
+    outside their domain (NaN included), shapes that do not fit, or arrays in `out` that are not as
+    many as the outputs, of another shape or type, read-only, or that share memory.
+    """
+    inputs = _as_real(kernel, given)
+    shape = np.broadcast_shapes(*(x.shape for x in inputs))
+    flat = [_flat(x, shape) for x in inputs]
+    kind = inputs[0].dtype
+    if out is None:
+        results = [np.empty(shape, kind) for _ in kernel.outputs]
+    else:
+        results = _checked(kernel, out, shape, kind)
+        for domain, x, whole in zip(kernel.inputs, flat, inputs, strict=True):
+            for start in range(0, x.size, SIZE):
+                _guard(kernel, domain, x[start : start + SIZE], start, whole, shape)
+        if any(_overlap(y, x) for y in results for x in flat):
+            flat = [x.copy() for x in flat]
+    with np.errstate(all="ignore"):
+        _run(kernel, flat, results, inputs, out is None)
+    if out is None and shape == ():
+        return tuple(y[()] for y in results)
+    return tuple(results)
+
+
+def _run(
+    kernel: Signature,
+    flat: Sequence[Array],
+    results: Sequence[Array],
+    inputs: Sequence[Array],
+    guard: bool,
+) -> None:
+    size, kind = flat[0].size, flat[0].dtype
+    single = kind == np.float32
+    length = min(size, SIZE)
+    # an output that is not contiguous is filled through a buffer
+    direct = [y.flags.c_contiguous for y in results]
+    targets: list[Array] = [
+        y.reshape(-1) if straight else np.empty(length, kind)
+        for y, straight in zip(results, direct, strict=True)
+    ]
+    work: list[Array] = [np.empty(length, kind) for _ in range(kernel.work)]
+    for start in range(0, size, SIZE):
+        stop = min(start + SIZE, size)
+        parts = [x[start:stop] for x in flat]
+        if guard:
+            for domain, part, whole in zip(kernel.inputs, parts, inputs, strict=True):
+                _guard(kernel, domain, part, start, whole, results[0].shape)
+        if stop - start < length:
+            work = [w[: stop - start] for w in work]
+        filled = [
+            y[start:stop] if straight else y[: stop - start]
+            for y, straight in zip(targets, direct, strict=True)
+        ]
+        kernel.block(parts, filled, work, single)
+        for y, straight, result in zip(filled, direct, results, strict=True):
+            if not straight:
+                result.flat[start:stop] = y
+
+
+def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
+    """The inputs as arrays of one type, float64 unless all are float32."""
+    arrays = [np.asarray(x) for x in given]
+    for domain, x in zip(kernel.inputs, arrays, strict=True):
+        if x.dtype.kind not in "iu" and x.dtype.type not in (np.float64, np.float32):
+            raise TypeError(
+                f"{kernel.name}: {domain.name} must be real numbers of type float64 or float32, "
+                f"or integers, got {x.dtype}"
+            )
+    single = all(x.dtype.type is np.float32 for x in arrays)
+    kind: np.dtype[Any] = np.dtype(np.float32 if single else np.float64)
+    return [x.astype(kind, copy=False) for x in arrays]
+
+
+def _flat(x: Array, shape: tuple[int, ...]) -> Array:
+    contiguous: Array = np.ascontiguousarray(np.broadcast_to(x, shape))
+    return contiguous.reshape(-1)
+
+
+def _guard(
+    kernel: Signature, domain: Domain, x: Array, start: int, whole: Array, shape: tuple[int, ...]
+) -> None:
+    """ValueError with the first element outside the domain; comparisons with NaN are false."""
+    low, high = domain.single if x.dtype == np.float32 else domain.double
+    inside = not x.size or bool(x.min() >= low and x.max() <= high)
+    if inside and not (domain.whole and np.any(x != np.floor(x))):
+        return
+    fine = (x >= low) & (x <= high)
+    if domain.whole:
+        fine &= x == np.floor(x)
+    first = int(np.argmin(fine))
+    where = ""
+    if whole.shape:
+        index = np.unravel_index(start + first, shape)
+        own = tuple(int(i) for i in index[len(shape) - whole.ndim :])
+        own = tuple(i if n > 1 else 0 for i, n in zip(own, whole.shape, strict=True))
+        where = f" at index {own[0] if len(own) == 1 else own}"
+    raise ValueError(
+        f"{kernel.name}: {domain.name} must be {domain.wanted}, got {x[first]!s}{where}"
+    )
+
+
+def _checked(
+    kernel: Signature, out: Any, shape: tuple[int, ...], kind: np.dtype[Any]
+) -> list[Array]:
+    """The given output arrays, or an error that says which of them does not fit."""
+    if not isinstance(out, tuple) or len(out) != len(kernel.outputs):
+        raise ValueError(
+            f"{kernel.name}: out must be a tuple of {len(kernel.outputs)} arrays "
+            f"({', '.join(kernel.outputs)}), got {type(out).__name__}"
+            + (f" of {len(out)}" if isinstance(out, tuple) else "")
+        )
+    results: list[Any] = list(out)
+    for name, y in zip(kernel.outputs, results, strict=True):
+        if not isinstance(y, np.ndarray):
+            raise TypeError(f"{kernel.name}: out {name} must be an array, got {type(y).__name__}")
+        if y.dtype != kind:
+            raise TypeError(f"{kernel.name}: out {name} must be of type {kind}, got {y.dtype}")
+        if y.shape != shape:
+            raise ValueError(f"{kernel.name}: out {name} must have shape {shape}, got {y.shape}")
+        if not y.flags.writeable:
+            raise ValueError(f"{kernel.name}: out {name} must be writable, got a read-only array")
+    for i, y in enumerate(results):
+        for j in range(i):
+            if _overlap(y, results[j]):
+                raise ValueError(
+                    f"{kernel.name}: out {kernel.outputs[j]} and {kernel.outputs[i]} share memory"
+                )
+    return results
+
+
+def _overlap(x: Array, y: Array) -> bool:
+    """Whether two arrays share an element."""
+    return np.may_share_memory(x, y) and np.shares_memory(x, y)

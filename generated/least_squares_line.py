@@ -1,0 +1,250 @@
+# Made by: gainproof generate least-squares-line
+# From: gainproof derive least-squares-line, SymPy 1.14.0
+"""Least-squares line (growing memory): gains by sample number."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Array, Real
+
+__all__ = ["gains", "predicted_covariance", "updated_covariance"]
+
+
+class Gains(NamedTuple):
+    """Result of `gains`."""
+
+    alpha: Real
+    """Position gain."""
+    beta: Real
+    """Velocity gain times T^1."""
+
+
+def gains(sample_number: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
+    """Gain of the newest sample in a least-squares fit to samples 0..k.
+
+        alpha = 2*(2*k + 1)/((k + 1)*(k + 2))
+        beta = 6/((k + 1)*(k + 2))
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 1 and at
+        most 9007199254740992.
+
+    alpha: position gain. Relative error at most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32),
+        proved for 1.0 <= sample_number <= 9007199254740992.0 (float64) and 1.0 <= sample_number <=
+        9.007199e15 (float32).
+    beta: velocity gain times T^1. Relative error at most 2.01 * 2^-52 (float64), 2.01 * 2^-23
+        (float32), proved for 1.0 <= sample_number <= 9007199254740992.0 (float64) and 1.0 <=
+        sample_number <= 9.007199e15 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-line
+    """
+    return Gains(*evaluate(_GAINS, (sample_number,), out))
+
+
+def _gains_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    alpha, beta = out
+    (w0,) = work
+    t2 = np.multiply(sample_number, 2.0, out=alpha)
+    t4 = np.add(t2, 1.0, out=alpha)
+    t5 = np.add(sample_number, 1.0, out=beta)
+    t6 = np.add(sample_number, 2.0, out=w0)
+    t7 = np.multiply(t4, 2.0, out=alpha)
+    t8 = np.multiply(t5, t6, out=beta)
+    np.divide(t7, t8, out=alpha)
+    np.divide(6.0, t8, out=beta)
+
+
+_GAINS = Signature(
+    "gains",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 1 and at most 9007199254740992",
+            (1.0, 9007199254740992.0),
+            (1.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    ("alpha", "beta"),
+    1,
+    _gains_block,
+)
+
+
+class UpdatedCovariance(NamedTuple):
+    """Result of `updated_covariance`."""
+
+    updated_11: Real
+    """Variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Covariance of updated position and velocity times T^1/sigma_v^2."""
+    updated_22: Real
+    """Variance of the updated velocity times T^2/sigma_v^2."""
+
+
+def updated_covariance(
+    sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> UpdatedCovariance:
+    """Covariance of the fit at sample k, in units of sigma_v^2 and T.
+
+        inverse of the sum of the squared rows (1, -j, j^2/2, ...)
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 1 and at
+        most 9007199254740992.
+
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 2.51 * 2^-52
+        (float64), 2.51 * 2^-23 (float32), proved for 1.0 <= sample_number <= 9007199254740992.0
+        (float64) and 1.0 <= sample_number <= 9.007199e15 (float32).
+    updated_12: covariance of updated position and velocity times T^1/sigma_v^2. Relative error at
+        most 2.01 * 2^-52 (float64), 2.01 * 2^-23 (float32), proved for 1.0 <= sample_number <=
+        9007199254740992.0 (float64) and 1.0 <= sample_number <= 9.007199e15 (float32).
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.51 *
+        2^-52 (float64), 2.51 * 2^-23 (float32), proved for 1.0 <= sample_number <=
+        9007199254740992.0 (float64) and 1.0 <= sample_number <= 1.0069013e13 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-line
+    """
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
+
+
+def _updated_covariance_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    updated_11, updated_12, updated_22 = out
+    (w0,) = work
+    t2 = np.multiply(sample_number, 2.0, out=updated_11)
+    t4 = np.add(t2, 1.0, out=updated_11)
+    t5 = np.add(sample_number, 1.0, out=updated_22)
+    t6 = np.add(sample_number, 2.0, out=w0)
+    t7 = np.multiply(t4, 2.0, out=updated_11)
+    t8 = np.multiply(t5, t6, out=updated_12)
+    np.divide(t7, t8, out=updated_11)
+    np.divide(6.0, t8, out=updated_12)
+    t13 = np.multiply(sample_number, t5, out=updated_22)
+    t14 = np.divide(12.0, t13, out=updated_22)
+    np.divide(t14, t6, out=updated_22)
+
+
+_UPDATED_COVARIANCE = Signature(
+    "updated_covariance",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 1 and at most 9007199254740992",
+            (1.0, 9007199254740992.0),
+            (1.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    ("updated_11", "updated_12", "updated_22"),
+    1,
+    _updated_covariance_block,
+)
+
+
+class PredictedCovariance(NamedTuple):
+    """Result of `predicted_covariance`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Covariance of predicted position and velocity times T^1/sigma_v^2."""
+    predicted_22: Real
+    """Variance of the predicted velocity times T^2/sigma_v^2."""
+
+
+def predicted_covariance(
+    sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictedCovariance:
+    """Covariance of the fit to samples 0..k-1, predicted to sample k.
+
+        inverse of the sum of the squared rows (1, -j, j^2/2, ...)
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 2 and at
+        most 9007199254740992.
+
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 2.01 *
+        2^-52 (float64), 2.01 * 2^-23 (float32), proved for 2.0 <= sample_number <=
+        9007199254740992.0 (float64) and 2.0 <= sample_number <= 9.007199e15 (float32).
+    predicted_12: covariance of predicted position and velocity times T^1/sigma_v^2. Relative error
+        at most 1.51 * 2^-52 (float64), 1.51 * 2^-23 (float32), proved for 2.0 <= sample_number <=
+        9007199254740992.0 (float64) and 2.0 <= sample_number <= 9.007199e15 (float32).
+    predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
+        2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for 2.0 <= sample_number <=
+        9007199254740992.0 (float64) and 2.0 <= sample_number <= 1.0069013e13 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-line
+    """
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
+
+
+def _predicted_covariance_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    predicted_11, predicted_12, predicted_22 = out
+    (w0,) = work
+    t2 = np.multiply(sample_number, 2.0, out=predicted_11)
+    t4 = np.add(t2, 1.0, out=predicted_11)
+    t6 = np.add(sample_number, -1.0, out=predicted_12)
+    t7 = np.multiply(t4, 2.0, out=predicted_11)
+    t8 = np.multiply(t6, sample_number, out=predicted_22)
+    np.divide(t7, t8, out=predicted_11)
+    np.divide(6.0, t8, out=predicted_12)
+    t12 = np.add(sample_number, 1.0, out=w0)
+    t14 = np.divide(12.0, t8, out=predicted_22)
+    np.divide(t14, t12, out=predicted_22)
+
+
+_PREDICTED_COVARIANCE = Signature(
+    "predicted_covariance",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 2 and at most 9007199254740992",
+            (2.0, 9007199254740992.0),
+            (2.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    1,
+    _predicted_covariance_block,
+)

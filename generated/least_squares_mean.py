@@ -1,0 +1,197 @@
+# Made by: gainproof generate least-squares-mean
+# From: gainproof derive least-squares-mean, SymPy 1.14.0
+"""Least-squares mean (growing memory): gains by sample number."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Array, Real
+
+__all__ = ["gains", "predicted_covariance", "updated_covariance"]
+
+
+class Gains(NamedTuple):
+    """Result of `gains`."""
+
+    alpha: Real
+    """Position gain."""
+
+
+def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None) -> Gains:
+    """Gain of the newest sample in a least-squares fit to samples 0..k.
+
+        alpha = 1/(k + 1)
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 0 and at
+        most 9007199254740992.
+
+    alpha: position gain. Relative error at most 1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32),
+        proved for 0.0 <= sample_number <= 9007199254740992.0 (float64) and 0.0 <= sample_number <=
+        9.007199e15 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-mean
+    """
+    return Gains(*evaluate(_GAINS, (sample_number,), out))
+
+
+def _gains_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    (alpha,) = out
+    t2 = np.add(sample_number, 1.0, out=alpha)
+    np.divide(1.0, t2, out=alpha)
+
+
+_GAINS = Signature(
+    "gains",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 0 and at most 9007199254740992",
+            (0.0, 9007199254740992.0),
+            (0.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    ("alpha",),
+    0,
+    _gains_block,
+)
+
+
+class UpdatedCovariance(NamedTuple):
+    """Result of `updated_covariance`."""
+
+    updated_11: Real
+    """Variance of the updated position over sigma_v^2."""
+
+
+def updated_covariance(
+    sample_number: ArrayLike, *, out: tuple[Real] | None = None
+) -> UpdatedCovariance:
+    """Covariance of the fit at sample k, in units of sigma_v^2 and T.
+
+        inverse of the sum of the squared rows (1, -j, j^2/2, ...)
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 0 and at
+        most 9007199254740992.
+
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 1.01 * 2^-52
+        (float64), 1.01 * 2^-23 (float32), proved for 0.0 <= sample_number <= 9007199254740992.0
+        (float64) and 0.0 <= sample_number <= 9.007199e15 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-mean
+    """
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
+
+
+def _updated_covariance_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    (updated_11,) = out
+    t2 = np.add(sample_number, 1.0, out=updated_11)
+    np.divide(1.0, t2, out=updated_11)
+
+
+_UPDATED_COVARIANCE = Signature(
+    "updated_covariance",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 0 and at most 9007199254740992",
+            (0.0, 9007199254740992.0),
+            (0.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    ("updated_11",),
+    0,
+    _updated_covariance_block,
+)
+
+
+class PredictedCovariance(NamedTuple):
+    """Result of `predicted_covariance`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_v^2."""
+
+
+def predicted_covariance(
+    sample_number: ArrayLike, *, out: tuple[Real] | None = None
+) -> PredictedCovariance:
+    """Covariance of the fit to samples 0..k-1, predicted to sample k.
+
+        inverse of the sum of the squared rows (1, -j, j^2/2, ...)
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 1 and at
+        most 9007199254740992.
+
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 0.51 *
+        2^-52 (float64), 0.51 * 2^-23 (float32), proved for 1.0 <= sample_number <=
+        9007199254740992.0 (float64) and 1.0 <= sample_number <= 9.007199e15 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-mean
+    """
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
+
+
+def _predicted_covariance_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    (predicted_11,) = out
+    np.divide(1.0, sample_number, out=predicted_11)
+
+
+_PREDICTED_COVARIANCE = Signature(
+    "predicted_covariance",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 1 and at most 9007199254740992",
+            (1.0, 9007199254740992.0),
+            (1.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    ("predicted_11",),
+    0,
+    _predicted_covariance_block,
+)

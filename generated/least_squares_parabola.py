@@ -1,0 +1,351 @@
+# Made by: gainproof generate least-squares-parabola
+# From: gainproof derive least-squares-parabola, SymPy 1.14.0
+"""Least-squares parabola (growing memory): gains by sample number."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Array, Real
+
+__all__ = ["gains", "predicted_covariance", "updated_covariance"]
+
+
+class Gains(NamedTuple):
+    """Result of `gains`."""
+
+    alpha: Real
+    """Position gain."""
+    beta: Real
+    """Velocity gain times T^1."""
+    gamma: Real
+    """Acceleration gain times T^2."""
+
+
+def gains(sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None) -> Gains:
+    """Gain of the newest sample in a least-squares fit to samples 0..k.
+
+        alpha = 3*(3*k**2 + 3*k + 2)/((k + 1)*(k + 2)*(k + 3))
+        beta = 18*(2*k + 1)/((k + 1)*(k + 2)*(k + 3))
+        gamma = 60/((k + 1)*(k + 2)*(k + 3))
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 2 and at
+        most 9007199254740992.
+
+    alpha: position gain. Relative error at most 5.51 * 2^-52 (float64), 5.51 * 2^-23 (float32),
+        proved for 2.0 <= sample_number <= 9007199254740992.0 (float64) and 2.0 <= sample_number <=
+        9.007199e15 (float32).
+    beta: velocity gain times T^1. Relative error at most 4.01 * 2^-52 (float64), 4.01 * 2^-23
+        (float32), proved for 2.0 <= sample_number <= 9007199254740992.0 (float64) and 2.0 <=
+        sample_number <= 9.007199e15 (float32).
+    gamma: acceleration gain times T^2. Relative error at most 3.01 * 2^-52 (float64), 3.01 * 2^-23
+        (float32), proved for 2.0 <= sample_number <= 9007199254740992.0 (float64) and 2.0 <=
+        sample_number <= 1.721777e13 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-parabola
+    """
+    return Gains(*evaluate(_GAINS, (sample_number,), out))
+
+
+def _gains_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    alpha, beta, gamma = out
+    (w0,) = work
+    t2 = np.multiply(sample_number, 3.0, out=alpha)
+    t3 = np.add(t2, 3.0, out=alpha)
+    t4 = np.multiply(t3, sample_number, out=alpha)
+    t6 = np.add(t4, 2.0, out=alpha)
+    t8 = np.add(sample_number, 1.0, out=beta)
+    t9 = np.add(sample_number, 2.0, out=gamma)
+    t10 = np.add(sample_number, 3.0, out=w0)
+    t11 = np.multiply(t6, 3.0, out=alpha)
+    t12 = np.multiply(t8, t9, out=gamma)
+    t13 = np.divide(t11, t12, out=alpha)
+    np.divide(t13, t10, out=alpha)
+    t15 = np.multiply(sample_number, 2.0, out=beta)
+    t16 = np.add(t15, 1.0, out=beta)
+    t18 = np.multiply(t16, 18.0, out=beta)
+    t19 = np.divide(t18, t12, out=beta)
+    np.divide(t19, t10, out=beta)
+    t22 = np.divide(60.0, t12, out=gamma)
+    np.divide(t22, t10, out=gamma)
+
+
+_GAINS = Signature(
+    "gains",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 2 and at most 9007199254740992",
+            (2.0, 9007199254740992.0),
+            (2.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    ("alpha", "beta", "gamma"),
+    1,
+    _gains_block,
+)
+
+
+class UpdatedCovariance(NamedTuple):
+    """Result of `updated_covariance`."""
+
+    updated_11: Real
+    """Variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Covariance of updated position and velocity times T^1/sigma_v^2."""
+    updated_13: Real
+    """Covariance of updated position and acceleration times T^2/sigma_v^2."""
+    updated_22: Real
+    """Variance of the updated velocity times T^2/sigma_v^2."""
+    updated_23: Real
+    """Covariance of updated velocity and acceleration times T^3/sigma_v^2."""
+    updated_33: Real
+    """Variance of the updated acceleration times T^4/sigma_v^2."""
+
+
+def updated_covariance(
+    sample_number: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> UpdatedCovariance:
+    """Covariance of the fit at sample k, in units of sigma_v^2 and T.
+
+        inverse of the sum of the squared rows (1, -j, j^2/2, ...)
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 2 and at
+        most 9007199254740992.
+
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 5.51 * 2^-52
+        (float64), 5.51 * 2^-23 (float32), proved for 2.0 <= sample_number <= 9007199254740992.0
+        (float64) and 2.0 <= sample_number <= 9.007199e15 (float32).
+    updated_12: covariance of updated position and velocity times T^1/sigma_v^2. Relative error at
+        most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for 2.0 <= sample_number <=
+        9007199254740992.0 (float64) and 2.0 <= sample_number <= 9.007199e15 (float32).
+    updated_13: covariance of updated position and acceleration times T^2/sigma_v^2. Relative error
+        at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for 2.0 <= sample_number <=
+        9007199254740992.0 (float64) and 2.0 <= sample_number <= 1.721777e13 (float32).
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 6.51 *
+        2^-52 (float64), 6.51 * 2^-23 (float32), proved for 2.0 <= sample_number <=
+        9007199254740992.0 (float64) and 2.0 <= sample_number <= 2.5372322e13 (float32).
+    updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
+        at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for 2.0 <= sample_number <=
+        9007199254740992.0 (float64) and 2.0 <= sample_number <= 1.3228801e10 (float32).
+    updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
+        4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for 2.0 <= sample_number <=
+        9007199254740992.0 (float64) and 2.0 <= sample_number <= 1.4368862e08 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-parabola
+    """
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
+
+
+def _updated_covariance_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
+    w0, w1, w2, w3 = work
+    t2 = np.multiply(sample_number, 3.0, out=updated_11)
+    t3 = np.add(t2, 3.0, out=updated_11)
+    t4 = np.multiply(t3, sample_number, out=updated_11)
+    t6 = np.add(t4, 2.0, out=updated_11)
+    t8 = np.add(sample_number, 1.0, out=updated_23)
+    t9 = np.add(sample_number, 2.0, out=updated_33)
+    t10 = np.add(sample_number, 3.0, out=w0)
+    t11 = np.multiply(t6, 3.0, out=updated_11)
+    t12 = np.multiply(t8, t9, out=w1)
+    t13 = np.divide(t11, t12, out=updated_11)
+    np.divide(t13, t10, out=updated_11)
+    t15 = np.multiply(sample_number, 2.0, out=updated_12)
+    t16 = np.add(t15, 1.0, out=updated_22)
+    t18 = np.multiply(t16, 18.0, out=updated_12)
+    t19 = np.divide(t18, t12, out=updated_12)
+    np.divide(t19, t10, out=updated_12)
+    t22 = np.divide(60.0, t12, out=updated_13)
+    np.divide(t22, t10, out=updated_13)
+    t25 = np.multiply(sample_number, 8.0, out=w2)
+    t27 = np.add(t25, -3.0, out=w2)
+    t29 = np.add(sample_number, -1.0, out=w3)
+    t31 = np.multiply(t16, t27, out=updated_22)
+    t32 = np.multiply(t31, 12.0, out=updated_22)
+    t33 = np.multiply(t29, sample_number, out=w2)
+    t34 = np.divide(t32, t33, out=updated_22)
+    t35 = np.divide(t34, t12, out=updated_22)
+    np.divide(t35, t10, out=updated_22)
+    t38 = np.multiply(t29, t8, out=w3)
+    t39 = np.divide(360.0, t38, out=w3)
+    t40 = np.multiply(t9, t10, out=updated_33)
+    np.divide(t39, t40, out=updated_23)
+    t43 = np.divide(720.0, t33, out=w2)
+    t44 = np.divide(t43, t12, out=w2)
+    np.divide(t44, t10, out=updated_33)
+
+
+_UPDATED_COVARIANCE = Signature(
+    "updated_covariance",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 2 and at most 9007199254740992",
+            (2.0, 9007199254740992.0),
+            (2.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
+    4,
+    _updated_covariance_block,
+)
+
+
+class PredictedCovariance(NamedTuple):
+    """Result of `predicted_covariance`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Covariance of predicted position and velocity times T^1/sigma_v^2."""
+    predicted_13: Real
+    """Covariance of predicted position and acceleration times T^2/sigma_v^2."""
+    predicted_22: Real
+    """Variance of the predicted velocity times T^2/sigma_v^2."""
+    predicted_23: Real
+    """Covariance of predicted velocity and acceleration times T^3/sigma_v^2."""
+    predicted_33: Real
+    """Variance of the predicted acceleration times T^4/sigma_v^2."""
+
+
+def predicted_covariance(
+    sample_number: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> PredictedCovariance:
+    """Covariance of the fit to samples 0..k-1, predicted to sample k.
+
+        inverse of the sum of the squared rows (1, -j, j^2/2, ...)
+
+    sample_number: number k of the newest sample, counted from 0; a whole number at least 3 and at
+        most 9007199254740992.
+
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 5.01 *
+        2^-52 (float64), 5.01 * 2^-23 (float32), proved for 3.0 <= sample_number <=
+        9007199254740992.0 (float64) and 3.0 <= sample_number <= 9.007199e15 (float32).
+    predicted_12: covariance of predicted position and velocity times T^1/sigma_v^2. Relative error
+        at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for 3.0 <= sample_number <=
+        9007199254740992.0 (float64) and 3.0 <= sample_number <= 9.007199e15 (float32).
+    predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
+        error at most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for 3.0 <=
+        sample_number <= 9007199254740992.0 (float64) and 3.0 <= sample_number <= 1.721777e13
+        (float32).
+    predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
+        6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for 3.0 <= sample_number <=
+        9007199254740992.0 (float64) and 3.0 <= sample_number <= 2.5372322e13 (float32).
+    predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
+        error at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for 3.0 <=
+        sample_number <= 9007199254740992.0 (float64) and 3.0 <= sample_number <= 1.3228801e10
+        (float32).
+    predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
+        4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for 3.0 <= sample_number <=
+        9007199254740992.0 (float64) and 3.0 <= sample_number <= 1.4368862e08 (float32).
+
+    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
+    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
+    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
+    arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation least-squares-parabola
+    """
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
+
+
+def _predicted_covariance_block(
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+) -> None:
+    (sample_number,) = given
+    predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2 = work
+    t2 = np.multiply(sample_number, 3.0, out=predicted_11)
+    t3 = np.add(t2, 3.0, out=predicted_11)
+    t4 = np.multiply(t3, sample_number, out=predicted_11)
+    t6 = np.add(t4, 2.0, out=predicted_11)
+    t8 = np.add(sample_number, -2.0, out=predicted_12)
+    t11 = np.add(sample_number, -1.0, out=predicted_13)
+    t12 = np.multiply(t6, 3.0, out=predicted_11)
+    t13 = np.multiply(t8, t11, out=predicted_33)
+    t14 = np.divide(t12, t13, out=predicted_11)
+    np.divide(t14, sample_number, out=predicted_11)
+    t16 = np.multiply(sample_number, 2.0, out=predicted_12)
+    t17 = np.add(t16, 1.0, out=predicted_22)
+    t19 = np.multiply(t17, 18.0, out=predicted_12)
+    t20 = np.divide(t19, t13, out=predicted_12)
+    np.divide(t20, sample_number, out=predicted_12)
+    t23 = np.divide(60.0, t13, out=predicted_13)
+    np.divide(t23, sample_number, out=predicted_13)
+    t26 = np.multiply(sample_number, 8.0, out=predicted_23)
+    t28 = np.add(t26, 11.0, out=predicted_23)
+    t29 = np.add(sample_number, 1.0, out=w0)
+    t30 = np.add(sample_number, 2.0, out=w1)
+    t32 = np.multiply(t17, t28, out=predicted_22)
+    t33 = np.multiply(t32, 12.0, out=predicted_22)
+    t34 = np.divide(t33, t13, out=predicted_22)
+    t35 = np.multiply(sample_number, t29, out=w0)
+    t36 = np.divide(t34, t35, out=predicted_22)
+    np.divide(t36, t30, out=predicted_22)
+    t39 = np.divide(360.0, t13, out=predicted_23)
+    t40 = np.multiply(sample_number, t30, out=w2)
+    np.divide(t39, t40, out=predicted_23)
+    t43 = np.divide(720.0, t13, out=predicted_33)
+    t44 = np.divide(t43, t35, out=predicted_33)
+    np.divide(t44, t30, out=predicted_33)
+
+
+_PREDICTED_COVARIANCE = Signature(
+    "predicted_covariance",
+    (
+        Domain(
+            "sample_number",
+            "a whole number at least 3 and at most 9007199254740992",
+            (3.0, 9007199254740992.0),
+            (3.0, 9007199254740992.0),
+            whole=True,
+        ),
+    ),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+    ),
+    3,
+    _predicted_covariance_block,
+)
