@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.printer.write import all_files
 from gainproof.derive.subject import Subject
@@ -12,8 +14,16 @@ def catalogue_files() -> dict[str, str]:
     return files_of([entry.build() for entry in CATALOGUE])
 
 
-def files_of(subjects: list[Subject]) -> dict[str, str]:
-    """Text of the files that these subjects make, by name."""
+def files_of_one(subject: Subject) -> dict[str, str]:
+    """Text of the kernels of one subject and of its certificate, by name.
+
+    What all modules share is left out: kernels import it from the installed package.
+    """
+    return {name: text for name, text in files_of([subject]).items() if not name.startswith("_")}
+
+
+def files_of(subjects: Sequence[Subject]) -> dict[str, str]:
+    """Text of a whole folder with the kernels and certificates of these subjects."""
     made = all_files(
         tuple(subject.module for subject in subjects),
         {subject.module.name: subject.certificate() for subject in subjects},

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import runpy
 import traceback
+from dataclasses import replace
+from importlib import metadata
 from pathlib import Path
 
 from gainproof.bad_input import BadInputError
@@ -32,9 +34,17 @@ def build_model_file(path: str) -> Subject:
                 f"{path}: position and velocity with the position measured are wanted; in units "
                 f"T = 1 and sigma_v = 1 that is {COVERED}, here {found}"
             )
-        return derive_two_state(model, ())
+        subject = derive_two_state(model, ())
     except ModelError as error:
         raise BadInputError(f"{path}: {error}") from None
+    # the catalogue knows nothing of this subject: its commands take the file
+    file = Path(path).name
+    module = replace(
+        subject.module,
+        command=f"gainproof generate {file} --out DIR",
+        derivation=f"gainproof derive {file}, SymPy {metadata.version('sympy')}",
+    )
+    return replace(subject, module=module)
 
 
 def read_model(path: str) -> Model:

@@ -80,7 +80,7 @@ def as_text(findings: Findings) -> str:
 def summary(findings: Findings) -> str:
     """A few lines: what was looked at, what came of it, and the cure of what is wrong."""
     lines = [
-        _line("derivations", f"{len(findings.certificates)} derived afresh"),
+        _line("derivations", f"{len(findings.certificates)} derived"),
         _line("generated files", _files(findings)),
         *(f"{'':18}{difference.text()}" for difference in findings.differences),
         _line("certificates", _certificates(findings)),

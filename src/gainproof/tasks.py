@@ -49,17 +49,17 @@ def print_all() -> dict[str, str]:
 def print_one(name: str) -> dict[str, str]:
     """The files of one subject of the catalogue."""
     from gainproof.deriving import build
-    from gainproof.generating import files_of
+    from gainproof.generating import files_of_one
 
-    return files_of([build(name)])
+    return files_of_one(build(name))
 
 
 def print_file(path: str) -> dict[str, str]:
     """The files of the model of a user's file, which is executed."""
-    from gainproof.generating import files_of
+    from gainproof.generating import files_of_one
     from gainproof.model_file import build_model_file
 
-    return files_of([build_model_file(path)])
+    return files_of_one(build_model_file(path))
 
 
 def recheck(certificate: Any, expected: Plain) -> Plain:

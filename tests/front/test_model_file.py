@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import re
 from pathlib import Path
 
@@ -90,3 +91,19 @@ def test_a_changed_file_is_derived_again(file: Path, capsys: Capture) -> None:
     capsys.readouterr()
     assert cli.main(["derive", str(file)]) == 0
     assert capsys.readouterr().out.startswith("Another title\n")
+
+
+def test_kernels_of_an_own_model_are_written_and_run(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "kernels"
+    assert cli.main(["generate", str(file), "--out", str(out)]) == 0
+    assert sorted(p.name for p in out.iterdir()) == ["half_and_half.json", "half_and_half.py"]
+    text = (out / "half_and_half.py").read_text(encoding="utf-8")
+    assert text.startswith("# Made by: gainproof generate own_model.py --out DIR\n")
+    monkeypatch.syspath_prepend(str(out))
+    kernels = importlib.import_module("half_and_half")
+    alpha, beta = kernels.gains(1.0)
+    assert 0 < alpha < 1
+    assert 0 < beta < 2
+    assert cli.main(["generate", str(file), "--out", str(out), "--check"]) == 0

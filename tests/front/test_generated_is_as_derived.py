@@ -1,0 +1,72 @@
+"""The committed files of generated/ are those of a fresh derivation, whatever the hash seed."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+from gainproof import cli, drift, places, workers
+from gainproof.workers import Job
+
+Capture = pytest.CaptureFixture[str]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", ["1", "4242"])
+def test_every_byte_is_as_derived(seed: str) -> None:
+    (texts,) = workers.run([Job("all", "print_all", {})], environment={"PYTHONHASHSEED": seed})
+    fresh = {name: text.encode() for name, text in texts.items()}
+    found = [difference.text() for difference in drift.compare(fresh, places.generated_folder())]
+    assert not found, f"{found}; {drift.CURE}"
+
+
+def test_generate_makes_a_folder_and_check_accepts_it(tmp_path: Path, capsys: Capture) -> None:
+    out = ["--out", str(tmp_path / "made")]
+    assert cli.main(["generate", "--check", *out]) == 1
+    assert "missing" in capsys.readouterr().out
+    assert cli.main(["generate", *out]) == 0
+    assert cli.main(["generate", "--check", *out]) == 0
+    path = tmp_path / "made" / "random_velocity.py"
+    path.write_bytes(path.read_bytes().replace(b"0.5", b"0.6", 1))
+    assert cli.main(["generate", "--check", *out]) == 1
+    text = capsys.readouterr().out
+    assert "random_velocity.py: different, first in line" in text
+    assert "`gainproof generate`" in text
+
+
+def test_one_subject_alone_leaves_the_others_and_the_shared_files(tmp_path: Path) -> None:
+    assert cli.main(["generate", "least-squares-mean", "--out", str(tmp_path)]) == 0
+    names = sorted(path.name for path in tmp_path.iterdir())
+    assert names == ["least_squares_mean.json", "least_squares_mean.py"]
+    committed = places.generated_folder()
+    for name in names:
+        assert (tmp_path / name).read_bytes() == (committed / name).read_bytes()
+
+
+def test_an_unknown_subject_writes_nothing(tmp_path: Path) -> None:
+    assert cli.main(["generate", "least-squares-men", "--out", str(tmp_path / "x")]) == 2
+    assert not (tmp_path / "x").exists()
+
+
+def test_every_kernel_module_names_its_command_and_derivation() -> None:
+    for path in places.generated_folder().glob("[!_]*.py"):
+        first, second = path.read_text(encoding="utf-8").splitlines()[:2]
+        name = path.stem.replace("_", "-")
+        assert first == f"# Made by: gainproof generate {name}"
+        assert second.startswith(f"# From: gainproof derive {name}, SymPy 1.14.0")
+
+
+def test_listed_kernels_are_those_of_the_modules(capsys: Capture) -> None:
+    cli.main(["list"])
+    listed = capsys.readouterr().out
+    for path in places.generated_folder().glob("[!_]*.py"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        (names,) = [
+            ast.literal_eval(node.value)
+            for node in tree.body
+            if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
+        ]
+        assert f"gainproof.generated.{path.stem}\n" in listed
+        assert all(name in listed for name in names)
