@@ -48,18 +48,18 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     """Steady-state filter gain.
 
         alpha = 2 s/m, beta = 2 p/m
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 4.26 * 2^-52 (float64), 4.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.54 * 2^-52 (float64),
+        3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -83,27 +83,22 @@ def _gains_block(
     alpha, beta = out
     w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=beta)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=alpha)
-    t5 = np.divide(tracking_index, 3.0, out=w0)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=w0)
-    t8 = np.add(t3, t7, out=alpha)
-    h_scaled = np.sqrt(t8, out=alpha)
-    h = np.multiply(h_scaled, 1073741824.0, out=alpha)
-    t13 = np.multiply(p, 0.0625, out=w0)
-    t15 = np.multiply(p, 4.0, out=w1)
-    t16 = np.divide(t15, 3.0, out=w1)
-    t18 = np.multiply(h, 2.0, out=w2)
-    t19 = np.add(t16, t18, out=w1)
-    t20 = np.multiply(t13, t19, out=w0)
-    s_half = np.sqrt(t20, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t23 = np.add(p, h, out=alpha)
-    t24 = np.multiply(t23, 0.5, out=alpha)
-    m = np.add(t24, s, out=w1)
-    t26 = np.multiply(s, 2.0, out=w0)
-    np.divide(t26, m, out=alpha)
-    t28 = np.multiply(p, 2.0, out=beta)
-    np.divide(t28, m, out=beta)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w1)
+    t8 = np.add(t5, t7, out=w0)
+    h_scaled = np.sqrt(t8, out=w0)
+    h = np.multiply(h_scaled, 1073741824.0, out=w0)
+    t13 = np.divide(p, 3.0, out=w1)
+    t14 = np.multiply(h, 3.0, out=w2)
+    t15 = np.add(p, t14, out=w2)
+    t16 = np.multiply(t13, t15, out=w1)
+    s = np.sqrt(t16, out=w1)
+    t18 = np.add(half_p, h, out=alpha)
+    m = np.add(t18, s, out=alpha)
+    t20 = np.divide(2.0, m, out=w0)
+    np.multiply(s, t20, out=alpha)
+    np.multiply(p, t20, out=beta)
 
 
 _GAINS = Signature(
@@ -136,19 +131,19 @@ def gain_derivatives(
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
-        d alpha = (1 + e p/h)/(p s sigma^2), d beta = 2 (2 + p/s)/(p h sigma^2)
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        d alpha = (1 + 1/3 p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 11.31 * 2^-52 (float64), 11.33 *
+    alpha: derivative of the position gain. Relative error at most 13.79 * 2^-52 (float64), 13.79 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64) and
         1e-45 <= tracking_index <= 6.49139e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.71
-        * 2^-52 (float64), 10.71 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 13.04
+        * 2^-52 (float64), 13.07 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -171,38 +166,33 @@ def _gain_derivatives_block(
     alpha, beta = out
     w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=beta)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=alpha)
-    t5 = np.divide(tracking_index, 3.0, out=w0)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=w0)
-    t8 = np.add(t3, t7, out=alpha)
-    h_scaled = np.sqrt(t8, out=alpha)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w1)
+    t8 = np.add(t5, t7, out=w0)
+    h_scaled = np.sqrt(t8, out=w0)
     h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.0625, out=alpha)
-    t15 = np.multiply(p, 4.0, out=w1)
-    t16 = np.divide(t15, 3.0, out=w1)
-    t18 = np.multiply(h, 2.0, out=w2)
-    t19 = np.add(t16, t18, out=w1)
-    t20 = np.multiply(t13, t19, out=alpha)
-    s_half = np.sqrt(t20, out=alpha)
-    s = np.multiply(s_half, 2.0, out=w1)
-    t23 = np.add(p, h, out=w2)
-    t24 = np.multiply(t23, 0.5, out=w2)
-    m = np.add(t24, s, out=w2)
-    t26 = np.multiply(p, 0.5, out=alpha)
-    t27 = np.multiply(t26, m, out=alpha)
-    t28 = np.multiply(t27, t27, out=w2)
-    t29 = np.divide(p, h, out=alpha)
-    t30 = np.divide(t29, 3.0, out=alpha)
-    t32 = np.add(1.0, t30, out=alpha)
-    t33 = np.multiply(p, s, out=w3)
-    t34 = np.divide(t32, t33, out=alpha)
-    np.divide(t34, t28, out=alpha)
-    t36 = np.divide(p, s, out=w1)
-    t37 = np.add(2.0, t36, out=w1)
-    t38 = np.multiply(t37, 2.0, out=w1)
-    t39 = np.multiply(h, p, out=w0)
-    t40 = np.divide(t38, t39, out=w1)
-    np.divide(t40, t28, out=beta)
+    t13 = np.divide(p, 3.0, out=w1)
+    t14 = np.multiply(h, 3.0, out=w2)
+    t15 = np.add(p, t14, out=w2)
+    t16 = np.multiply(t13, t15, out=w1)
+    s = np.sqrt(t16, out=w1)
+    t18 = np.add(half_p, h, out=alpha)
+    m = np.add(t18, s, out=alpha)
+    t20 = np.divide(2.0, m, out=alpha)
+    t21 = np.divide(t20, p, out=alpha)
+    t22 = np.multiply(t21, t21, out=w2)
+    t23 = np.multiply(p, s, out=alpha)
+    t24 = np.multiply(t23, h, out=alpha)
+    t26 = np.divide(1.0, t24, out=w3)
+    t28 = np.divide(p, 6.0, out=alpha)
+    t29 = np.add(h, t28, out=w0)
+    t30 = np.multiply(t26, t29, out=w0)
+    np.multiply(t30, t22, out=alpha)
+    t32 = np.multiply(s, 2.0, out=w1)
+    t33 = np.add(t32, p, out=w1)
+    t34 = np.multiply(t26, t33, out=w3)
+    np.multiply(t34, t22, out=beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -239,25 +229,25 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 4.26 * 2^-52 (float64), 4.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.54 * 2^-52 (float64),
+        3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 11.31 * 2^-52 (float64), 11.31
+    d_alpha: derivative of the position gain. Relative error at most 13.77 * 2^-52 (float64), 13.77
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        10.71 * 2^-52 (float64), 10.71 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        13.04 * 2^-52 (float64), 13.04 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -280,42 +270,35 @@ def _gains_with_derivatives_block(
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=d_beta)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=alpha)
-    t5 = np.divide(tracking_index, 3.0, out=beta)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=beta)
-    t8 = np.add(t3, t7, out=alpha)
-    h_scaled = np.sqrt(t8, out=alpha)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.0625, out=alpha)
-    t15 = np.multiply(p, 4.0, out=beta)
-    t16 = np.divide(t15, 3.0, out=beta)
-    t18 = np.multiply(h, 2.0, out=d_alpha)
-    t19 = np.add(t16, t18, out=beta)
-    t20 = np.multiply(t13, t19, out=alpha)
-    s_half = np.sqrt(t20, out=alpha)
-    s = np.multiply(s_half, 2.0, out=w1)
-    t23 = np.add(p, h, out=alpha)
-    t24 = np.multiply(t23, 0.5, out=alpha)
-    m = np.add(t24, s, out=d_alpha)
-    t26 = np.multiply(s, 2.0, out=alpha)
-    np.divide(t26, m, out=alpha)
-    t28 = np.multiply(p, 2.0, out=beta)
-    np.divide(t28, m, out=beta)
-    t30 = np.multiply(p, 0.5, out=w2)
-    t31 = np.multiply(t30, m, out=w2)
-    t32 = np.multiply(t31, t31, out=w2)
-    t33 = np.divide(p, h, out=d_alpha)
-    t34 = np.divide(t33, 3.0, out=d_alpha)
-    t36 = np.add(1.0, t34, out=d_alpha)
-    t37 = np.multiply(p, s, out=w3)
-    t38 = np.divide(t36, t37, out=d_alpha)
-    np.divide(t38, t32, out=d_alpha)
-    t40 = np.divide(p, s, out=w1)
-    t41 = np.add(2.0, t40, out=w1)
-    t42 = np.multiply(t41, 2.0, out=w1)
-    t43 = np.multiply(h, p, out=w0)
-    t44 = np.divide(t42, t43, out=w1)
-    np.divide(t44, t32, out=d_beta)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=beta)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=d_alpha)
+    t8 = np.add(t5, t7, out=beta)
+    h_scaled = np.sqrt(t8, out=beta)
+    h = np.multiply(h_scaled, 1073741824.0, out=d_alpha)
+    t13 = np.divide(p, 3.0, out=beta)
+    t14 = np.multiply(h, 3.0, out=w0)
+    t15 = np.add(p, t14, out=w0)
+    t16 = np.multiply(t13, t15, out=beta)
+    s = np.sqrt(t16, out=w0)
+    t18 = np.add(half_p, h, out=alpha)
+    m = np.add(t18, s, out=alpha)
+    t20 = np.divide(2.0, m, out=w1)
+    np.multiply(s, t20, out=alpha)
+    np.multiply(p, t20, out=beta)
+    t23 = np.divide(t20, p, out=w1)
+    t24 = np.multiply(t23, t23, out=w1)
+    t25 = np.multiply(p, s, out=w2)
+    t26 = np.multiply(t25, h, out=w2)
+    t28 = np.divide(1.0, t26, out=w2)
+    t30 = np.divide(p, 6.0, out=w3)
+    t31 = np.add(h, t30, out=d_alpha)
+    t32 = np.multiply(t28, t31, out=d_alpha)
+    np.multiply(t32, t24, out=d_alpha)
+    t34 = np.multiply(s, 2.0, out=w0)
+    t35 = np.add(t34, p, out=w0)
+    t36 = np.multiply(t28, t35, out=w2)
+    np.multiply(t36, t24, out=d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -348,18 +331,18 @@ def predictor_gains(
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 3.76 * 2^-52 (float64),
-        3.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 4.76 * 2^-52 (float64),
+        4.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.03 *
-        2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.54 *
+        2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -383,28 +366,23 @@ def _predictor_gains_block(
     position, velocity = out
     w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=velocity)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=position)
-    t5 = np.divide(tracking_index, 3.0, out=w0)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=w0)
-    t8 = np.add(t3, t7, out=position)
-    h_scaled = np.sqrt(t8, out=position)
-    h = np.multiply(h_scaled, 1073741824.0, out=position)
-    t13 = np.multiply(p, 0.0625, out=w0)
-    t15 = np.multiply(p, 4.0, out=w1)
-    t16 = np.divide(t15, 3.0, out=w1)
-    t18 = np.multiply(h, 2.0, out=w2)
-    t19 = np.add(t16, t18, out=w1)
-    t20 = np.multiply(t13, t19, out=w0)
-    s_half = np.sqrt(t20, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t23 = np.add(p, h, out=position)
-    t24 = np.multiply(t23, 0.5, out=position)
-    m = np.add(t24, s, out=w1)
-    t26 = np.add(s, p, out=w0)
-    t27 = np.multiply(t26, 2.0, out=w0)
-    np.divide(t27, m, out=position)
-    t29 = np.multiply(p, 2.0, out=velocity)
-    np.divide(t29, m, out=velocity)
+    half_p = np.multiply(p, 0.5, out=position)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w1)
+    t8 = np.add(t5, t7, out=w0)
+    h_scaled = np.sqrt(t8, out=w0)
+    h = np.multiply(h_scaled, 1073741824.0, out=w0)
+    t13 = np.divide(p, 3.0, out=w1)
+    t14 = np.multiply(h, 3.0, out=w2)
+    t15 = np.add(p, t14, out=w2)
+    t16 = np.multiply(t13, t15, out=w1)
+    s = np.sqrt(t16, out=w1)
+    t18 = np.add(half_p, h, out=position)
+    m = np.add(t18, s, out=position)
+    t20 = np.add(s, p, out=w1)
+    t21 = np.divide(2.0, m, out=w0)
+    np.multiply(t20, t21, out=position)
+    np.multiply(p, t21, out=velocity)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -437,18 +415,18 @@ def predictor_gain_derivatives(
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 12.21 *
-        2^-52 (float64), 12.21 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 14.56 *
+        2^-52 (float64), 14.56 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.873247422805948e102 (float64) and 1e-45 <= tracking_index <= 1.2213346e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.67 * 2^-52 (float64), 10.67 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.98 * 2^-52 (float64), 12.98 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
 
@@ -472,39 +450,34 @@ def _predictor_gain_derivatives_block(
     position, velocity = out
     w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=position)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=velocity)
-    t5 = np.divide(tracking_index, 3.0, out=w0)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=w0)
-    t8 = np.add(t3, t7, out=velocity)
-    h_scaled = np.sqrt(t8, out=velocity)
-    h = np.multiply(h_scaled, 1073741824.0, out=velocity)
-    t13 = np.multiply(p, 0.0625, out=w0)
-    t15 = np.multiply(p, 4.0, out=w1)
-    t16 = np.divide(t15, 3.0, out=w1)
-    t18 = np.multiply(h, 2.0, out=w2)
-    t19 = np.add(t16, t18, out=w1)
-    t20 = np.multiply(t13, t19, out=w0)
-    s_half = np.sqrt(t20, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t23 = np.add(p, h, out=w1)
-    t24 = np.multiply(t23, 0.5, out=w1)
-    m = np.add(t24, s, out=w1)
-    t26 = np.multiply(p, 0.5, out=w2)
-    t27 = np.multiply(t26, m, out=w2)
-    t28 = np.multiply(t27, t27, out=w2)
-    t29 = np.divide(p, h, out=w1)
-    t30 = np.divide(t29, 3.0, out=w1)
-    t32 = np.add(1.0, t30, out=w1)
-    t33 = np.multiply(p, s, out=w3)
-    t34 = np.divide(t32, t33, out=w1)
-    t35 = np.divide(t34, t28, out=w1)
-    t36 = np.divide(p, s, out=w0)
-    t37 = np.add(2.0, t36, out=w0)
-    t38 = np.multiply(t37, 2.0, out=w0)
-    t39 = np.multiply(h, p, out=velocity)
-    t40 = np.divide(t38, t39, out=w0)
-    np.divide(t40, t28, out=velocity)
-    np.add(t35, velocity, out=position)
+    half_p = np.multiply(p, 0.5, out=velocity)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w1)
+    t8 = np.add(t5, t7, out=w0)
+    h_scaled = np.sqrt(t8, out=w0)
+    h = np.multiply(h_scaled, 1073741824.0, out=w0)
+    t13 = np.divide(p, 3.0, out=w1)
+    t14 = np.multiply(h, 3.0, out=w2)
+    t15 = np.add(p, t14, out=w2)
+    t16 = np.multiply(t13, t15, out=w1)
+    s = np.sqrt(t16, out=w1)
+    t18 = np.add(half_p, h, out=velocity)
+    m = np.add(t18, s, out=velocity)
+    t20 = np.divide(2.0, m, out=velocity)
+    t21 = np.divide(t20, p, out=velocity)
+    t22 = np.multiply(t21, t21, out=velocity)
+    t23 = np.multiply(p, s, out=w2)
+    t24 = np.multiply(t23, h, out=w2)
+    t26 = np.divide(1.0, t24, out=w2)
+    t28 = np.divide(p, 6.0, out=w3)
+    t29 = np.add(h, t28, out=w0)
+    t30 = np.multiply(t26, t29, out=w0)
+    t31 = np.multiply(t30, t22, out=w0)
+    t32 = np.multiply(s, 2.0, out=w1)
+    t33 = np.add(t32, p, out=w1)
+    t34 = np.multiply(t26, t33, out=w2)
+    np.multiply(t34, t22, out=velocity)
+    np.add(t31, velocity, out=position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -539,22 +512,22 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 4.83 *
-        2^-52 (float64), 4.83 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 6.93 *
+        2^-52 (float64), 6.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7000419237042198e154 (float64) and 1e-45 <= tracking_index <= 2.3389442e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 3.57 * 2^-52 (float64), 3.57 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.72 * 2^-52 (float64), 3.72 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.5097627491058368e154 (float64) and 1.1754944e-38 <= tracking_index <=
         2.0771551e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        6.26 * 2^-52 (float64), 5.77 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
+        7.01 * 2^-52 (float64), 6.52 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
         tracking_index <= 1.181098330382244e154 (float64) and 4.1033358e-26 <= tracking_index <=
         1.6249736e19 (float32).
 
@@ -576,44 +549,36 @@ def _predicted_covariance_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, out=predicted_12)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=predicted_11)
-    t5 = np.divide(tracking_index, 3.0, out=predicted_22)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=predicted_22)
-    t8 = np.add(t3, t7, out=predicted_11)
-    h_scaled = np.sqrt(t8, out=predicted_11)
-    h = np.multiply(h_scaled, 1073741824.0, out=predicted_11)
-    t13 = np.multiply(p, 0.0625, out=predicted_22)
-    t15 = np.multiply(p, 4.0, out=w0)
-    t16 = np.divide(t15, 3.0, out=w0)
-    t18 = np.multiply(h, 2.0, out=w1)
-    t19 = np.add(t16, t18, out=w0)
-    t20 = np.multiply(t13, t19, out=predicted_22)
-    s_half = np.sqrt(t20, out=predicted_22)
-    s = np.multiply(s_half, 2.0, out=predicted_22)
-    t23 = np.add(p, h, out=w0)
-    t24 = np.multiply(t23, 0.5, out=w0)
-    m = np.add(t24, s, out=w0)
-    t26 = np.multiply(p, p, out=w1)
-    t27 = np.divide(t26, 3.0, out=w1)
-    t28 = np.multiply(p, h, out=predicted_11)
-    t29 = np.multiply(t28, 2.0, out=predicted_11)
-    t30 = np.add(t27, t29, out=w1)
-    t31 = np.multiply(t30, 0.5, out=w1)
-    t32 = np.multiply(s, 2.0, out=predicted_11)
-    t33 = np.add(t32, p, out=predicted_11)
-    t34 = np.divide(p, t33, out=predicted_11)
-    t35 = np.multiply(t34, t31, out=predicted_11)
-    t36 = np.multiply(tracking_index, t35, out=w1)
-    t37 = np.multiply(tracking_index, m, out=predicted_11)
-    t38 = np.multiply(s, 0.5, out=predicted_22)
-    np.multiply(t37, t38, out=predicted_11)
-    t40 = np.multiply(p, 0.5, out=predicted_12)
-    t41 = np.multiply(t40, m, out=predicted_12)
-    np.multiply(tracking_index, t41, out=predicted_12)
-    t43 = np.multiply(tracking_index, tracking_index, out=w0)
-    np.add(t36, t43, out=predicted_22)
+    w0, w1, w2 = work
+    p = np.sqrt(tracking_index, out=predicted_11)
+    half_p = np.multiply(p, 0.5, out=predicted_12)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=predicted_22)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w0)
+    t8 = np.add(t5, t7, out=predicted_22)
+    h_scaled = np.sqrt(t8, out=predicted_22)
+    h = np.multiply(h_scaled, 1073741824.0, out=predicted_22)
+    t13 = np.divide(p, 3.0, out=w0)
+    t14 = np.multiply(h, 3.0, out=w1)
+    t15 = np.add(p, t14, out=w1)
+    t16 = np.multiply(t13, t15, out=w0)
+    s = np.sqrt(t16, out=w0)
+    t18 = np.add(half_p, h, out=w1)
+    m = np.add(t18, s, out=w1)
+    t21 = np.divide(p, 6.0, out=w2)
+    t22 = np.add(h, t21, out=w2)
+    t23 = np.add(t22, h, out=w2)
+    t24 = np.multiply(p, t23, out=w2)
+    t25 = np.multiply(s, 2.0, out=predicted_22)
+    t26 = np.add(t25, p, out=predicted_22)
+    t27 = np.divide(p, t26, out=predicted_22)
+    t28 = np.multiply(t27, t24, out=predicted_22)
+    t29 = np.multiply(tracking_index, t28, out=predicted_22)
+    t30 = np.multiply(half_p, m, out=predicted_12)
+    t31 = np.multiply(p, s, out=predicted_11)
+    np.multiply(t30, t31, out=predicted_11)
+    np.multiply(tracking_index, t30, out=predicted_12)
+    t34 = np.multiply(tracking_index, tracking_index, out=w0)
+    np.add(t29, t34, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -627,7 +592,7 @@ _PREDICTED_COVARIANCE = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    2,
+    3,
     _predicted_covariance_block,
 )
 
@@ -648,23 +613,23 @@ def predicted_covariance_derivatives(
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 7.28 * 2^-52 (float64), 7.27 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 8.26 * 2^-52 (float64), 8.26 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.4450712711759723e308 (float64) and 1e-45 <= tracking_index <=
         2.7353304e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 4.23 * 2^-52 (float64), 4.22 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 4.39 * 2^-52 (float64), 4.39 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.1396917792938073e308 (float64) and 1e-45 <= tracking_index <=
         2.157287e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 5.47 * 2^-52 (float64), 5.44 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.09 * 2^-52 (float64), 6.11 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.974966330158624e307 (float64) and 1e-45 <= tracking_index <=
         1.3202697e38 (float32).
 
@@ -688,54 +653,47 @@ def _predicted_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2, w3, w4 = work
+    w0, w1, w2, w3, w4, w5, w6 = work
     p = np.sqrt(tracking_index, out=predicted_11)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=predicted_12)
-    t5 = np.divide(tracking_index, 3.0, out=predicted_22)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=predicted_22)
-    t8 = np.add(t3, t7, out=predicted_12)
-    h_scaled = np.sqrt(t8, out=predicted_12)
-    h = np.multiply(h_scaled, 1073741824.0, out=predicted_12)
-    t13 = np.multiply(p, 0.0625, out=predicted_22)
-    t15 = np.multiply(p, 4.0, out=w0)
-    t16 = np.divide(t15, 3.0, out=w0)
-    t18 = np.multiply(h, 2.0, out=w1)
-    t19 = np.add(t16, t18, out=w0)
-    t20 = np.multiply(t13, t19, out=predicted_22)
-    s_half = np.sqrt(t20, out=predicted_22)
-    s = np.multiply(s_half, 2.0, out=predicted_22)
-    t23 = np.add(p, h, out=w0)
-    t24 = np.multiply(t23, 0.5, out=w0)
-    m = np.add(t24, s, out=w0)
-    t26 = np.divide(4.0, m, out=w1)
-    t27 = np.divide(t26, s, out=w1)
-    t28 = np.divide(p, h, out=w2)
-    t29 = np.divide(t28, 3.0, out=w3)
-    t31 = np.add(1.0, t29, out=w3)
-    t32 = np.divide(p, 3.0, out=w4)
-    t33 = np.add(h, t32, out=predicted_12)
-    t34 = np.divide(t33, s, out=predicted_12)
-    t35 = np.multiply(t31, t34, out=predicted_12)
-    t36 = np.divide(p, s, out=w4)
-    t37 = np.multiply(t28, t36, out=w2)
-    t38 = np.multiply(t37, 2.0, out=w2)
-    t40 = np.divide(t38, 9.0, out=w2)
-    t41 = np.add(t35, t40, out=predicted_12)
-    t42 = np.multiply(t41, 0.25, out=predicted_12)
-    t43 = np.multiply(tracking_index, t42, out=predicted_12)
-    t44 = np.add(t27, t43, out=w1)
-    t45 = np.multiply(m, 0.5, out=w2)
-    t46 = np.multiply(p, 0.5, out=predicted_11)
-    t47 = np.multiply(t46, m, out=w0)
-    t48 = np.divide(t47, s, out=predicted_22)
-    t49 = np.multiply(t45, t48, out=w2)
-    np.multiply(t31, t49, out=predicted_11)
-    t51 = np.multiply(t31, t36, out=w3)
-    t52 = np.multiply(t51, 0.5, out=w3)
-    t53 = np.add(1.0, t52, out=w3)
-    np.multiply(t47, t53, out=predicted_12)
-    t55 = np.multiply(tracking_index, 2.0, out=w0)
-    np.add(t44, t55, out=predicted_22)
+    half_p = np.multiply(p, 0.5, out=predicted_12)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=predicted_22)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w0)
+    t8 = np.add(t5, t7, out=predicted_22)
+    h_scaled = np.sqrt(t8, out=predicted_22)
+    h = np.multiply(h_scaled, 1073741824.0, out=predicted_22)
+    t13 = np.divide(p, 3.0, out=w0)
+    t14 = np.multiply(h, 3.0, out=w1)
+    t15 = np.add(p, t14, out=w1)
+    t16 = np.multiply(t13, t15, out=w0)
+    s = np.sqrt(t16, out=w0)
+    t18 = np.add(half_p, h, out=w1)
+    m = np.add(t18, s, out=w1)
+    t21 = np.divide(4.0, m, out=w2)
+    t22 = np.divide(t21, s, out=w2)
+    t24 = np.divide(p, 6.0, out=w3)
+    t25 = np.add(h, t24, out=w3)
+    t26 = np.divide(t25, h, out=w4)
+    t27 = np.multiply(s, 2.0, out=w5)
+    t28 = np.divide(t25, t27, out=w3)
+    t29 = np.multiply(t26, t28, out=w3)
+    t30 = np.divide(p, h, out=predicted_22)
+    t31 = np.divide(p, s, out=w6)
+    t32 = np.multiply(t30, t31, out=predicted_22)
+    t34 = np.divide(t32, 36.0, out=predicted_22)
+    t35 = np.add(t29, t34, out=w3)
+    t36 = np.multiply(tracking_index, t35, out=w3)
+    t37 = np.add(t22, t36, out=w2)
+    t38 = np.multiply(m, 0.5, out=w3)
+    t39 = np.multiply(half_p, m, out=predicted_12)
+    t40 = np.divide(t39, s, out=w0)
+    t41 = np.multiply(t38, t40, out=w3)
+    t42 = np.divide(p, t27, out=w5)
+    np.multiply(t26, t41, out=predicted_11)
+    t45 = np.multiply(t26, t42, out=w4)
+    t46 = np.add(1.0, t45, out=w4)
+    np.multiply(t39, t46, out=predicted_12)
+    t48 = np.multiply(tracking_index, 2.0, out=w0)
+    np.add(t37, t48, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -749,7 +707,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    5,
+    7,
     _predicted_covariance_derivatives_block,
 )
 
@@ -770,22 +728,22 @@ def updated_covariance(
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.26 * 2^-52
-        (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 4.26 * 2^-52
+        (float64), 4.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.03 * 2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.54 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 5.26 *
-        2^-52 (float64), 5.26 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 6.01 *
+        2^-52 (float64), 6.04 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
         <= 2.4954742419024312e154 (float64) and 4.1033358e-26 <= tracking_index <= 3.4333126e19
         (float32).
 
@@ -809,37 +767,31 @@ def _updated_covariance_block(
     updated_11, updated_12, updated_22 = out
     w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=updated_22)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=updated_11)
-    t5 = np.divide(tracking_index, 3.0, out=updated_12)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=updated_12)
-    t8 = np.add(t3, t7, out=updated_11)
-    h_scaled = np.sqrt(t8, out=updated_11)
+    half_p = np.multiply(p, 0.5, out=updated_11)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=updated_12)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w0)
+    t8 = np.add(t5, t7, out=updated_12)
+    h_scaled = np.sqrt(t8, out=updated_12)
     h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.0625, out=updated_11)
-    t15 = np.multiply(p, 4.0, out=updated_12)
-    t16 = np.divide(t15, 3.0, out=updated_12)
-    t18 = np.multiply(h, 2.0, out=w1)
-    t19 = np.add(t16, t18, out=updated_12)
-    t20 = np.multiply(t13, t19, out=updated_11)
-    s_half = np.sqrt(t20, out=updated_11)
-    s = np.multiply(s_half, 2.0, out=updated_11)
-    t23 = np.add(p, h, out=w1)
-    t24 = np.multiply(t23, 0.5, out=w1)
-    m = np.add(t24, s, out=w1)
-    t26 = np.multiply(s, 2.0, out=w2)
-    np.divide(t26, m, out=updated_11)
-    t28 = np.multiply(p, 2.0, out=updated_12)
-    np.divide(t28, m, out=updated_12)
-    t30 = np.multiply(p, p, out=w1)
-    t31 = np.divide(t30, 3.0, out=w1)
-    t32 = np.multiply(p, h, out=w0)
-    t33 = np.multiply(t32, 2.0, out=w0)
-    t34 = np.add(t31, t33, out=w1)
-    t35 = np.multiply(t34, 0.5, out=w1)
-    t36 = np.add(t26, p, out=w2)
-    t37 = np.divide(p, t36, out=updated_22)
-    t38 = np.multiply(t37, t35, out=updated_22)
-    np.multiply(tracking_index, t38, out=updated_22)
+    t13 = np.divide(p, 3.0, out=updated_12)
+    t14 = np.multiply(h, 3.0, out=w1)
+    t15 = np.add(p, t14, out=w1)
+    t16 = np.multiply(t13, t15, out=updated_12)
+    s = np.sqrt(t16, out=w1)
+    t18 = np.add(half_p, h, out=updated_11)
+    m = np.add(t18, s, out=updated_11)
+    t20 = np.divide(2.0, m, out=updated_12)
+    np.multiply(s, t20, out=updated_11)
+    np.multiply(p, t20, out=updated_12)
+    t24 = np.divide(p, 6.0, out=w2)
+    t25 = np.add(h, t24, out=w2)
+    t26 = np.add(t25, h, out=w2)
+    t27 = np.multiply(p, t26, out=w2)
+    t28 = np.multiply(s, 2.0, out=w1)
+    t29 = np.add(t28, p, out=w1)
+    t30 = np.divide(p, t29, out=updated_22)
+    t31 = np.multiply(t30, t27, out=updated_22)
+    np.multiply(tracking_index, t31, out=updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -874,22 +826,22 @@ def updated_covariance_derivatives(
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 11.30 * 2^-52 (float64), 11.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 13.79 * 2^-52 (float64), 13.79 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 5.247628584236248e102 (float64) and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.71 * 2^-52 (float64), 10.68 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 12.98 * 2^-52 (float64), 12.98 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 5.45 * 2^-52 (float64), 5.45 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 5.96 * 2^-52 (float64), 5.98 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -913,53 +865,47 @@ def _updated_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    w0, w1, w2, w3, w4, w5, w6 = work
     p = np.sqrt(tracking_index, out=updated_22)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=updated_11)
-    t5 = np.divide(tracking_index, 3.0, out=updated_12)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=updated_12)
-    t8 = np.add(t3, t7, out=updated_11)
-    h_scaled = np.sqrt(t8, out=updated_11)
+    half_p = np.multiply(p, 0.5, out=updated_11)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=updated_12)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w0)
+    t8 = np.add(t5, t7, out=updated_12)
+    h_scaled = np.sqrt(t8, out=updated_12)
     h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.0625, out=updated_11)
-    t15 = np.multiply(p, 4.0, out=updated_12)
-    t16 = np.divide(t15, 3.0, out=updated_12)
-    t18 = np.multiply(h, 2.0, out=w1)
-    t19 = np.add(t16, t18, out=updated_12)
-    t20 = np.multiply(t13, t19, out=updated_11)
-    s_half = np.sqrt(t20, out=updated_11)
-    s = np.multiply(s_half, 2.0, out=w1)
-    t23 = np.add(p, h, out=updated_11)
-    t24 = np.multiply(t23, 0.5, out=updated_11)
-    m = np.add(t24, s, out=w2)
-    t26 = np.multiply(p, 0.5, out=updated_11)
-    t27 = np.multiply(t26, m, out=updated_11)
-    t28 = np.multiply(t27, t27, out=updated_12)
-    t29 = np.divide(p, h, out=w3)
-    t30 = np.divide(t29, 3.0, out=updated_11)
-    t32 = np.add(1.0, t30, out=w4)
-    t33 = np.multiply(p, s, out=updated_11)
-    t34 = np.divide(t32, t33, out=updated_11)
-    np.divide(t34, t28, out=updated_11)
-    t36 = np.divide(p, s, out=w5)
-    t37 = np.add(2.0, t36, out=w6)
-    t38 = np.multiply(t37, 2.0, out=w6)
-    t39 = np.multiply(h, p, out=w7)
-    t40 = np.divide(t38, t39, out=w6)
-    np.divide(t40, t28, out=updated_12)
-    t42 = np.divide(4.0, m, out=w2)
-    t43 = np.divide(t42, s, out=w2)
-    t44 = np.divide(p, 3.0, out=updated_22)
-    t45 = np.add(h, t44, out=w0)
-    t46 = np.divide(t45, s, out=w0)
-    t47 = np.multiply(t32, t46, out=w4)
-    t48 = np.multiply(t29, t36, out=w3)
-    t49 = np.multiply(t48, 2.0, out=w3)
-    t51 = np.divide(t49, 9.0, out=w3)
-    t52 = np.add(t47, t51, out=w4)
-    t53 = np.multiply(t52, 0.25, out=w4)
-    t54 = np.multiply(tracking_index, t53, out=w4)
-    np.add(t43, t54, out=updated_22)
+    t13 = np.divide(p, 3.0, out=updated_12)
+    t14 = np.multiply(h, 3.0, out=w1)
+    t15 = np.add(p, t14, out=w1)
+    t16 = np.multiply(t13, t15, out=updated_12)
+    s = np.sqrt(t16, out=w1)
+    t18 = np.add(half_p, h, out=updated_11)
+    m = np.add(t18, s, out=w2)
+    t20 = np.divide(2.0, m, out=updated_11)
+    t21 = np.divide(t20, p, out=updated_11)
+    t22 = np.multiply(t21, t21, out=updated_12)
+    t23 = np.multiply(p, s, out=updated_11)
+    t24 = np.multiply(t23, h, out=updated_11)
+    t26 = np.divide(1.0, t24, out=w3)
+    t28 = np.divide(p, 6.0, out=updated_11)
+    t29 = np.add(h, t28, out=w4)
+    t30 = np.multiply(t26, t29, out=updated_11)
+    np.multiply(t30, t22, out=updated_11)
+    t32 = np.multiply(s, 2.0, out=w5)
+    t33 = np.add(t32, p, out=w6)
+    t34 = np.multiply(t26, t33, out=w3)
+    np.multiply(t34, t22, out=updated_12)
+    t37 = np.divide(4.0, m, out=w2)
+    t38 = np.divide(t37, s, out=w2)
+    t39 = np.divide(t29, h, out=w3)
+    t40 = np.divide(t29, t32, out=w4)
+    t41 = np.multiply(t39, t40, out=w3)
+    t42 = np.divide(p, h, out=w0)
+    t43 = np.divide(p, s, out=updated_22)
+    t44 = np.multiply(t42, t43, out=w0)
+    t46 = np.divide(t44, 36.0, out=w0)
+    t47 = np.add(t41, t46, out=w3)
+    t48 = np.multiply(tracking_index, t47, out=w3)
+    np.add(t38, t48, out=updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -973,7 +919,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    8,
+    7,
     _updated_covariance_derivatives_block,
 )
 
@@ -997,24 +943,24 @@ def closed_loop_poles(
     """Poles of the filter: a complex pair or two real numbers.
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
-        e = 1/3, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 7.98 * 2^-52
-        (float64), 7.89 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 8.34 * 2^-52
+        (float64), 8.33 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 7.26 * 2^-52 (float64), 7.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.00 * 2^-52 (float64), 8.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 10.13 * 2^-52
-        (float64), 10.10 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 10.51 * 2^-52
+        (float64), 10.48 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 7.26 * 2^-52 (float64), 7.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.00 * 2^-52 (float64), 8.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -1035,67 +981,59 @@ def _closed_loop_poles_block(
 ) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=first_real)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=first_imaginary)
-    t5 = np.divide(tracking_index, 3.0, out=second_real)
-    t7 = np.multiply(t5, 8.673617379884035e-19, out=second_real)
-    t8 = np.add(t3, t7, out=first_imaginary)
-    h_scaled = np.sqrt(t8, out=first_imaginary)
-    h = np.multiply(h_scaled, 1073741824.0, out=first_imaginary)
-    t13 = np.multiply(p, 0.0625, out=second_real)
-    t15 = np.multiply(p, 4.0, out=second_imaginary)
-    t16 = np.divide(t15, 3.0, out=second_imaginary)
-    t18 = np.multiply(h, 2.0, out=w0)
-    t19 = np.add(t16, t18, out=second_imaginary)
-    t20 = np.multiply(t13, t19, out=second_real)
-    s_half = np.sqrt(t20, out=second_real)
-    s = np.multiply(s_half, 2.0, out=second_real)
-    t23 = np.add(p, h, out=w0)
-    t24 = np.multiply(t23, 0.5, out=w0)
-    m = np.add(t24, s, out=w0)
-    t26 = np.multiply(p, 0.5, out=second_imaginary)
-    t27 = np.multiply(t26, m, out=second_imaginary)
-    t29 = np.divide(1.0, t27, out=w1)
-    t31 = np.multiply(tracking_index, 0.25, out=w2)
-    t32 = np.subtract(3.0, t31, out=w3)
-    distance = np.absolute(t32, out=w3)
-    below = np.sqrt(distance, out=w3)
-    t35 = np.add(3.0, t31, out=w2)
-    above = np.sqrt(t35, out=w2)
-    t38 = np.multiply(tracking_index, 0.5, out=w4)
+    half_p = np.multiply(p, 0.5, out=first_imaginary)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=second_real)
+    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=second_imaginary)
+    t8 = np.add(t5, t7, out=second_real)
+    h_scaled = np.sqrt(t8, out=second_real)
+    h = np.multiply(h_scaled, 1073741824.0, out=second_real)
+    t13 = np.divide(p, 3.0, out=second_imaginary)
+    t14 = np.multiply(h, 3.0, out=w0)
+    t15 = np.add(p, t14, out=w0)
+    t16 = np.multiply(t13, t15, out=second_imaginary)
+    s = np.sqrt(t16, out=second_imaginary)
+    t18 = np.add(half_p, h, out=first_imaginary)
+    m = np.add(t18, s, out=w0)
+    t20 = np.divide(2.0, m, out=second_real)
+    t21 = np.divide(t20, p, out=second_real)
+    t25 = np.multiply(tracking_index, 0.25, out=first_real)
+    t26 = np.subtract(3.0, t25, out=w1)
+    distance = np.absolute(t26, out=w1)
+    below = np.sqrt(distance, out=w1)
+    t29 = np.add(3.0, t25, out=first_real)
+    above = np.sqrt(t29, out=first_real)
+    t32 = np.multiply(tracking_index, 0.5, out=w2)
     rest = -8.914125970704845e-08 if single else 2.168616518103246e-16
-    np.subtract(2.449489742783178, t38, out=w5)
-    t39 = np.add(w5, rest, out=w5)
-    t40 = np.add(h, p, out=first_imaginary)
-    t41 = np.divide(t39, t40, out=w5)
-    t42 = np.add(2.449489742783178, t38, out=w4)
-    t43 = np.divide(t42, m, out=w4)
-    t44 = np.divide(t43, tracking_index, out=w4)
-    t45 = np.multiply(t41, t44, out=w5)
-    t46 = np.multiply(t45, 4.0, out=w5)
-    t47 = np.divide(t46, 3.0, out=w5)
-    t48 = np.divide(below, s, out=w3)
-    t49 = np.divide(above, m, out=w2)
-    t50 = np.multiply(t48, t49, out=w3)
-    t51 = np.multiply(t50, 2.0, out=w3)
-    t52 = np.divide(t51, 3.0, out=w3)
-    middle_size = np.absolute(t47, out=w0)
-    t54 = np.add(middle_size, t52, out=w0)
-    t55 = np.divide(t29, t54, out=w1)
-    t56 = np.divide(t55, t27, out=w1)
-    t58 = np.negative(t54, out=w0)
+    np.subtract(2.449489742783178, t32, out=w3)
+    t33 = np.add(w3, rest, out=w3)
+    t34 = np.divide(t33, t18, out=w3)
+    t35 = np.add(2.449489742783178, t32, out=w2)
+    t36 = np.divide(t35, m, out=w2)
+    t37 = np.divide(t36, tracking_index, out=w2)
+    t38 = np.multiply(t34, t37, out=w3)
+    t39 = np.multiply(t38, 0.6666666666666666, out=w3)
+    t40 = np.divide(below, s, out=w1)
+    t41 = np.divide(above, m, out=first_real)
+    t42 = np.multiply(t40, t41, out=w1)
+    t43 = np.multiply(t42, 0.6666666666666666, out=w1)
+    middle_size = np.absolute(t39, out=w0)
+    t45 = np.add(middle_size, t43, out=w0)
+    t46 = np.divide(t21, t45, out=w2)
+    t47 = np.multiply(t46, t21, out=w2)
+    t49 = np.negative(t45, out=w0)
     mask = np.less(tracking_index, 12.0)
-    np.copyto(first_real, t58)
-    np.putmask(first_real, mask, t47)
-    t60 = np.negative(t56, out=w1)
-    np.copyto(second_real, t60)
-    np.putmask(second_real, mask, t47)
+    np.copyto(first_real, t49)
+    np.putmask(first_real, mask, t39)
+    t51 = np.negative(t47, out=w2)
+    np.copyto(second_real, t51)
+    np.putmask(second_real, mask, t39)
     np.copyto(first_imaginary, 0.0)
-    np.putmask(first_imaginary, mask, t52)
-    t63 = np.negative(t52, out=w3)
+    np.putmask(first_imaginary, mask, t43)
+    t54 = np.negative(t43, out=w1)
     np.copyto(second_imaginary, 0.0)
-    np.putmask(second_imaginary, mask, t63)
+    np.putmask(second_imaginary, mask, t54)
 
 
 _CLOSED_LOOP_POLES = Signature(
@@ -1109,7 +1047,7 @@ _CLOSED_LOOP_POLES = Signature(
         ),
     ),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
-    6,
+    4,
     _closed_loop_poles_block,
 )
 
@@ -1260,7 +1198,7 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
 
     beta: velocity gain times the sampling interval; a number above 0 and below 1.2679491924311228.
 
-    tracking_index: tracking index Lambda. Relative error at most 3.39 * 2^-52 (float64), 3.39 *
+    tracking_index: tracking index Lambda. Relative error at most 3.51 * 2^-52 (float64), 3.51 *
         2^-23 (float32), proved for 2.2250738585072014e-308 <= beta <= 1.2679491924311226 (float64)
         and 1.1754944e-38 <= beta <= 1.2679491 (float32).
 
@@ -1289,13 +1227,12 @@ def _index_from_beta_block(
     beta_radical = np.sqrt(t5, out=tracking_index)
     rest = -3.1087250107475484e-08 if single else -1.0035084221806903e-16
     np.subtract(1.2679491924311228, beta, out=w0)
-    t9 = np.add(w0, rest, out=w0)
+    t10 = np.add(w0, rest, out=w0)
     rest_ = -8.812204299601945e-08 if single else -3.437383676319936e-16
     np.subtract(4.732050807568878, beta, out=w1)
-    t11 = np.add(w1, rest_, out=w1)
-    t12 = np.multiply(t9, t11, out=w0)
-    t13 = np.multiply(t12, 2.0, out=w0)
-    t14 = np.divide(t13, 3.0, out=w0)
+    t12 = np.add(w1, rest_, out=w1)
+    t13 = np.multiply(t10, t12, out=w0)
+    t14 = np.multiply(t13, 0.6666666666666666, out=w0)
     t15 = np.add(2.0, beta, out=w1)
     t16 = np.add(t15, beta_radical, out=w1)
     t17 = np.multiply(t16, 2.0, out=w1)
@@ -1334,7 +1271,7 @@ def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Alpha
 
     beta: velocity gain times the sampling interval; a number above 0 and below 1.2679491924311228.
 
-    alpha: position gain. Relative error at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.76 * 2^-52 (float64), 3.76 * 2^-23 (float32),
         proved for 5e-324 <= beta <= 1.2679491924311226 (float64) and 1e-45 <= beta <= 1.2679491
         (float32).
 
@@ -1363,13 +1300,12 @@ def _alpha_from_beta_block(
     t7 = np.multiply(t2, t6, out=w0)
     scaled_beta_radical = np.sqrt(t7, out=w0)
     t10 = np.subtract(12.0, beta, out=w1)
-    t12 = np.multiply(t10, 2.0, out=w1)
-    t13 = np.divide(t12, 3.0, out=w1)
-    t14 = np.multiply(t2, t13, out=alpha)
-    t16 = np.multiply(beta, 1073741824.0, out=w1)
-    t17 = np.add(scaled_beta_radical, t16, out=w0)
-    t19 = np.multiply(t17, 2147483648.0, out=w0)
-    np.divide(t14, t19, out=alpha)
+    t12 = np.multiply(t10, 0.6666666666666666, out=w1)
+    t13 = np.multiply(t2, t12, out=alpha)
+    t15 = np.multiply(beta, 1073741824.0, out=w1)
+    t16 = np.add(scaled_beta_radical, t15, out=w0)
+    t18 = np.multiply(t16, 2147483648.0, out=w0)
+    np.divide(t13, t18, out=alpha)
 
 
 _ALPHA_FROM_BETA = Signature(

@@ -48,18 +48,18 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     """Steady-state filter gain.
 
         alpha = 2 s/m, beta = 2 p/m
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.76 * 2^-52 (float64), 3.76 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.51 * 2^-52 (float64),
+        3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -83,20 +83,16 @@ def _gains_block(
     alpha, beta = out
     w0, w1 = work
     p = np.sqrt(tracking_index, out=beta)
-    h = np.divide(4.0, p, out=alpha)
-    t5 = np.multiply(p, 0.0625, out=w0)
-    t7 = np.multiply(h, 2.0, out=w1)
-    t8 = np.add(p, t7, out=w1)
-    t9 = np.multiply(t5, t8, out=w0)
-    s_half = np.sqrt(t9, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t12 = np.add(p, h, out=alpha)
-    t13 = np.multiply(t12, 0.5, out=alpha)
-    m = np.add(t13, s, out=w1)
-    t15 = np.multiply(s, 2.0, out=w0)
-    np.divide(t15, m, out=alpha)
-    t17 = np.multiply(p, 2.0, out=beta)
-    np.divide(t17, m, out=beta)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    h = np.divide(2.0, p, out=w0)
+    t6 = np.multiply(tracking_index, 0.25, out=w1)
+    t7 = np.add(t6, 2.0, out=w1)
+    s = np.sqrt(t7, out=w1)
+    t9 = np.add(half_p, h, out=alpha)
+    m = np.add(t9, s, out=alpha)
+    t11 = np.divide(2.0, m, out=w0)
+    np.multiply(s, t11, out=alpha)
+    np.multiply(p, t11, out=beta)
 
 
 _GAINS = Signature(
@@ -129,19 +125,19 @@ def gain_derivatives(
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
-        d alpha = (1 + e p/h)/(p s sigma^2), d beta = 2 (2 + p/s)/(p h sigma^2)
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        d alpha = (1 + 0 p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: derivative of the position gain. Relative error at most 9.58 * 2^-52 (float64), 9.53 *
+    alpha: derivative of the position gain. Relative error at most 10.59 * 2^-52 (float64), 10.55 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 9.33 *
-        2^-52 (float64), 9.28 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 8.97 *
+        2^-52 (float64), 8.93 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -164,28 +160,22 @@ def _gain_derivatives_block(
     alpha, beta = out
     w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=beta)
-    h = np.divide(4.0, p, out=w0)
-    t5 = np.multiply(p, 0.0625, out=alpha)
-    t7 = np.multiply(h, 2.0, out=w1)
-    t8 = np.add(p, t7, out=w1)
-    t9 = np.multiply(t5, t8, out=alpha)
-    s_half = np.sqrt(t9, out=alpha)
-    s = np.multiply(s_half, 2.0, out=w1)
-    t12 = np.add(p, h, out=alpha)
-    t13 = np.multiply(t12, 0.5, out=alpha)
-    m = np.add(t13, s, out=alpha)
-    t15 = np.multiply(p, 0.5, out=w2)
-    t16 = np.multiply(t15, m, out=w2)
-    t17 = np.multiply(t16, t16, out=w2)
-    t18 = np.multiply(p, s, out=alpha)
-    t20 = np.divide(1.0, t18, out=alpha)
-    np.divide(t20, t17, out=alpha)
-    t22 = np.divide(p, s, out=w1)
-    t23 = np.add(2.0, t22, out=w1)
-    t24 = np.multiply(t23, 2.0, out=w1)
-    t25 = np.multiply(h, p, out=w0)
-    t26 = np.divide(t24, t25, out=w1)
-    np.divide(t26, t17, out=beta)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    h = np.divide(2.0, p, out=w0)
+    t6 = np.multiply(tracking_index, 0.25, out=w1)
+    t7 = np.add(t6, 2.0, out=w1)
+    s = np.sqrt(t7, out=w1)
+    t9 = np.add(half_p, h, out=alpha)
+    m = np.add(t9, s, out=alpha)
+    t11 = np.divide(2.0, m, out=alpha)
+    t12 = np.multiply(h, t11, out=alpha)
+    t13 = np.multiply(t12, t12, out=w2)
+    t15 = np.divide(0.125, s, out=w1)
+    t16 = np.multiply(h, t15, out=w0)
+    np.multiply(t16, t13, out=alpha)
+    t18 = np.multiply(p, t15, out=beta)
+    t20 = np.add(t18, 0.25, out=beta)
+    np.multiply(t20, t13, out=beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -222,25 +212,25 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.76 * 2^-52 (float64), 3.76 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.51 * 2^-52 (float64),
+        3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 9.56 * 2^-52 (float64), 9.56 *
-        2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
+    d_alpha: derivative of the position gain. Relative error at most 10.59 * 2^-52 (float64), 10.59
+        * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most 9.31
-        * 2^-52 (float64), 9.31 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most 8.97
+        * 2^-52 (float64), 8.97 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -261,34 +251,26 @@ def _gains_with_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1, w2 = work
+    w0, w1 = work
     p = np.sqrt(tracking_index, out=d_beta)
-    h = np.divide(4.0, p, out=w0)
-    t5 = np.multiply(p, 0.0625, out=alpha)
-    t7 = np.multiply(h, 2.0, out=beta)
-    t8 = np.add(p, t7, out=beta)
-    t9 = np.multiply(t5, t8, out=alpha)
-    s_half = np.sqrt(t9, out=alpha)
-    s = np.multiply(s_half, 2.0, out=w1)
-    t12 = np.add(p, h, out=alpha)
-    t13 = np.multiply(t12, 0.5, out=alpha)
-    m = np.add(t13, s, out=d_alpha)
-    t15 = np.multiply(s, 2.0, out=alpha)
-    np.divide(t15, m, out=alpha)
-    t17 = np.multiply(p, 2.0, out=beta)
-    np.divide(t17, m, out=beta)
-    t19 = np.multiply(p, 0.5, out=w2)
-    t20 = np.multiply(t19, m, out=w2)
-    t21 = np.multiply(t20, t20, out=w2)
-    t22 = np.multiply(p, s, out=d_alpha)
-    t24 = np.divide(1.0, t22, out=d_alpha)
-    np.divide(t24, t21, out=d_alpha)
-    t26 = np.divide(p, s, out=w1)
-    t27 = np.add(2.0, t26, out=w1)
-    t28 = np.multiply(t27, 2.0, out=w1)
-    t29 = np.multiply(h, p, out=w0)
-    t30 = np.divide(t28, t29, out=w1)
-    np.divide(t30, t21, out=d_beta)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    h = np.divide(2.0, p, out=d_alpha)
+    t6 = np.multiply(tracking_index, 0.25, out=beta)
+    t7 = np.add(t6, 2.0, out=beta)
+    s = np.sqrt(t7, out=w0)
+    t9 = np.add(half_p, h, out=alpha)
+    m = np.add(t9, s, out=alpha)
+    t11 = np.divide(2.0, m, out=w1)
+    np.multiply(s, t11, out=alpha)
+    np.multiply(p, t11, out=beta)
+    t14 = np.multiply(h, t11, out=w1)
+    t15 = np.multiply(t14, t14, out=w1)
+    t17 = np.divide(0.125, s, out=w0)
+    t18 = np.multiply(h, t17, out=d_alpha)
+    np.multiply(t18, t15, out=d_alpha)
+    t20 = np.multiply(p, t17, out=d_beta)
+    t22 = np.add(t20, 0.25, out=d_beta)
+    np.multiply(t22, t15, out=d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -302,7 +284,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
         ),
     ),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    3,
+    2,
     _gains_with_derivatives_block,
 )
 
@@ -321,18 +303,18 @@ def predictor_gains(
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 3.76 * 2^-52 (float64),
-        3.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 4.26 * 2^-52 (float64),
+        4.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.03 *
-        2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.51 *
+        2^-52 (float64), 3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -356,21 +338,17 @@ def _predictor_gains_block(
     position, velocity = out
     w0, w1 = work
     p = np.sqrt(tracking_index, out=velocity)
-    h = np.divide(4.0, p, out=position)
-    t5 = np.multiply(p, 0.0625, out=w0)
-    t7 = np.multiply(h, 2.0, out=w1)
-    t8 = np.add(p, t7, out=w1)
-    t9 = np.multiply(t5, t8, out=w0)
-    s_half = np.sqrt(t9, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t12 = np.add(p, h, out=position)
-    t13 = np.multiply(t12, 0.5, out=position)
-    m = np.add(t13, s, out=w1)
-    t15 = np.add(s, p, out=w0)
-    t16 = np.multiply(t15, 2.0, out=w0)
-    np.divide(t16, m, out=position)
-    t18 = np.multiply(p, 2.0, out=velocity)
-    np.divide(t18, m, out=velocity)
+    half_p = np.multiply(p, 0.5, out=position)
+    h = np.divide(2.0, p, out=w0)
+    t6 = np.multiply(tracking_index, 0.25, out=w1)
+    t7 = np.add(t6, 2.0, out=w1)
+    s = np.sqrt(t7, out=w1)
+    t9 = np.add(half_p, h, out=position)
+    m = np.add(t9, s, out=position)
+    t11 = np.add(s, p, out=w1)
+    t12 = np.divide(2.0, m, out=w0)
+    np.multiply(t11, t12, out=position)
+    np.multiply(p, t12, out=velocity)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -403,18 +381,18 @@ def predictor_gain_derivatives(
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 10.26 *
-        2^-52 (float64), 9.82 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 9.88 *
+        2^-52 (float64), 9.41 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 9.33 * 2^-52 (float64), 9.28 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 8.93 * 2^-52 (float64), 8.89 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
         2.6087635e19 (float32).
 
@@ -436,31 +414,25 @@ def _predictor_gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2 = work
+    w0, w1 = work
     p = np.sqrt(tracking_index, out=position)
-    h = np.divide(4.0, p, out=velocity)
-    t5 = np.multiply(p, 0.0625, out=w0)
-    t7 = np.multiply(h, 2.0, out=w1)
-    t8 = np.add(p, t7, out=w1)
-    t9 = np.multiply(t5, t8, out=w0)
-    s_half = np.sqrt(t9, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t12 = np.add(p, h, out=w1)
-    t13 = np.multiply(t12, 0.5, out=w1)
-    m = np.add(t13, s, out=w1)
-    t15 = np.multiply(p, 0.5, out=w2)
-    t16 = np.multiply(t15, m, out=w2)
-    t17 = np.multiply(t16, t16, out=w2)
-    t18 = np.multiply(p, s, out=w1)
-    t20 = np.divide(1.0, t18, out=w1)
-    t21 = np.divide(t20, t17, out=w1)
-    t22 = np.divide(p, s, out=w0)
-    t23 = np.add(2.0, t22, out=w0)
-    t24 = np.multiply(t23, 2.0, out=w0)
-    t25 = np.multiply(h, p, out=velocity)
-    t26 = np.divide(t24, t25, out=w0)
-    np.divide(t26, t17, out=velocity)
-    np.add(t21, velocity, out=position)
+    half_p = np.multiply(p, 0.5, out=velocity)
+    h = np.divide(2.0, p, out=w0)
+    t6 = np.multiply(tracking_index, 0.25, out=w1)
+    t7 = np.add(t6, 2.0, out=w1)
+    s = np.sqrt(t7, out=w1)
+    t9 = np.add(half_p, h, out=velocity)
+    m = np.add(t9, s, out=velocity)
+    t11 = np.divide(2.0, m, out=velocity)
+    t12 = np.multiply(h, t11, out=velocity)
+    t13 = np.multiply(t12, t12, out=velocity)
+    t15 = np.divide(0.125, s, out=w1)
+    t16 = np.multiply(h, t15, out=w0)
+    t17 = np.multiply(t16, t13, out=w0)
+    t18 = np.multiply(p, t15, out=position)
+    t20 = np.add(t18, 0.25, out=position)
+    np.multiply(t20, t13, out=velocity)
+    np.add(t17, velocity, out=position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -474,7 +446,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
         ),
     ),
     ("position", "velocity"),
-    3,
+    2,
     _predictor_gain_derivatives_block,
 )
 
@@ -495,22 +467,22 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 4.29 *
-        2^-52 (float64), 4.30 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 4.65 *
+        2^-52 (float64), 4.65 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         2.6815615859885004e154 (float64) and 1e-45 <= tracking_index <= 3.6893345e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 3.29 * 2^-52 (float64), 3.29 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 2.90 * 2^-52 (float64), 2.90 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.8961503816218218e154 (float64) and 1.1754944e-38 <= tracking_index <=
         2.6087534e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        5.26 * 2^-52 (float64), 4.77 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
+        3.76 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
         tracking_index <= 1.34078079299425e154 (float64) and 4.1033358e-26 <= tracking_index <=
         1.8446673e19 (float32).
 
@@ -532,34 +504,26 @@ def _predicted_covariance_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, out=predicted_12)
-    h = np.divide(4.0, p, out=predicted_11)
-    t5 = np.multiply(p, 0.0625, out=predicted_22)
-    t7 = np.multiply(h, 2.0, out=w0)
-    t8 = np.add(p, t7, out=w0)
-    t9 = np.multiply(t5, t8, out=predicted_22)
-    s_half = np.sqrt(t9, out=predicted_22)
-    s = np.multiply(s_half, 2.0, out=predicted_22)
-    t12 = np.add(p, h, out=w0)
-    t13 = np.multiply(t12, 0.5, out=w0)
-    m = np.add(t13, s, out=w0)
-    t15 = np.multiply(p, h, out=predicted_11)
-    t16 = np.multiply(t15, 2.0, out=predicted_11)
-    t17 = np.multiply(t16, 0.5, out=predicted_11)
-    t18 = np.multiply(s, 2.0, out=w1)
-    t19 = np.add(t18, p, out=w1)
-    t20 = np.divide(p, t19, out=w1)
-    t21 = np.multiply(t20, t17, out=w1)
-    t22 = np.multiply(tracking_index, t21, out=w1)
-    t23 = np.multiply(tracking_index, m, out=predicted_11)
-    t24 = np.multiply(s, 0.5, out=predicted_22)
-    np.multiply(t23, t24, out=predicted_11)
-    t26 = np.multiply(p, 0.5, out=predicted_12)
-    t27 = np.multiply(t26, m, out=predicted_12)
-    np.multiply(tracking_index, t27, out=predicted_12)
-    t29 = np.multiply(tracking_index, tracking_index, out=w0)
-    np.add(t22, t29, out=predicted_22)
+    w0, w1, w2 = work
+    p = np.sqrt(tracking_index, out=predicted_11)
+    half_p = np.multiply(p, 0.5, out=predicted_12)
+    h = np.divide(2.0, p, out=predicted_22)
+    t6 = np.multiply(tracking_index, 0.25, out=w0)
+    t7 = np.add(t6, 2.0, out=w0)
+    s = np.sqrt(t7, out=w0)
+    t9 = np.add(half_p, h, out=predicted_22)
+    m = np.add(t9, s, out=predicted_22)
+    t11 = np.multiply(p, 4.0, out=w1)
+    t12 = np.multiply(s, 2.0, out=w2)
+    t13 = np.add(t12, p, out=w2)
+    t14 = np.divide(t11, t13, out=w1)
+    t15 = np.multiply(tracking_index, t14, out=w1)
+    t16 = np.multiply(half_p, m, out=predicted_12)
+    t17 = np.multiply(p, s, out=predicted_11)
+    np.multiply(t16, t17, out=predicted_11)
+    np.multiply(tracking_index, t16, out=predicted_12)
+    t20 = np.multiply(tracking_index, tracking_index, out=w0)
+    np.add(t15, t20, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -573,7 +537,7 @@ _PREDICTED_COVARIANCE = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    2,
+    3,
     _predicted_covariance_block,
 )
 
@@ -594,23 +558,23 @@ def predicted_covariance_derivatives(
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 5.77 * 2^-52 (float64), 5.76 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 5.76 * 2^-52 (float64), 5.76 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 3.53 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 3.53 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348622904e308 (float64) and 1e-45 <= tracking_index <=
         3.4027975e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 4.30 * 2^-52 (float64), 4.27 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 3.78 * 2^-52 (float64), 3.76 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
 
@@ -636,35 +600,29 @@ def _predicted_covariance_derivatives_block(
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=predicted_12)
-    h = np.divide(4.0, p, out=predicted_11)
-    t5 = np.multiply(p, 0.0625, out=predicted_22)
-    t7 = np.multiply(h, 2.0, out=w0)
-    t8 = np.add(p, t7, out=w0)
-    t9 = np.multiply(t5, t8, out=predicted_22)
-    s_half = np.sqrt(t9, out=predicted_22)
-    s = np.multiply(s_half, 2.0, out=predicted_22)
-    t12 = np.add(p, h, out=w0)
-    t13 = np.multiply(t12, 0.5, out=w0)
-    m = np.add(t13, s, out=w0)
-    t15 = np.divide(4.0, m, out=w1)
-    t16 = np.divide(t15, s, out=w1)
-    t17 = np.divide(h, s, out=predicted_11)
-    t18 = np.multiply(tracking_index, t17, out=predicted_11)
-    t19 = np.multiply(t18, 0.25, out=predicted_11)
-    t20 = np.add(t16, t19, out=w1)
-    t21 = np.multiply(m, 0.5, out=predicted_11)
-    t22 = np.multiply(p, 0.5, out=w2)
-    t23 = np.multiply(t22, m, out=w2)
-    t24 = np.divide(t23, s, out=w0)
-    t25 = np.multiply(t21, t24, out=predicted_11)
-    np.multiply(t25, 1.0, out=predicted_11)
-    t28 = np.divide(p, s, out=predicted_12)
-    t29 = np.multiply(t28, 1.0, out=predicted_12)
-    t30 = np.multiply(t29, 0.5, out=predicted_12)
-    t31 = np.add(1.0, t30, out=predicted_12)
-    np.multiply(t23, t31, out=predicted_12)
-    t33 = np.multiply(tracking_index, 2.0, out=w0)
-    np.add(t20, t33, out=predicted_22)
+    half_p = np.multiply(p, 0.5, out=predicted_11)
+    h = np.divide(2.0, p, out=predicted_22)
+    t6 = np.multiply(tracking_index, 0.25, out=w0)
+    t7 = np.add(t6, 2.0, out=w0)
+    s = np.sqrt(t7, out=w0)
+    t9 = np.add(half_p, h, out=w1)
+    m = np.add(t9, s, out=w1)
+    t11 = np.divide(4.0, m, out=w2)
+    t12 = np.divide(t11, s, out=w2)
+    t13 = np.divide(h, s, out=predicted_22)
+    t14 = np.multiply(tracking_index, t13, out=predicted_22)
+    t15 = np.multiply(t14, 0.5, out=predicted_22)
+    t16 = np.add(t12, t15, out=w2)
+    t17 = np.multiply(m, 0.5, out=predicted_22)
+    t18 = np.multiply(half_p, m, out=w1)
+    t19 = np.divide(t18, s, out=predicted_11)
+    np.multiply(t17, t19, out=predicted_11)
+    t21 = np.multiply(s, 2.0, out=w0)
+    t22 = np.divide(p, t21, out=predicted_12)
+    t24 = np.add(1.0, t22, out=predicted_12)
+    np.multiply(t18, t24, out=predicted_12)
+    t26 = np.multiply(tracking_index, 2.0, out=w0)
+    np.add(t16, t26, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -699,23 +657,23 @@ def updated_covariance(
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.26 * 2^-52
-        (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.76 * 2^-52
+        (float64), 3.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.03 * 2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.52 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 4.26 *
-        2^-52 (float64), 4.26 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
-        <= 8.988465674311453e307 (float64) and 4.1033358e-26 <= tracking_index <= 1.7013988e38
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.76 *
+        2^-52 (float64), 2.76 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
+        <= 8.988465674311451e307 (float64) and 4.1033358e-26 <= tracking_index <= 1.7013988e38
         (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -736,29 +694,23 @@ def _updated_covariance_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2 = work
+    w0, w1 = work
     p = np.sqrt(tracking_index, out=updated_22)
-    h = np.divide(4.0, p, out=w0)
-    t5 = np.multiply(p, 0.0625, out=updated_11)
-    t7 = np.multiply(h, 2.0, out=updated_12)
-    t8 = np.add(p, t7, out=updated_12)
-    t9 = np.multiply(t5, t8, out=updated_11)
-    s_half = np.sqrt(t9, out=updated_11)
-    s = np.multiply(s_half, 2.0, out=updated_11)
-    t12 = np.add(p, h, out=updated_12)
-    t13 = np.multiply(t12, 0.5, out=updated_12)
-    m = np.add(t13, s, out=updated_12)
-    t15 = np.multiply(s, 2.0, out=w1)
-    np.divide(t15, m, out=updated_11)
-    t17 = np.multiply(p, 2.0, out=w2)
-    np.divide(t17, m, out=updated_12)
-    t19 = np.multiply(p, h, out=w0)
-    t20 = np.multiply(t19, 2.0, out=w0)
-    t21 = np.multiply(t20, 0.5, out=w0)
-    t22 = np.add(t15, p, out=w1)
-    t23 = np.divide(p, t22, out=updated_22)
-    t24 = np.multiply(t23, t21, out=updated_22)
-    np.multiply(tracking_index, t24, out=updated_22)
+    half_p = np.multiply(p, 0.5, out=updated_11)
+    h = np.divide(2.0, p, out=updated_12)
+    t6 = np.multiply(tracking_index, 0.25, out=w0)
+    t7 = np.add(t6, 2.0, out=w0)
+    s = np.sqrt(t7, out=w0)
+    t9 = np.add(half_p, h, out=updated_11)
+    m = np.add(t9, s, out=updated_11)
+    t11 = np.divide(2.0, m, out=updated_12)
+    np.multiply(s, t11, out=updated_11)
+    np.multiply(p, t11, out=updated_12)
+    t14 = np.multiply(p, 4.0, out=w1)
+    t15 = np.multiply(s, 2.0, out=w0)
+    t16 = np.add(t15, p, out=w0)
+    t17 = np.divide(t14, t16, out=w1)
+    np.multiply(tracking_index, t17, out=updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -772,7 +724,7 @@ _UPDATED_COVARIANCE = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    3,
+    2,
     _updated_covariance_block,
 )
 
@@ -793,22 +745,22 @@ def updated_covariance_derivatives(
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 9.58 * 2^-52 (float64), 9.53 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.7960925e12 (float32).
+        most 10.56 * 2^-52 (float64), 10.52 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        <= 7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.7960925e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 9.33 * 2^-52 (float64), 9.28 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 8.93 * 2^-52 (float64), 8.89 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
         2.6087635e19 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 4.03 * 2^-52 (float64), 4.03 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 3.30 * 2^-52 (float64), 3.30 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -834,34 +786,28 @@ def _updated_covariance_derivatives_block(
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=updated_12)
-    h = np.divide(4.0, p, out=updated_22)
-    t5 = np.multiply(p, 0.0625, out=updated_11)
-    t7 = np.multiply(h, 2.0, out=w0)
-    t8 = np.add(p, t7, out=w0)
-    t9 = np.multiply(t5, t8, out=updated_11)
-    s_half = np.sqrt(t9, out=updated_11)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t12 = np.add(p, h, out=updated_11)
-    t13 = np.multiply(t12, 0.5, out=updated_11)
-    m = np.add(t13, s, out=w1)
-    t15 = np.multiply(p, 0.5, out=updated_11)
-    t16 = np.multiply(t15, m, out=updated_11)
-    t17 = np.multiply(t16, t16, out=w2)
-    t18 = np.multiply(p, s, out=updated_11)
-    t20 = np.divide(1.0, t18, out=updated_11)
-    np.divide(t20, t17, out=updated_11)
-    t22 = np.divide(p, s, out=w3)
-    t23 = np.add(2.0, t22, out=w3)
-    t24 = np.multiply(t23, 2.0, out=w3)
-    t25 = np.multiply(h, p, out=updated_12)
-    t26 = np.divide(t24, t25, out=w3)
-    np.divide(t26, t17, out=updated_12)
-    t28 = np.divide(4.0, m, out=w1)
-    t29 = np.divide(t28, s, out=w1)
-    t30 = np.divide(h, s, out=updated_22)
-    t31 = np.multiply(tracking_index, t30, out=updated_22)
-    t32 = np.multiply(t31, 0.25, out=updated_22)
-    np.add(t29, t32, out=updated_22)
+    half_p = np.multiply(p, 0.5, out=updated_11)
+    h = np.divide(2.0, p, out=updated_22)
+    t6 = np.multiply(tracking_index, 0.25, out=w0)
+    t7 = np.add(t6, 2.0, out=w0)
+    s = np.sqrt(t7, out=w0)
+    t9 = np.add(half_p, h, out=updated_11)
+    m = np.add(t9, s, out=w1)
+    t11 = np.divide(2.0, m, out=updated_11)
+    t12 = np.multiply(h, t11, out=updated_11)
+    t13 = np.multiply(t12, t12, out=w2)
+    t15 = np.divide(0.125, s, out=w3)
+    t16 = np.multiply(h, t15, out=updated_11)
+    np.multiply(t16, t13, out=updated_11)
+    t18 = np.multiply(p, t15, out=updated_12)
+    t20 = np.add(t18, 0.25, out=updated_12)
+    np.multiply(t20, t13, out=updated_12)
+    t22 = np.divide(4.0, m, out=w1)
+    t23 = np.divide(t22, s, out=w1)
+    t24 = np.divide(h, s, out=updated_22)
+    t25 = np.multiply(tracking_index, t24, out=updated_22)
+    t26 = np.multiply(t25, 0.5, out=updated_22)
+    np.add(t23, t26, out=updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -899,24 +845,24 @@ def closed_loop_poles(
     """Poles of the filter: a complex pair or two real numbers.
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
-        e = 0, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 6.55 * 2^-52
-        (float64), 6.57 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 6.54 * 2^-52
+        (float64), 6.56 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 5.88 * 2^-52 (float64), 5.88 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 5.03 * 2^-52 (float64), 5.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 8.88 * 2^-52
-        (float64), 8.88 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 8.68 * 2^-52
+        (float64), 8.68 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <= 1.8446744e19 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 5.88 * 2^-52 (float64), 5.88 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 5.03 * 2^-52 (float64), 5.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <= 1.8446744e19 (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -937,55 +883,48 @@ def _closed_loop_poles_block(
 ) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=first_real)
-    h = np.divide(4.0, p, out=first_imaginary)
-    t5 = np.multiply(p, 0.0625, out=second_real)
-    t7 = np.multiply(h, 2.0, out=second_imaginary)
-    t8 = np.add(p, t7, out=second_imaginary)
-    t9 = np.multiply(t5, t8, out=second_real)
-    s_half = np.sqrt(t9, out=second_real)
-    s = np.multiply(s_half, 2.0, out=second_real)
-    t12 = np.add(p, h, out=second_imaginary)
-    t13 = np.multiply(t12, 0.5, out=second_imaginary)
-    m = np.add(t13, s, out=second_imaginary)
-    t15 = np.multiply(p, 0.5, out=w0)
-    t16 = np.multiply(t15, m, out=w0)
-    t18 = np.divide(1.0, t16, out=w1)
-    t20 = np.multiply(tracking_index, 0.25, out=w2)
-    t21 = np.subtract(2.0, t20, out=w3)
-    distance = np.absolute(t21, out=w3)
-    below = np.sqrt(distance, out=w3)
-    t24 = np.add(2.0, t20, out=w2)
-    above = np.sqrt(t24, out=w2)
-    t26 = np.multiply(tracking_index, 0.5, out=w4)
-    t27 = np.subtract(2.0, t26, out=w5)
-    t28 = np.add(h, p, out=first_imaginary)
-    t29 = np.divide(t27, t28, out=w5)
-    t30 = np.add(2.0, t26, out=w4)
-    t31 = np.divide(t30, m, out=w4)
-    t32 = np.divide(t31, tracking_index, out=w4)
-    t33 = np.multiply(t29, t32, out=w5)
-    t34 = np.multiply(t33, 2.0, out=w5)
-    t35 = np.divide(below, s, out=w3)
-    t36 = np.divide(above, m, out=w2)
-    t37 = np.multiply(t35, t36, out=w3)
-    middle_size = np.absolute(t34, out=w2)
-    t39 = np.add(middle_size, t37, out=w2)
-    t40 = np.divide(t18, t39, out=w1)
-    t41 = np.divide(t40, t16, out=w1)
-    t43 = np.negative(t39, out=w2)
+    half_p = np.multiply(p, 0.5, out=first_imaginary)
+    h = np.divide(2.0, p, out=second_real)
+    t6 = np.multiply(tracking_index, 0.25, out=second_imaginary)
+    t7 = np.add(t6, 2.0, out=w0)
+    s = np.sqrt(t7, out=w0)
+    t9 = np.add(half_p, h, out=first_imaginary)
+    m = np.add(t9, s, out=second_real)
+    t11 = np.divide(2.0, m, out=w1)
+    t12 = np.divide(t11, p, out=w1)
+    t14 = np.subtract(2.0, t6, out=first_real)
+    distance = np.absolute(t14, out=first_real)
+    below = np.sqrt(distance, out=first_real)
+    t17 = np.add(2.0, t6, out=second_imaginary)
+    above = np.sqrt(t17, out=second_imaginary)
+    t19 = np.multiply(tracking_index, 0.5, out=w2)
+    t20 = np.subtract(2.0, t19, out=w3)
+    t21 = np.divide(t20, t9, out=w3)
+    t22 = np.add(2.0, t19, out=w2)
+    t23 = np.divide(t22, m, out=w2)
+    t24 = np.divide(t23, tracking_index, out=w2)
+    t25 = np.multiply(t21, t24, out=w3)
+    t26 = np.divide(below, s, out=first_real)
+    t27 = np.divide(above, m, out=second_imaginary)
+    t28 = np.multiply(t26, t27, out=second_imaginary)
+    middle_size = np.absolute(t25, out=w0)
+    t30 = np.add(middle_size, t28, out=w0)
+    t31 = np.divide(t12, t30, out=w2)
+    t32 = np.multiply(t31, t12, out=w2)
+    t34 = np.negative(t30, out=w0)
     mask = np.less(tracking_index, 8.0)
-    np.copyto(first_real, t43)
-    np.putmask(first_real, mask, t34)
-    t45 = np.negative(t41, out=w1)
-    np.copyto(second_real, t45)
-    np.putmask(second_real, mask, t34)
+    np.copyto(first_real, t34)
+    np.putmask(first_real, mask, t25)
+    t36 = np.negative(t32, out=w2)
+    np.copyto(second_real, t36)
+    np.putmask(second_real, mask, t25)
     np.copyto(first_imaginary, 0.0)
-    np.putmask(first_imaginary, mask, t37)
-    t48 = np.negative(t37, out=w3)
-    np.copyto(second_imaginary, 0.0)
-    np.putmask(second_imaginary, mask, t48)
+    np.putmask(first_imaginary, mask, t28)
+    np.negative(t28, out=second_imaginary)
+    mask_ = np.greater_equal(tracking_index, 8.0)
+    np.putmask(second_imaginary, mask_, 0.0)
 
 
 _CLOSED_LOOP_POLES = Signature(
@@ -999,7 +938,7 @@ _CLOSED_LOOP_POLES = Signature(
         ),
     ),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
-    6,
+    4,
     _closed_loop_poles_block,
 )
 

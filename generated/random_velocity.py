@@ -48,8 +48,8 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     """Steady-state filter gain.
 
         alpha = 2 s/m, beta = 2 p/m
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
@@ -58,8 +58,8 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.53 * 2^-52 (float64),
+        3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -81,26 +81,23 @@ def _gains_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=alpha)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=beta)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=w0)
-    t6 = np.add(t3, t5, out=beta)
-    h_scaled = np.sqrt(t6, out=beta)
-    h = np.multiply(h_scaled, 1073741824.0, out=beta)
-    t11 = np.multiply(p, 0.0625, out=w0)
-    t13 = np.multiply(p, 2.0, out=w1)
-    t14 = np.multiply(h, 2.0, out=w2)
-    t15 = np.add(t13, t14, out=w2)
-    t16 = np.multiply(t11, t15, out=w0)
-    s_half = np.sqrt(t16, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t19 = np.add(p, h, out=alpha)
-    t20 = np.multiply(t19, 0.5, out=alpha)
-    m = np.add(t20, s, out=w2)
-    t22 = np.multiply(s, 2.0, out=w0)
-    np.divide(t22, m, out=alpha)
-    np.divide(t13, m, out=beta)
+    w0, w1 = work
+    p = np.sqrt(tracking_index, out=beta)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w1)
+    t8 = np.add(t5, t7, out=w0)
+    h_scaled = np.sqrt(t8, out=w0)
+    h = np.multiply(h_scaled, 1073741824.0, out=w0)
+    t13 = np.multiply(p, 0.25, out=w1)
+    t14 = np.add(half_p, h, out=alpha)
+    t15 = np.multiply(t13, t14, out=w1)
+    s_half = np.sqrt(t15, out=w1)
+    s = np.multiply(s_half, 2.0, out=w1)
+    m = np.add(t14, s, out=alpha)
+    t19 = np.divide(2.0, m, out=w0)
+    np.multiply(s, t19, out=alpha)
+    np.multiply(p, t19, out=beta)
 
 
 _GAINS = Signature(
@@ -114,7 +111,7 @@ _GAINS = Signature(
         ),
     ),
     ("alpha", "beta"),
-    3,
+    2,
     _gains_block,
 )
 
@@ -133,19 +130,19 @@ def gain_derivatives(
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
-        d alpha = (1 + e p/h)/(p s sigma^2), d beta = 2 (2 + p/s)/(p h sigma^2)
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        d alpha = (1 + 1 p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 10.97 * 2^-52 (float64), 10.97 *
+    alpha: derivative of the position gain. Relative error at most 11.89 * 2^-52 (float64), 11.89 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
         1e-45 <= tracking_index <= 5.541191e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.46
-        * 2^-52 (float64), 10.46 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 12.36
+        * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -168,35 +165,30 @@ def _gain_derivatives_block(
     alpha, beta = out
     w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=beta)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=alpha)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=w0)
-    t6 = np.add(t3, t5, out=alpha)
-    h_scaled = np.sqrt(t6, out=alpha)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w1)
+    t8 = np.add(t5, t7, out=w0)
+    h_scaled = np.sqrt(t8, out=w0)
     h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t11 = np.multiply(p, 0.0625, out=alpha)
-    t13 = np.multiply(p, 2.0, out=w1)
-    t14 = np.multiply(h, 2.0, out=w2)
-    t15 = np.add(t13, t14, out=w1)
-    t16 = np.multiply(t11, t15, out=alpha)
-    s_half = np.sqrt(t16, out=alpha)
+    t13 = np.multiply(p, 0.25, out=w1)
+    t14 = np.add(half_p, h, out=alpha)
+    t15 = np.multiply(t13, t14, out=w1)
+    s_half = np.sqrt(t15, out=w1)
     s = np.multiply(s_half, 2.0, out=w1)
-    t19 = np.add(p, h, out=w2)
-    t20 = np.multiply(t19, 0.5, out=w2)
-    m = np.add(t20, s, out=w2)
-    t22 = np.multiply(p, 0.5, out=alpha)
-    t23 = np.multiply(t22, m, out=alpha)
-    t24 = np.multiply(t23, t23, out=w2)
-    t25 = np.divide(p, h, out=alpha)
-    t27 = np.add(1.0, t25, out=alpha)
-    t28 = np.multiply(p, s, out=w3)
-    t29 = np.divide(t27, t28, out=alpha)
-    np.divide(t29, t24, out=alpha)
-    t31 = np.divide(p, s, out=w1)
-    t32 = np.add(2.0, t31, out=w1)
-    t33 = np.multiply(t32, 2.0, out=w1)
-    t34 = np.multiply(h, p, out=w0)
-    t35 = np.divide(t33, t34, out=w1)
-    np.divide(t35, t24, out=beta)
+    m = np.add(t14, s, out=w2)
+    t19 = np.divide(2.0, m, out=w2)
+    t20 = np.divide(t19, p, out=w2)
+    t21 = np.multiply(t20, t20, out=w2)
+    t22 = np.multiply(p, s, out=w3)
+    t23 = np.multiply(t22, h, out=w3)
+    t25 = np.divide(1.0, t23, out=w3)
+    t26 = np.multiply(t25, t14, out=alpha)
+    np.multiply(t26, t21, out=alpha)
+    t28 = np.multiply(s, 2.0, out=w1)
+    t29 = np.add(t28, p, out=w1)
+    t30 = np.multiply(t25, t29, out=w3)
+    np.multiply(t30, t21, out=beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -233,8 +225,8 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
@@ -243,15 +235,15 @@ def gains_with_derivatives(
     alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.02 * 2^-52 (float64),
-        3.02 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.53 * 2^-52 (float64),
+        3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 10.97 * 2^-52 (float64), 10.97
+    d_alpha: derivative of the position gain. Relative error at most 11.89 * 2^-52 (float64), 11.89
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64)
         and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        10.46 * 2^-52 (float64), 10.46 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        12.36 * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
@@ -274,38 +266,32 @@ def _gains_with_derivatives_block(
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=d_beta)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=alpha)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=beta)
-    t6 = np.add(t3, t5, out=alpha)
-    h_scaled = np.sqrt(t6, out=alpha)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t11 = np.multiply(p, 0.0625, out=alpha)
-    t13 = np.multiply(p, 2.0, out=beta)
-    t14 = np.multiply(h, 2.0, out=d_alpha)
-    t15 = np.add(t13, t14, out=d_alpha)
-    t16 = np.multiply(t11, t15, out=alpha)
-    s_half = np.sqrt(t16, out=alpha)
+    half_p = np.multiply(p, 0.5, out=alpha)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=beta)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=d_alpha)
+    t8 = np.add(t5, t7, out=beta)
+    h_scaled = np.sqrt(t8, out=beta)
+    h = np.multiply(h_scaled, 1073741824.0, out=d_alpha)
+    t13 = np.multiply(p, 0.25, out=beta)
+    t14 = np.add(half_p, h, out=w0)
+    t15 = np.multiply(t13, t14, out=beta)
+    s_half = np.sqrt(t15, out=beta)
     s = np.multiply(s_half, 2.0, out=w1)
-    t19 = np.add(p, h, out=alpha)
-    t20 = np.multiply(t19, 0.5, out=alpha)
-    m = np.add(t20, s, out=d_alpha)
-    t22 = np.multiply(s, 2.0, out=alpha)
-    np.divide(t22, m, out=alpha)
-    np.divide(t13, m, out=beta)
-    t25 = np.multiply(p, 0.5, out=w2)
-    t26 = np.multiply(t25, m, out=w2)
-    t27 = np.multiply(t26, t26, out=w2)
-    t28 = np.divide(p, h, out=d_alpha)
-    t30 = np.add(1.0, t28, out=d_alpha)
-    t31 = np.multiply(p, s, out=w3)
-    t32 = np.divide(t30, t31, out=d_alpha)
-    np.divide(t32, t27, out=d_alpha)
-    t34 = np.divide(p, s, out=w1)
-    t35 = np.add(2.0, t34, out=w1)
-    t36 = np.multiply(t35, 2.0, out=w1)
-    t37 = np.multiply(h, p, out=w0)
-    t38 = np.divide(t36, t37, out=w1)
-    np.divide(t38, t27, out=d_beta)
+    m = np.add(t14, s, out=alpha)
+    t19 = np.divide(2.0, m, out=w2)
+    np.multiply(s, t19, out=alpha)
+    np.multiply(p, t19, out=beta)
+    t22 = np.divide(t19, p, out=w2)
+    t23 = np.multiply(t22, t22, out=w2)
+    t24 = np.multiply(p, s, out=w3)
+    t25 = np.multiply(t24, h, out=w3)
+    t27 = np.divide(1.0, t25, out=w3)
+    t28 = np.multiply(t27, t14, out=w0)
+    np.multiply(t28, t23, out=d_alpha)
+    t30 = np.multiply(s, 2.0, out=w1)
+    t31 = np.add(t30, p, out=w1)
+    t32 = np.multiply(t27, t31, out=w3)
+    np.multiply(t32, t23, out=d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -338,18 +324,18 @@ def predictor_gains(
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 3.76 * 2^-52 (float64),
-        3.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 3.77 * 2^-52 (float64),
+        3.77 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.03 *
-        2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.53 *
+        2^-52 (float64), 3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -371,27 +357,24 @@ def _predictor_gains_block(
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=position)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=velocity)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=w0)
-    t6 = np.add(t3, t5, out=velocity)
-    h_scaled = np.sqrt(t6, out=velocity)
-    h = np.multiply(h_scaled, 1073741824.0, out=velocity)
-    t11 = np.multiply(p, 0.0625, out=w0)
-    t13 = np.multiply(p, 2.0, out=w1)
-    t14 = np.multiply(h, 2.0, out=w2)
-    t15 = np.add(t13, t14, out=w2)
-    t16 = np.multiply(t11, t15, out=w0)
-    s_half = np.sqrt(t16, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t19 = np.add(p, h, out=velocity)
-    t20 = np.multiply(t19, 0.5, out=velocity)
-    m = np.add(t20, s, out=velocity)
-    t22 = np.add(s, p, out=w0)
-    t23 = np.multiply(t22, 2.0, out=w0)
-    np.divide(t23, m, out=position)
-    np.divide(t13, m, out=velocity)
+    w0, w1 = work
+    p = np.sqrt(tracking_index, out=velocity)
+    half_p = np.multiply(p, 0.5, out=position)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w1)
+    t8 = np.add(t5, t7, out=w0)
+    h_scaled = np.sqrt(t8, out=w0)
+    h = np.multiply(h_scaled, 1073741824.0, out=w0)
+    t13 = np.multiply(p, 0.25, out=w1)
+    t14 = np.add(half_p, h, out=position)
+    t15 = np.multiply(t13, t14, out=w1)
+    s_half = np.sqrt(t15, out=w1)
+    s = np.multiply(s_half, 2.0, out=w1)
+    m = np.add(t14, s, out=position)
+    t19 = np.add(s, p, out=w1)
+    t20 = np.divide(2.0, m, out=w0)
+    np.multiply(t19, t20, out=position)
+    np.multiply(p, t20, out=velocity)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -405,7 +388,7 @@ _PREDICTOR_GAINS = Signature(
         ),
     ),
     ("position", "velocity"),
-    3,
+    2,
     _predictor_gains_block,
 )
 
@@ -424,18 +407,18 @@ def predictor_gain_derivatives(
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 11.63 *
-        2^-52 (float64), 11.63 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 13.19 *
+        2^-52 (float64), 13.19 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.796093e12 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.47 * 2^-52 (float64), 10.47 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.31 * 2^-52 (float64), 12.31 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
         (float32).
 
@@ -459,36 +442,31 @@ def _predictor_gain_derivatives_block(
     position, velocity = out
     w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, out=position)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=velocity)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=w0)
-    t6 = np.add(t3, t5, out=velocity)
-    h_scaled = np.sqrt(t6, out=velocity)
-    h = np.multiply(h_scaled, 1073741824.0, out=velocity)
-    t11 = np.multiply(p, 0.0625, out=w0)
-    t13 = np.multiply(p, 2.0, out=w1)
-    t14 = np.multiply(h, 2.0, out=w2)
-    t15 = np.add(t13, t14, out=w1)
-    t16 = np.multiply(t11, t15, out=w0)
-    s_half = np.sqrt(t16, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t19 = np.add(p, h, out=w1)
-    t20 = np.multiply(t19, 0.5, out=w1)
-    m = np.add(t20, s, out=w1)
-    t22 = np.multiply(p, 0.5, out=w2)
-    t23 = np.multiply(t22, m, out=w2)
-    t24 = np.multiply(t23, t23, out=w2)
-    t25 = np.divide(p, h, out=w1)
-    t27 = np.add(1.0, t25, out=w1)
-    t28 = np.multiply(p, s, out=w3)
-    t29 = np.divide(t27, t28, out=w1)
-    t30 = np.divide(t29, t24, out=w1)
-    t31 = np.divide(p, s, out=w0)
-    t32 = np.add(2.0, t31, out=w0)
-    t33 = np.multiply(t32, 2.0, out=w0)
-    t34 = np.multiply(h, p, out=velocity)
-    t35 = np.divide(t33, t34, out=w0)
-    np.divide(t35, t24, out=velocity)
-    np.add(t30, velocity, out=position)
+    half_p = np.multiply(p, 0.5, out=velocity)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w1)
+    t8 = np.add(t5, t7, out=w0)
+    h_scaled = np.sqrt(t8, out=w0)
+    h = np.multiply(h_scaled, 1073741824.0, out=w0)
+    t13 = np.multiply(p, 0.25, out=w1)
+    t14 = np.add(half_p, h, out=velocity)
+    t15 = np.multiply(t13, t14, out=w1)
+    s_half = np.sqrt(t15, out=w1)
+    s = np.multiply(s_half, 2.0, out=w1)
+    m = np.add(t14, s, out=w2)
+    t19 = np.divide(2.0, m, out=w2)
+    t20 = np.divide(t19, p, out=w2)
+    t21 = np.multiply(t20, t20, out=w2)
+    t22 = np.multiply(p, s, out=w3)
+    t23 = np.multiply(t22, h, out=w3)
+    t25 = np.divide(1.0, t23, out=w3)
+    t26 = np.multiply(t25, t14, out=velocity)
+    t27 = np.multiply(t26, t21, out=w0)
+    t28 = np.multiply(s, 2.0, out=w1)
+    t29 = np.add(t28, p, out=w1)
+    t30 = np.multiply(t25, t29, out=w3)
+    np.multiply(t30, t21, out=velocity)
+    np.add(t27, velocity, out=position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -523,15 +501,15 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 4.80 *
-        2^-52 (float64), 4.80 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 6.30 *
+        2^-52 (float64), 6.30 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942502e154 (float64) and 1e-45 <= tracking_index <= 1.8446673e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
         most 3.56 * 2^-52 (float64), 3.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
@@ -560,33 +538,27 @@ def _predicted_covariance_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, out=predicted_12)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=predicted_11)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=predicted_22)
-    t6 = np.add(t3, t5, out=predicted_11)
-    h_scaled = np.sqrt(t6, out=predicted_11)
-    h = np.multiply(h_scaled, 1073741824.0, out=predicted_11)
-    t11 = np.multiply(p, 0.0625, out=predicted_22)
-    t13 = np.multiply(p, 2.0, out=w0)
-    t14 = np.multiply(h, 2.0, out=w1)
-    t15 = np.add(t13, t14, out=w0)
-    t16 = np.multiply(t11, t15, out=predicted_22)
-    s_half = np.sqrt(t16, out=predicted_22)
-    s = np.multiply(s_half, 2.0, out=predicted_22)
-    t19 = np.add(p, h, out=predicted_11)
-    t20 = np.multiply(t19, 0.5, out=predicted_11)
-    m = np.add(t20, s, out=w0)
-    t22 = np.multiply(p, s, out=w1)
-    t23 = np.multiply(tracking_index, t22, out=w1)
-    t24 = np.multiply(tracking_index, m, out=predicted_11)
-    t25 = np.multiply(s, 0.5, out=predicted_22)
-    np.multiply(t24, t25, out=predicted_11)
-    t27 = np.multiply(p, 0.5, out=predicted_12)
-    t28 = np.multiply(t27, m, out=predicted_12)
-    np.multiply(tracking_index, t28, out=predicted_12)
-    t30 = np.multiply(tracking_index, tracking_index, out=w0)
-    np.add(t23, t30, out=predicted_22)
+    (w0,) = work
+    p = np.sqrt(tracking_index, out=predicted_11)
+    half_p = np.multiply(p, 0.5, out=predicted_12)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=predicted_22)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
+    t8 = np.add(t5, t7, out=predicted_22)
+    h_scaled = np.sqrt(t8, out=predicted_22)
+    h = np.multiply(h_scaled, 1073741824.0, out=predicted_22)
+    t13 = np.multiply(p, 0.25, out=w0)
+    t14 = np.add(half_p, h, out=predicted_22)
+    t15 = np.multiply(t13, t14, out=w0)
+    s_half = np.sqrt(t15, out=w0)
+    s = np.multiply(s_half, 2.0, out=w0)
+    m = np.add(t14, s, out=predicted_22)
+    t19 = np.multiply(p, s, out=predicted_11)
+    t20 = np.multiply(tracking_index, t19, out=w0)
+    t21 = np.multiply(half_p, m, out=predicted_12)
+    np.multiply(t21, t19, out=predicted_11)
+    np.multiply(tracking_index, t21, out=predicted_12)
+    t24 = np.multiply(tracking_index, tracking_index, out=predicted_22)
+    np.add(t20, t24, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -600,7 +572,7 @@ _PREDICTED_COVARIANCE = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    2,
+    1,
     _predicted_covariance_block,
 )
 
@@ -621,23 +593,23 @@ def predicted_covariance_derivatives(
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 7.26 * 2^-52 (float64), 7.27 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 7.26 * 2^-52 (float64), 7.26 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311453e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 4.17 * 2^-52 (float64), 4.17 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 4.29 * 2^-52 (float64), 4.29 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311453e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 3.59 * 2^-52 (float64), 3.62 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 3.76 * 2^-52 (float64), 3.76 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 4.4942328371557264e307 (float64) and 1e-45 <= tracking_index <=
         8.506994e37 (float32).
 
@@ -661,45 +633,39 @@ def _predicted_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=predicted_12)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=predicted_11)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=predicted_22)
-    t6 = np.add(t3, t5, out=predicted_11)
-    h_scaled = np.sqrt(t6, out=predicted_11)
-    h = np.multiply(h_scaled, 1073741824.0, out=predicted_11)
-    t11 = np.multiply(p, 0.0625, out=predicted_22)
-    t13 = np.multiply(p, 2.0, out=w0)
-    t14 = np.multiply(h, 2.0, out=w1)
-    t15 = np.add(t13, t14, out=w0)
-    t16 = np.multiply(t11, t15, out=predicted_22)
-    s_half = np.sqrt(t16, out=predicted_22)
-    s = np.multiply(s_half, 2.0, out=predicted_22)
-    t19 = np.add(p, h, out=w0)
-    t20 = np.multiply(t19, 0.5, out=w1)
-    m = np.add(t20, s, out=w1)
-    t22 = np.divide(s, p, out=w2)
-    t23 = np.multiply(tracking_index, t22, out=w2)
-    t24 = np.divide(p, h, out=predicted_11)
-    t26 = np.add(1.0, t24, out=w3)
-    t28 = np.multiply(s, 4.0, out=predicted_11)
-    t29 = np.divide(t19, t28, out=w0)
-    t30 = np.multiply(tracking_index, t29, out=w0)
-    t31 = np.multiply(t26, t30, out=w0)
-    t32 = np.add(t23, t31, out=w2)
-    t33 = np.multiply(m, 0.5, out=w0)
-    t34 = np.multiply(p, 0.5, out=predicted_11)
-    t35 = np.multiply(t34, m, out=w1)
-    t36 = np.divide(t35, s, out=predicted_11)
-    t37 = np.multiply(t33, t36, out=w0)
-    np.multiply(t26, t37, out=predicted_11)
-    t39 = np.divide(p, s, out=predicted_12)
-    t40 = np.multiply(t26, t39, out=w3)
-    t41 = np.multiply(t40, 0.5, out=w3)
-    t42 = np.add(1.0, t41, out=w3)
-    np.multiply(t35, t42, out=predicted_12)
-    t44 = np.multiply(tracking_index, 2.0, out=w0)
-    np.add(t32, t44, out=predicted_22)
+    w0, w1, w2, w3, w4 = work
+    p = np.sqrt(tracking_index, out=predicted_11)
+    half_p = np.multiply(p, 0.5, out=predicted_12)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=predicted_22)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
+    t8 = np.add(t5, t7, out=predicted_22)
+    h_scaled = np.sqrt(t8, out=predicted_22)
+    h = np.multiply(h_scaled, 1073741824.0, out=predicted_22)
+    t13 = np.multiply(p, 0.25, out=w0)
+    t14 = np.add(half_p, h, out=w1)
+    t15 = np.multiply(t13, t14, out=w0)
+    s_half = np.sqrt(t15, out=w0)
+    s = np.multiply(s_half, 2.0, out=w0)
+    m = np.add(t14, s, out=w2)
+    t19 = np.divide(s, p, out=w3)
+    t20 = np.multiply(tracking_index, t19, out=w3)
+    t21 = np.divide(t14, h, out=predicted_22)
+    t22 = np.multiply(s, 2.0, out=w4)
+    t23 = np.divide(t14, t22, out=w1)
+    t24 = np.multiply(tracking_index, t23, out=w1)
+    t25 = np.multiply(t21, t24, out=w1)
+    t26 = np.add(t20, t25, out=w3)
+    t27 = np.multiply(m, 0.5, out=w1)
+    t28 = np.multiply(half_p, m, out=predicted_12)
+    t29 = np.divide(t28, s, out=w0)
+    t30 = np.multiply(t27, t29, out=w1)
+    t31 = np.divide(p, t22, out=w4)
+    np.multiply(t21, t30, out=predicted_11)
+    t34 = np.multiply(t21, t31, out=predicted_22)
+    t35 = np.add(1.0, t34, out=predicted_22)
+    np.multiply(t28, t35, out=predicted_12)
+    t37 = np.multiply(tracking_index, 2.0, out=w0)
+    np.add(t26, t37, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -713,7 +679,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    4,
+    5,
     _predicted_covariance_derivatives_block,
 )
 
@@ -734,18 +700,18 @@ def updated_covariance(
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.26 * 2^-52
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.27 * 2^-52
         (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.03 * 2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.54 * 2^-52 (float64), 3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
     updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 3.28 *
@@ -771,28 +737,25 @@ def _updated_covariance_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1 = work
+    (w0,) = work
     p = np.sqrt(tracking_index, out=updated_22)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=updated_11)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=updated_12)
-    t6 = np.add(t3, t5, out=updated_11)
-    h_scaled = np.sqrt(t6, out=updated_11)
-    h = np.multiply(h_scaled, 1073741824.0, out=updated_11)
-    t11 = np.multiply(p, 0.0625, out=updated_12)
-    t13 = np.multiply(p, 2.0, out=w0)
-    t14 = np.multiply(h, 2.0, out=w1)
-    t15 = np.add(t13, t14, out=w1)
-    t16 = np.multiply(t11, t15, out=updated_12)
-    s_half = np.sqrt(t16, out=updated_12)
-    s = np.multiply(s_half, 2.0, out=w1)
-    t19 = np.add(p, h, out=updated_11)
-    t20 = np.multiply(t19, 0.5, out=updated_11)
-    m = np.add(t20, s, out=updated_12)
-    t22 = np.multiply(s, 2.0, out=updated_11)
-    np.divide(t22, m, out=updated_11)
-    np.divide(t13, m, out=updated_12)
-    t25 = np.multiply(p, s, out=updated_22)
-    np.multiply(tracking_index, t25, out=updated_22)
+    half_p = np.multiply(p, 0.5, out=updated_11)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=updated_12)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
+    t8 = np.add(t5, t7, out=updated_12)
+    h_scaled = np.sqrt(t8, out=updated_12)
+    h = np.multiply(h_scaled, 1073741824.0, out=updated_12)
+    t13 = np.multiply(p, 0.25, out=w0)
+    t14 = np.add(half_p, h, out=updated_11)
+    t15 = np.multiply(t13, t14, out=w0)
+    s_half = np.sqrt(t15, out=w0)
+    s = np.multiply(s_half, 2.0, out=w0)
+    m = np.add(t14, s, out=updated_11)
+    t19 = np.divide(2.0, m, out=updated_12)
+    np.multiply(s, t19, out=updated_11)
+    np.multiply(p, t19, out=updated_12)
+    t22 = np.multiply(p, s, out=updated_22)
+    np.multiply(tracking_index, t22, out=updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -806,7 +769,7 @@ _UPDATED_COVARIANCE = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    2,
+    1,
     _updated_covariance_block,
 )
 
@@ -827,22 +790,22 @@ def updated_covariance_derivatives(
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 10.97 * 2^-52 (float64), 10.97 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 11.89 * 2^-52 (float64), 11.89 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 4.4794894843556084e102 (float64) and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.46 * 2^-52 (float64), 10.46 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 12.36 * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <=
         7.9917807e12 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 3.09 * 2^-52 (float64), 3.12 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 3.27 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311453e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
 
@@ -866,44 +829,39 @@ def _updated_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3, w4 = work
+    w0, w1, w2, w3, w4, w5 = work
     p = np.sqrt(tracking_index, out=updated_22)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=updated_11)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=updated_12)
-    t6 = np.add(t3, t5, out=updated_11)
-    h_scaled = np.sqrt(t6, out=updated_11)
-    h = np.multiply(h_scaled, 1073741824.0, out=updated_12)
-    t11 = np.multiply(p, 0.0625, out=updated_11)
-    t13 = np.multiply(p, 2.0, out=w0)
-    t14 = np.multiply(h, 2.0, out=w1)
-    t15 = np.add(t13, t14, out=w0)
-    t16 = np.multiply(t11, t15, out=updated_11)
-    s_half = np.sqrt(t16, out=updated_11)
-    s = np.multiply(s_half, 2.0, out=w0)
-    t19 = np.add(p, h, out=w1)
-    t20 = np.multiply(t19, 0.5, out=updated_11)
-    m = np.add(t20, s, out=updated_11)
-    t22 = np.multiply(p, 0.5, out=w2)
-    t23 = np.multiply(t22, m, out=w2)
-    t24 = np.multiply(t23, t23, out=w2)
-    t25 = np.divide(p, h, out=updated_11)
-    t27 = np.add(1.0, t25, out=w3)
-    t28 = np.multiply(p, s, out=updated_11)
-    t29 = np.divide(t27, t28, out=updated_11)
-    np.divide(t29, t24, out=updated_11)
-    t31 = np.divide(p, s, out=w4)
-    t32 = np.add(2.0, t31, out=w4)
-    t33 = np.multiply(t32, 2.0, out=w4)
-    t34 = np.multiply(h, p, out=updated_12)
-    t35 = np.divide(t33, t34, out=w4)
-    np.divide(t35, t24, out=updated_12)
-    t37 = np.divide(s, p, out=updated_22)
-    t38 = np.multiply(tracking_index, t37, out=updated_22)
-    t40 = np.multiply(s, 4.0, out=w0)
-    t41 = np.divide(t19, t40, out=w1)
-    t42 = np.multiply(tracking_index, t41, out=w1)
-    t43 = np.multiply(t27, t42, out=w3)
-    np.add(t38, t43, out=updated_22)
+    half_p = np.multiply(p, 0.5, out=updated_11)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=updated_12)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
+    t8 = np.add(t5, t7, out=updated_12)
+    h_scaled = np.sqrt(t8, out=updated_12)
+    h = np.multiply(h_scaled, 1073741824.0, out=w0)
+    t13 = np.multiply(p, 0.25, out=updated_12)
+    t14 = np.add(half_p, h, out=w1)
+    t15 = np.multiply(t13, t14, out=updated_12)
+    s_half = np.sqrt(t15, out=updated_12)
+    s = np.multiply(s_half, 2.0, out=w2)
+    m = np.add(t14, s, out=updated_11)
+    t19 = np.divide(2.0, m, out=updated_11)
+    t20 = np.divide(t19, p, out=updated_11)
+    t21 = np.multiply(t20, t20, out=updated_12)
+    t22 = np.multiply(p, s, out=updated_11)
+    t23 = np.multiply(t22, h, out=updated_11)
+    t25 = np.divide(1.0, t23, out=w3)
+    t26 = np.multiply(t25, t14, out=updated_11)
+    np.multiply(t26, t21, out=updated_11)
+    t28 = np.multiply(s, 2.0, out=w4)
+    t29 = np.add(t28, p, out=w5)
+    t30 = np.multiply(t25, t29, out=w3)
+    np.multiply(t30, t21, out=updated_12)
+    t32 = np.divide(s, p, out=w2)
+    t33 = np.multiply(tracking_index, t32, out=w2)
+    t34 = np.divide(t14, h, out=w0)
+    t35 = np.divide(t14, t28, out=w1)
+    t36 = np.multiply(tracking_index, t35, out=w1)
+    t37 = np.multiply(t34, t36, out=w0)
+    np.add(t33, t37, out=updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -917,7 +875,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    5,
+    6,
     _updated_covariance_derivatives_block,
 )
 
@@ -941,8 +899,8 @@ def closed_loop_poles(
     """Poles of the filter: a complex pair or two real numbers.
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
-        e = 1, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),
-        s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2
+        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
+        m = p/2 + h + s, sigma = p m/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
@@ -979,32 +937,25 @@ def _closed_loop_poles_block(
 ) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
-    w0, w1, w2 = work
+    w0, w1 = work
     p = np.sqrt(tracking_index, out=first_real)
-    t3 = np.divide(1.3877787807814457e-17, tracking_index, out=first_imaginary)
-    t5 = np.multiply(tracking_index, 8.673617379884035e-19, out=second_imaginary)
-    t6 = np.add(t3, t5, out=first_imaginary)
-    h_scaled = np.sqrt(t6, out=first_imaginary)
-    h = np.multiply(h_scaled, 1073741824.0, out=first_imaginary)
-    t11 = np.multiply(p, 0.0625, out=second_imaginary)
-    t13 = np.multiply(p, 2.0, out=w0)
-    t14 = np.multiply(h, 2.0, out=w1)
-    t15 = np.add(t13, t14, out=w0)
-    t16 = np.multiply(t11, t15, out=second_imaginary)
-    s_half = np.sqrt(t16, out=second_imaginary)
-    s = np.multiply(s_half, 2.0, out=second_imaginary)
-    t19 = np.add(p, h, out=w0)
-    t20 = np.multiply(t19, 0.5, out=w0)
-    m = np.add(t20, s, out=w0)
-    t22 = np.multiply(p, 0.5, out=w1)
-    t23 = np.multiply(t22, m, out=w1)
-    t25 = np.divide(1.0, t23, out=w1)
-    t27 = np.multiply(p, 0.25, out=w2)
-    t28 = np.add(h, p, out=first_imaginary)
-    t29 = np.multiply(t27, t28, out=w2)
-    np.divide(t25, t29, out=first_real)
-    t31 = np.multiply(s, m, out=second_imaginary)
-    np.divide(2.0, t31, out=first_imaginary)
+    half_p = np.multiply(p, 0.5, out=first_imaginary)
+    t5 = np.divide(3.469446951953614e-18, tracking_index, out=second_imaginary)
+    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
+    t8 = np.add(t5, t7, out=second_imaginary)
+    h_scaled = np.sqrt(t8, out=second_imaginary)
+    h = np.multiply(h_scaled, 1073741824.0, out=second_imaginary)
+    t13 = np.multiply(p, 0.25, out=w0)
+    t14 = np.add(half_p, h, out=second_imaginary)
+    t15 = np.multiply(t13, t14, out=w0)
+    s_half = np.sqrt(t15, out=w0)
+    s = np.multiply(s_half, 2.0, out=w0)
+    m = np.add(t14, s, out=w1)
+    t19 = np.divide(2.0, m, out=w1)
+    t20 = np.divide(t19, p, out=first_real)
+    t21 = np.multiply(half_p, t14, out=first_imaginary)
+    np.divide(t20, t21, out=first_real)
+    np.divide(t19, s, out=first_imaginary)
     np.negative(first_imaginary, out=second_imaginary)
     np.copyto(second_real, first_real)
 
@@ -1020,7 +971,7 @@ _CLOSED_LOOP_POLES = Signature(
         ),
     ),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
-    3,
+    2,
     _closed_loop_poles_block,
 )
 

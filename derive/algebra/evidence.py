@@ -75,15 +75,19 @@ def _program(step: Step, tower: Tower) -> Evidence:
     graph = step.hint["graph"]
     names: Mapping[str, int] = graph.get("names", {})
 
-    def numbered(entry: str) -> dict[str, Any]:
+    def numbered(entry: str, operation: str) -> dict[str, Any]:
         values = step.hint.get(entry, {})
-        used = {names[name]: value for name, value in values.items() if name in names}
+        used = {
+            names[name]: value
+            for name, value in values.items()
+            if name in names and graph["nodes"][names[name]][0] == operation
+        }
         return {str(number): used[number] for number in sorted(used)}
 
     return {
-        "roots": {key: _root(tower, value) for key, value in numbered("roots").items()},
-        "branches": numbered("branches"),
-        "gaps": {key: _root(tower, value) for key, value in numbered("gaps").items()},
+        "roots": {key: _root(tower, value) for key, value in numbered("roots", "pow").items()},
+        "branches": numbered("branches", "call"),
+        "gaps": {key: _root(tower, value) for key, value in numbered("gaps", "call").items()},
         "nonzero": step.hint.get("nonzero", []),
     }
 

@@ -11,25 +11,31 @@ from gainproof.derive.steady_state import inverses, poles
 from gainproof.derive.steady_state.forms import Basis, times
 
 Names = dict[str, Node]
-SHIFT = 30  # h is taken as 2^30 sqrt(h^2/2^60), so that 16/Lambda cannot overflow
+SHIFT = 30  # h is taken as 2^30 sqrt(h^2/2^60), so that 4/Lambda cannot overflow
 
 
 def graph_basis(builder: GraphBuilder, e: Fraction, n: Fraction) -> tuple[Basis, Names]:
-    """Lambda, p, h, s and m as nodes, with their names."""
+    """Lambda and the quantities made from it as nodes, with their names."""
     index = builder.symbol("tracking_index")
     p = builder.sqrt(index)
-    names: Names = {"p": p}
+    half = p / 2
+    names: Names = {"p": p, "half_p": half}
     if e == 0:
-        h = 4 / p
+        h = 2 / p
+        s = builder.sqrt(index / 4 + 2)
     else:
-        small = Fraction(16, 4**SHIFT) / index + times(e, index) * Fraction(1, 4**SHIFT)
+        small = Fraction(4, 4**SHIFT) / index + index * (e / 4 / 4**SHIFT)
         names["h_scaled"] = builder.sqrt(small)
         h = names["h_scaled"] * 2**SHIFT
-    half = builder.sqrt((p / 16) * (times(1 + e, p) + 2 * h))  # p alone would overflow
-    s = half * 2
-    m = (p + h) / 2 + s
-    names |= {"h": h, "s_half": half, "s": s, "m": m}
-    return Basis(index, p, h, s, m, e, n), names
+        # s^2 = (1 + e) p (p + 4 h/(1 + e))/4, so taken that nothing overflows before s does
+        if e == 1:
+            names["s_half"] = builder.sqrt((p / 4) * (half + h))
+            s = names["s_half"] * 2
+        else:
+            s = builder.sqrt(times((1 + e) / 4, p) * (p + h * (4 / (1 + e))))
+    basis = Basis(index, p, half, h, s, e, n)
+    names |= {"h": h, "s": s, "m": basis.m}
+    return basis, names
 
 
 FormsOf = Callable[[Basis], Mapping[str, Any]]
@@ -87,7 +93,7 @@ def pole_graph(e: Fraction, n: Fraction) -> Graph:
     """Both closed-loop poles, each as real and imaginary part, and their moduli."""
     builder = GraphBuilder()
     x, names = graph_basis(builder, e, n)
-    mean_modulus = poles.modulus(x)
+    mean_modulus = x.inverse_deviation
     if e == 1:
         middle, width = poles.centre(x, None), poles.half_width(x, None, None)
         return builder.graph(_outputs(middle, middle, width, -width, mean_modulus), names)
@@ -101,7 +107,7 @@ def pole_graph(e: Fraction, n: Fraction) -> Graph:
     width = poles.half_width(x, names["below"], names["above"])
     names["middle_size"] = builder.absolute(middle)
     larger = names["middle_size"] + width
-    smaller = (mean_modulus / larger) / x.deviation
+    smaller = (mean_modulus / larger) * mean_modulus
 
     def choose(name: str, complex_pair: Any, real_pair: Any) -> Node:
         names[name] = builder.select(x.index, limit, complex_pair, real_pair)

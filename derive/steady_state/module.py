@@ -111,17 +111,19 @@ def _output(kernel: str, output: str) -> Output:
 
 def _equations(c: Context, name: str) -> tuple[str, ...]:
     e = c.e
-    basis = (
-        f"e = {e}, p = sqrt(Lambda), h = sqrt(16/Lambda + e Lambda),",
-        "s = sqrt(p ((1 + e) p + 2 h))/2, m = (p + h)/2 + s, sigma = p m/2",
-    )
+    if "_from_" in name:
+        return (f"{c.spectrum.relation} = 0, Lambda^2 = beta^2/(1 - alpha)",)
     own = {
         "gains": ("alpha = 2 s/m, beta = 2 p/m",),
         "closed_loop_poles": ("z^2 - (2 - alpha - beta) z + (1 - alpha) = 0",),
         "gain_derivatives": (
-            "d alpha = (1 + e p/h)/(p s sigma^2), d beta = 2 (2 + p/s)/(p h sigma^2)",
+            f"d alpha = (1 + {e} p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)",
         ),
     }
-    if "_from_" in name:
-        return (f"{c.spectrum.relation} = 0, Lambda^2 = beta^2/(1 - alpha)",)
-    return (*own.get(name, ()), *basis)
+    h = "2/p" if e == 0 else f"sqrt(4/Lambda + {e / 4} Lambda)"
+    s = "sqrt(Lambda + 8)/2" if e == 0 else f"sqrt(p ({1 + e} p + 4 h))/2"
+    return (
+        *own.get(name, ()),
+        f"p = sqrt(Lambda), h = {h}, s = {s},",
+        "m = p/2 + h + s, sigma = p m/2",
+    )

@@ -134,7 +134,7 @@ def middle_size(x: Basis) -> sp.Expr:
     """(p - h)/(2 m) where Lambda > L1, positive by its looks."""
     ratio, limit = rational(x.e), rational(8 / (1 - x.e))
     top = sp.expand((1 - ratio) * (limit + G**2) ** 2 - 16)
-    return top / (2 * INDEX * x.m * (x.h + ROOT))
+    return top / (2 * INDEX * x.m * (2 * x.h + ROOT))
 
 
 def real_ends(e: Fraction) -> dict[str, End]:

@@ -1,31 +1,25 @@
 """Closed-loop poles in forms that keep every digit relative to their modulus.
 
-z = (h - p -+ sqrt(p ((1 + e) p - 2 h)))/(2 m). Both differences are rewritten as differences
-between the index and a constant: h - p = (1 - e)(L0 - Lambda)(L0 + Lambda)/(Lambda (h + p)) with
+z = (2h - p -+ sqrt(p ((1 + e) p - 4 h)))/(2 m). Both differences are rewritten as differences
+between the index and a constant: 2h - p = (1 - e)(L0 - Lambda)(L0 + Lambda)/(Lambda (2h + p)) with
 L0 = 4/sqrt(1 - e), and the radicand is (1 - e)^2 (Lambda - L1)(Lambda + L1)/(4 s^2) with
 L1 = 8/(1 - e), beyond which the poles are real. For e = 1 they never are.
 """
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any
 
 from gainproof.derive.steady_state.forms import Basis, times
 
 
-def real_from(e: Fraction) -> Fraction | None:
-    """The index from which on both poles are real; None when they never are."""
-    return None if e == 1 else 8 / (1 - e)
-
-
 def centre(x: Basis, turning: Any) -> Any:
-    """(h - p)/(2 m), the mean of the poles; `turning` is L0 (unused for e = 1)."""
+    """(2h - p)/(2 m), the mean of the poles; `turning` is L0 (unused for e = 1)."""
     if x.e == 1:
-        return modulus(x) / ((x.p / 4) * (x.h + x.p))
-    first = (turning / 2 - x.index / 2) / (x.h + x.p)
+        return x.inverse_deviation / (x.half * x.ends)
+    first = (turning / 2 - x.index / 2) / x.ends
     second = ((turning / 2 + x.index / 2) / x.m) / x.index
-    return times(2 * (1 - x.e), first * second)
+    return times(1 - x.e, first * second)
 
 
 def half_width(x: Basis, below: Any, above: Any) -> Any:
@@ -34,10 +28,5 @@ def half_width(x: Basis, below: Any, above: Any) -> Any:
     `below` and `above` are half the roots of |L1 - Lambda| and of L1 + Lambda.
     """
     if x.e == 1:
-        return 2 / (x.s * x.m)
+        return (2 / x.m) / x.s
     return times(1 - x.e, (below / x.s) * (above / x.m))
-
-
-def modulus(x: Basis) -> Any:
-    """The modulus of a complex pair, 1/sigma."""
-    return 1 / x.deviation

@@ -29,6 +29,7 @@ def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
     roots = {
         "p": c.basis.p,
         "h_scaled": c.basis.h / 2**30,
+        "s": c.basis.s,
         "s_half": c.basis.s / 2,
     }
     reason = "Evaluate the kernel's graph in the tower."

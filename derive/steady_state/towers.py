@@ -62,8 +62,8 @@ def steady_elements(e: Fraction, n: Fraction, index: sp.Expr) -> dict[str, sp.Ex
 
 def symbolic_basis(e: Fraction, n: Fraction) -> Basis:
     """The basis of the stable forms over the variables of the main tower."""
-    h = root_of_16(e) / ROOT
-    return Basis(INDEX, ROOT, h, ROOT_S, (ROOT + h) / 2 + ROOT_S, e, n)
+    h = root_of_16(e) / (2 * ROOT)
+    return Basis(INDEX, ROOT, ROOT / 2, h, ROOT_S, e, n)
 
 
 def surd(value: Fraction) -> tuple[sp.Expr, dict[str, int]]:

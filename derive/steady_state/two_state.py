@@ -93,6 +93,7 @@ def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
     roots = {
         "p": c.basis.p,
         "h_scaled": c.basis.h / 2**30,
+        "s": c.basis.s,
         "s_half": c.basis.s / 2,
         **inverse_roots(c),
     }

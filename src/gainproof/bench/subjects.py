@@ -1,0 +1,44 @@
+"""What is measured: every shipped kernel with its graph, textbook form and proved bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.printer.bound import KernelBound, prove
+from gainproof.derive.printer.formats import FLOAT64
+from gainproof.derive.printer.kernel import Kernel
+
+
+@dataclass(frozen=True)
+class Measured:
+    """One kernel: the shipped function, what it was printed from, and what to compare it with."""
+
+    subject: str
+    kernel: Kernel
+    function: Callable[..., Any]
+    bound: KernelBound
+    textbook: Mapping[str, sp.Expr] | None
+    model: Mapping[str, Any] | None
+
+
+def measured_kernels() -> Iterator[Measured]:
+    """Every kernel of the catalogue, in its order."""
+    for entry in CATALOGUE:
+        subject = entry.build()
+        module = import_module(f"gainproof.generated.{subject.module.name}")
+        textbook = subject.textbook()
+        for kernel in subject.module.kernels:
+            yield Measured(
+                subject.name,
+                kernel,
+                getattr(module, kernel.name),
+                prove(kernel, FLOAT64),
+                textbook.get(kernel.name),
+                subject.model_data,
+            )
