@@ -61,9 +61,11 @@ class AffineSum:
         low, high_ = error + (low_rest - lost), error + (high_rest + lost)
         exact = (low == 0) & (high_ == 0)
         low, high_ = np.nextafter(low, -np.inf), np.nextafter(high_, np.inf)
-        # an end that the rest cannot pass stays the number itself: matters next to the largest one
-        below = np.where(exact | (low >= 0), total, np.nextafter(total + low, -np.inf))
-        above = np.where(exact | (high_ <= 0), total, np.nextafter(total + high_, np.inf))
+        # a rest of one sign cannot pass the number itself: matters next to the largest one
+        below, above = np.nextafter(total + low, -np.inf), np.nextafter(total + high_, np.inf)
+        below = np.where(low >= 0, np.maximum(below, total), below)
+        above = np.where(high_ <= 0, np.minimum(above, total), above)
+        below, above = np.where(exact, total, below), np.where(exact, total, above)
         return below, above
 
 

@@ -219,7 +219,7 @@ class _Proof:
             settled = np.maximum(settled, kept.max(axis=1, initial=0.0))
             self._note_cancellations(adjoint, ~again, amplification)
             if not np.isfinite(settled).all():
-                self._explain(adjoint, np.asarray(np.isinf(kept).any(axis=0)))
+                self._explain(adjoint, np.isinf(kept))
             if not again.any():
                 return self._result(settled, total, amplification)
             part = boxes.grid(grid.low[again], grid.high[again])
@@ -252,13 +252,13 @@ class _Proof:
                     found[step.label] = max(found.get(step.label, 0.0), most)
 
     def _explain(self, adjoint: Adjoint, failed: Mask) -> None:
-        box = int(np.flatnonzero(failed)[0])
+        row, box = (int(at[0]) for at in np.nonzero(failed))
         forward = adjoint.forward
         place = f"input {float(forward.grid.low[box])!r}"
         reasons: dict[int, str] = {}
         for number, step in enumerate(self.program.steps):
             value, weight = forward.values[number], adjoint.weights.get(number)
-            if weight is None or not weight.active[:, box].any():
+            if weight is None or not weight.active[row, box]:
                 continue
             name = f"node {step.node} ({step.label or step.operation})"
             if reasons.keys() & set(step.operands):
@@ -270,8 +270,9 @@ class _Proof:
             elif value.tiny is not None and value.tiny[box] > 0:
                 reasons[number] = f"{name} may be subnormal or 0"
         raise PrintingError(
-            f"{self.kernel.name} ({self.form.name}), {place}: the true value is a normal number, "
-            f"but the error is not bounded: {'; '.join(reasons.values()) or 'range too wide'}. "
+            f"{self.kernel.name} ({self.form.name}), output {self.kernel.outputs[row].name}, "
+            f"{place}: the true value is a normal number, but the error is not bounded: "
+            f"{'; '.join(reasons.values()) or 'ranges too wide'}. "
             "Another order of operations may avoid it"
         )
 

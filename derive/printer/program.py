@@ -117,7 +117,9 @@ class _Lowering:
         node = self.nodes[number]
         if self.free[number]:
             value = constant_of_node(self.nodes, number, self.exact)
-            key = ("constant", number if value.rational is None else value.rational)
+            # a rational equals the integer that numbers a node: the two need different words
+            irrational = value.rational is None
+            key = ("irrational", number) if irrational else ("rational", value.rational)
             if key not in self.known:
                 self.known[key] = len(self.steps)
                 self.steps.append(Step("constant", (), number, "", value))

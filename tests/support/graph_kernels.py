@@ -1,0 +1,118 @@
+"""Kernels made from a graph alone: run as printed, and evaluated in balls by other code."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any
+
+import flint
+import numpy as np
+from numpy.typing import NDArray
+
+from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
+from gainproof.derive.printer.kernel import Input, Kernel, Limit, Module, Output
+from gainproof.derive.printer.numpy_source import module_source
+
+KINDS: dict[str, type[Any]] = {"float64": np.float64, "float32": np.float32}
+
+
+def kernel_of(
+    graph: Graph,
+    scales: dict[str, str] | None = None,
+    cancellations: dict[str, str] | None = None,
+    lower: Limit = "0",
+    upper: Limit | None = None,
+    **options: bool,
+) -> Kernel:
+    """A kernel of one input x; `scales` names an output's scale, outputs of "_" are scales only."""
+    shown = [name for name in graph["outputs"] if not name.startswith("_")]
+    return Kernel(
+        "kernel",
+        "Result",
+        "A kernel under test.",
+        ("y = f(x)",),
+        (Input("x", "the argument", lower, upper, **options),),
+        tuple(Output(name, "a value", relative_to=(scales or {}).get(name)) for name in shown),
+        graph,
+        "this test",
+        cancellations or {},
+    )
+
+
+def simple(write: Callable[[GraphBuilder, Node], Node], **options: Any) -> Kernel:
+    """A kernel whose one output y is written by a function of builder and input."""
+    b = GraphBuilder()
+    return kernel_of(b.graph({"y": write(b, b.symbol("x"))}), **options)
+
+
+def text_of(kernel: Kernel) -> str:
+    """The printed module of one kernel."""
+    return module_source(Module("made", "Made for a test", "a command", "a derivation", (kernel,)))
+
+
+def function_of(kernel: Kernel) -> Callable[..., tuple[NDArray[np.floating[Any]], ...]]:
+    """The printed function, run with the printer's own copy of the run time."""
+    text = text_of(kernel).replace(
+        "gainproof.generated._runtime", "gainproof.derive.printer.runtime"
+    )
+    space: dict[str, Any] = {"__name__": "made"}
+    exec(compile(text, "made.py", "exec"), space)  # noqa: S102  # our own printer's text
+    function: Callable[..., tuple[NDArray[np.floating[Any]], ...]] = space[kernel.name]
+    return function
+
+
+def balls(graph: Graph, x: float, bits: int = 400) -> dict[str, flint.arb]:
+    """Enclosures of all outputs, straight from the graph's nodes."""
+    with flint.ctx.workprec(bits):
+        values: list[flint.arb] = []
+        for node in graph["nodes"]:
+            values.append(_ball(node, values, Fraction(x)))
+        return {name: values[number] for name, number in graph["outputs"].items()}
+
+
+def _ball(node: Sequence[str | int], values: list[flint.arb], x: Fraction) -> flint.arb:
+    parts = [values[part] for part in node[1:] if isinstance(part, int)]
+    match node[0]:
+        case "number":
+            value = Fraction(str(node[1]))
+            return flint.arb(flint.fmpq(value.numerator, value.denominator))
+        case "symbol":
+            return flint.arb(flint.fmpq(x.numerator, x.denominator))
+        case "add":
+            return sum(parts[1:], parts[0])
+        case "mul":
+            product = parts[0]
+            for part in parts[1:]:
+                product = product * part
+            return product
+        case "div":
+            return parts[0] / parts[1]
+        case "neg":
+            return -parts[0]
+        case "pow":
+            return parts[0].sqrt()
+    if node[1] == "abs":
+        return abs(parts[0])
+    first, second = parts[:2]
+    if first < second:
+        return parts[2]
+    assert first >= second, "a comparison too close for this precision"
+    return parts[3]
+
+
+def worst_error(
+    kernel: Kernel, computed: Sequence[NDArray[np.floating[Any]]], row: int, points: Sequence[float]
+) -> tuple[float, float]:
+    """The greatest error of an output over its scale, as a plain number, and where it is."""
+    output = kernel.outputs[row]
+    worst, place = 0.0, points[0] if len(points) else 0.0
+    for x, value in zip(points, computed[row].tolist(), strict=True):
+        exact = balls(kernel.graph, x)
+        error = abs(
+            (flint.arb(value) - exact[output.name]) / exact[output.relative_to or output.name]
+        )
+        size = float(error.upper())
+        if not size <= worst:
+            worst, place = size, x
+    return worst, place
