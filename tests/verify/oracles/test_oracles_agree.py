@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-import numpy as np
 import pytest
+from float_rounding import allowance
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
@@ -21,7 +21,6 @@ from gainproof.verify.oracles.spectrum import Spectrum, spectrum
 from gainproof.verify.oracles.state_space import NotConverged, StateSpace, SteadyState
 
 QUARTERS = st.integers(-6, 6).map(lambda k: Fraction(k, 4))
-EPS = 2.0**-52
 
 
 @st.composite
@@ -101,41 +100,10 @@ def forgetting(truth: ball.Enclosure) -> float:
 
 
 def close(state: SteadyState, model: StateSpace, truth: ball.Enclosure) -> bool:
-    """Within the rounding errors of a float64 run, by first-order perturbation.
-
-    One step F ((I - K H) M (I - K H)' + K R K') F' + Q rounds by a few eps times
-    |F|^2 (1 + |K| |H|)^2 |M|; the Lyapunov operator of the closed loop sums that over all steps
-    (its inverse's norm); from the predicted covariance it reaches the gain through the division
-    by the innovation variance, and the updated covariance through |I - K H|^2. The roundings of
-    that last passage are added. Ten covers the few roundings of an entry.
-    """
-    f, h = floats(model.transition), floats(model.measurement)
-    m, k = floats(truth.state.predicted), floats(truth.state.gain)
-    loop = f - f @ k @ h
-    summed = norm(np.linalg.inv(np.eye(loop.size) - np.kron(loop, loop)))
-    kept = 1 + norm(k) * norm(h)
-    innovation = float(truth.state.innovation[0][0].mid())
-    error = 10 * EPS * (summed * (norm(f) * kept) ** 2 + 1) * norm(m)
-    allowed = {
-        "predicted": error,
-        "updated": error * kept**2 + 10 * EPS * innovation * norm(k) ** 2,
-        "innovation": error * norm(h) ** 2 + 10 * EPS * innovation,
-        "gain": error * kept * norm(h) / innovation + 10 * EPS * norm(k),
-    }
-    return all(
-        abs(x - float(y.mid())) <= allowed[name.split("[")[0]]
-        for (name, x), y in zip(
-            state.entries().items(), truth.state.entries().values(), strict=True
-        )
-    )
-
-
-def floats(rows: Matrix) -> np.ndarray:
-    return np.array([[float(x.mid() if hasattr(x, "mid") else x) for x in row] for row in rows])
-
-
-def norm(a: np.ndarray) -> float:
-    return float(np.linalg.norm(a, 2))
+    """Within the rounding errors of a float64 run."""
+    allowed = allowance(model, truth)
+    pairs = zip(state.entries().items(), truth.state.entries().values(), strict=True)
+    return all(abs(x - float(y.mid())) <= allowed[name.split("[")[0]] for (name, x), y in pairs)
 
 
 @pytest.mark.parametrize("size", [2, 3])

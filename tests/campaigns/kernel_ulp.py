@@ -1,0 +1,179 @@
+"""Worst error of every kernel output over very many points, beside its stated bound.
+
+    python tests/campaigns/kernel_ulp.py [--points N] [--jobs N] [--state FILE] [--only TEXT]
+
+For every family, argument and format the points are log-uniform over the domain of the bounds
+(half as many again near the upper end of a gain's domain), and log-uniform over 1e-6..1e6 for the
+tracking index. Truth is a ball round the Riccati solution. The state file is written every few
+chunks; a campaign that was interrupted goes on from it, and one that is complete prints its table
+at once. Status 1 when a measured error exceeds its bound.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+import time
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from pathlib import Path
+from typing import Any, NamedTuple
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
+
+from kernel_errors import Worst, log_uniform, measure, near_supremum
+from printed_kernels import DTYPES, common_domain, groups, printed_kernels
+
+CHUNK = 500
+HELP = "worst error of every kernel output over very many points, beside its stated bound"
+
+
+class Task(NamedTuple):
+    """A chunk of random points of one family, argument, format and span."""
+
+    family: str
+    argument: str
+    dtype: str
+    span: str
+    seed: int
+
+    @property
+    def key(self) -> str:
+        return "/".join(map(str, self))
+
+
+def tasks(points: int, only: str) -> Iterator[Task]:
+    """All chunks, one of each kind before the second of any."""
+    for seed in range(-(-points // CHUNK)):
+        for family, argument in groups(printed_kernels()):
+            spans = ["domain", "near"] if argument == "tracking_index" else ["domain"]
+            for span in spans:
+                for dtype in DTYPES:
+                    task = Task(family, argument, dtype, span, seed)
+                    if only in task.key:
+                        yield task
+
+
+def points_of(task: Task) -> list[float]:
+    """The points of a chunk, the same for the same task."""
+    kernels = groups(printed_kernels())[task.family, task.argument]
+    # where at least one output has its bound: beyond, there is nothing to measure
+    promises = [promise for kernel in kernels for promise in kernel.promises[task.dtype].values()]
+    low, high = common_domain(kernels, task.dtype)
+    low = max(low, min(promise.lowest for promise in promises))
+    high = min(high, max(promise.highest for promise in promises))
+    seed = 1000 * task.seed + DTYPES.index(task.dtype)
+    if task.span == "near":
+        return log_uniform(1e-6, 1e6, CHUNK, seed)
+    if task.argument == "sample_number":
+        return [float(round(x)) for x in log_uniform(max(low, 1), high, CHUNK, seed)]
+    if task.argument == "tracking_index":
+        return log_uniform(low, high, CHUNK, seed)
+    return log_uniform(low, high, CHUNK, seed) + near_supremum(high, CHUNK // 2, seed)
+
+
+def run(task: Task) -> dict[str, tuple[float, float, int]]:
+    """The worst error of each output over one chunk."""
+    kernels = groups(printed_kernels())[task.family, task.argument]
+    table = measure(kernels, task.dtype, points_of(task))
+    return {f"{name}.{output}": (w.error, w.at, w.points) for (name, output), w in table.items()}
+
+
+def load(path: Path) -> dict[str, Any]:
+    if path.exists():
+        state: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+        return state
+    return {"done": [], "worst": {}}
+
+
+def save(path: Path, state: dict[str, Any]) -> None:
+    """Written beside and moved, so that an interrupt leaves the old state whole."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    beside = path.with_suffix(".part")
+    beside.write_text(json.dumps(state), encoding="utf-8")
+    os.replace(beside, path)
+
+
+def note(state: dict[str, Any], task: Task, found: dict[str, tuple[float, float, int]]) -> None:
+    for output, measured in found.items():
+        key = f"{task.family}/{output}/{task.dtype}/{task.span}"
+        before = Worst(*state["worst"].get(key, (0.0, 0.0, 0)))
+        state["worst"][key] = list(vars(before.joined(Worst(*measured))).values())
+    state["done"].append(task.key)
+
+
+def table(state: dict[str, Any], only: str) -> tuple[list[str], bool]:
+    """Lines of the table, and whether every measured error keeps its bound."""
+    head = ("output", "format", "range of the bound", "bound", "domain", "1e-6..1e6", "points")
+    rows, kept = [], True
+    for kernel in printed_kernels():
+        for dtype in DTYPES:
+            for output in kernel.outputs:
+                promise = kernel.promises[dtype][output]
+                measured = {
+                    span: Worst(*state["worst"].get(f"{kernel.id.replace('.', '/', 1)}.{output}"
+                                                    f"/{dtype}/{span}", (0.0, 0.0, 0)))
+                    for span in ("domain", "near")
+                }  # fmt: skip
+                count = sum(worst.points for worst in measured.values())
+                if not count or only not in kernel.id:
+                    continue
+                kept &= all(worst.error <= promise.bound for worst in measured.values())
+                rows.append(
+                    (
+                        f"{kernel.id}.{output}",
+                        dtype,
+                        f"{promise.lowest:.3g}..{promise.highest:.3g}",
+                        f"{float(promise.bound):.2f}",
+                        *(f"{w.error:.2f}" if w.points else "" for w in measured.values()),
+                        str(count),
+                    )
+                )
+    widths = [max(map(len, column)) for column in zip(head, *rows, strict=True)]
+    lines = [
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        for row in (head, *rows)
+    ]
+    return ["errors in units of 2^-52 (float64) and 2^-23 (float32)", *lines], kept
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=HELP)
+    parser.add_argument("--points", type=int, default=100_000, help="of each kind")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--state", type=Path, default=Path("kernel_ulp.state.json"))
+    parser.add_argument("--only", default="", help="text that the family must contain")
+    options = parser.parse_args()
+    state = load(options.state)
+    done = set(state["done"])
+    todo = [task for task in tasks(options.points, options.only) if task.key not in done]
+    start = time.monotonic()
+    with ProcessPoolExecutor(options.jobs) as pool:
+        for count, (task, found) in enumerate(finished(pool, todo, options.jobs), 1):
+            note(state, task, found)
+            if count % 20 == 0 or count == len(todo):
+                save(options.state, state)
+            left = (time.monotonic() - start) / count * (len(todo) - count)
+            text = f"\r{count}/{len(todo)} chunks, about {left / 60:.1f} min left "
+            sys.stderr.write(text)
+            sys.stderr.flush()
+    lines, kept = table(state, options.only)
+    sys.stderr.write("\n")
+    sys.stdout.write("\n".join(lines) + "\n")
+    return 0 if kept else 1
+
+
+def finished(
+    pool: ProcessPoolExecutor, todo: list[Task], jobs: int
+) -> Iterator[tuple[Task, dict[str, tuple[float, float, int]]]]:
+    """Results as they come, with few chunks in hand so that an interrupt is quick."""
+    for start in range(0, len(todo), 8 * jobs):
+        pending = {pool.submit(run, task): task for task in todo[start : start + 8 * jobs]}
+        for future in as_completed(pending):
+            yield pending[future], future.result()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
