@@ -76,8 +76,8 @@ Derivative
     By a parameter (generators follow: y' = radicand'/(n y^(n-1))) or a free symbol; by an element x
     of a tower with one parameter p: (dE/dp)/(dx/dp).
 At
-    Replacement of a parameter or free symbol in a tower without generators, in elements too; all
-    denominators are shown nonzero again.
+    The expression evaluated anew with another value of a parameter or free symbol, in elements too,
+    every divisor shown nonzero there. Only in towers without generators; no derivative inside.
 
 Kinds
 -----
@@ -129,8 +129,9 @@ program {"program": name, "outputs": {output: graph}}; {"roots": {node: fraction
     manifestly nonnegative. Node numbers are keys, as text.
 sum {"index": name, "start": integer as text, "upper": parameter, "summand": graph, "closed":
 graph}; {}
-    For every integer upper >= start the sum over index = start..upper is the closed form. The
-    parameter is {"from": at least start}, the tower has no generators, both are polynomials.
+    For every integer upper of the parameter's domain the sum over index = start..upper is the
+    closed form. The parameter is {"from": at least start}, the tower has no generators, both are
+    polynomials.
 definition {"text": text} or {"left": graph, "right": graph}; {}
     Decided only if the left side is one symbol of the tower: then the two must be equal.
 cited {"theorem": text, "reference": text}; {}

@@ -1,4 +1,4 @@
-"""Total derivatives and substitution over a tower."""
+"""Total derivatives over a tower."""
 
 from __future__ import annotations
 
@@ -73,34 +73,3 @@ def _merged(value: Ratio, other: Ratio) -> dict[Polynomial, int]:
     for factor, multiplicity in other.factors.items():
         factors[factor] = factors.get(factor, 0) + multiplicity
     return factors
-
-
-def substituted(tower: Tower, value: Ratio, symbol: str, new: Ratio, nonzero: Nonzero) -> Ratio:
-    """``value`` with a parameter or free symbol replaced everywhere, in named elements too.
-
-    Only for towers without generators. Every denominator is shown nonzero again afterwards.
-    """
-    field = tower.field
-    if field.generators:
-        raise RejectedError("substitution is possible only in a tower without generators")
-    if symbol not in field.variables():
-        raise RejectedError(f"{symbol!r} cannot be replaced: it is not a variable of the tower")
-    tower.used.add(symbol)
-    position = field.variables().index(symbol)
-    result = _put(value.numerator, position, new)
-    for factor, multiplicity in value.factors.items():
-        divisor = _put(factor, position, new)
-        for _ in range(multiplicity):
-            result = nonzero.quotient(result, divisor)
-    return result
-
-
-def _put(value: Polynomial, position: int, new: Ratio) -> Ratio:
-    field = new.field
-    parts = value.by_power(position)
-    result = number(field, 0)
-    for exponent in range(max(parts, default=0), -1, -1):
-        result = result * new
-        if exponent in parts:
-            result = result + polynomial(field, parts[exponent])
-    return result

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TypeAlias
 
-from gainproof.verify.certificate.derivative import derivative, substituted
+from gainproof.verify.certificate.derivative import derivative
 from gainproof.verify.certificate.graph import (
     AtNode,
     Call,
     DerivativeNode,
     Graph,
     MatrixNode,
-    Node,
     Number,
     Operation,
     Power,
@@ -22,8 +21,9 @@ from gainproof.verify.certificate.graph import (
 from gainproof.verify.certificate.matrix import Matrix
 from gainproof.verify.certificate.nonzero import Nonzero
 from gainproof.verify.certificate.ratio import Ratio, number
-from gainproof.verify.certificate.rejection import RejectedError
+from gainproof.verify.certificate.rejection import MAXIMUM_ORDER, RejectedError
 from gainproof.verify.certificate.roots import known_root
+from gainproof.verify.certificate.substitution import replaceable, substituted
 from gainproof.verify.certificate.tower import Tower
 
 Value: TypeAlias = Ratio | Matrix
@@ -36,19 +36,20 @@ class Evaluation:
     radicands. Kernels evaluate with a subclass that takes names, roots and branches from elsewhere.
     """
 
-    def __init__(self, tower: Tower, nonzero: Nonzero) -> None:
+    def __init__(
+        self, tower: Tower, nonzero: Nonzero, replaced: Mapping[int, Ratio] | None = None,
+        depth: int = 0,
+    ) -> None:
+        """``replaced`` gives the variables that have another value here, ``depth`` the nesting."""
         self.tower = tower
         self.nonzero = nonzero
+        self._replaced = replaced or {}
+        self._depth = depth
 
     def outputs(self, graph: Graph, wanted: tuple[str, ...]) -> dict[str, Value]:
         """The values of the named outputs. Only the nodes they need are evaluated."""
         ends = {name: graph.outputs[name] for name in wanted}
-        values: dict[int, Value] = {}
-        for index in graph.reachable(ends.values(), self.skipped(graph)):
-            try:
-                values[index] = self._node(graph.nodes[index], index, values)
-            except RejectedError as rejection:
-                raise RejectedError(f"node {index}: {rejection}") from None
+        values = self._values(graph, ends.values())
         return {name: values[end] for name, end in ends.items()}
 
     def value(self, graph: Graph) -> Value:
@@ -60,13 +61,13 @@ class Evaluation:
         return _scalar(self.value(graph))
 
     def skipped(self, graph: Graph) -> Mapping[int, int]:
-        """For nodes with branches: the position of the argument not to be evaluated."""
-        del graph
-        return {}
+        """For some nodes: the position of an argument that is not evaluated beforehand."""
+        return {index: 0 for index, node in enumerate(graph.nodes) if isinstance(node, AtNode)}
 
     def symbol(self, name: str) -> Ratio:
         """The value of a symbol."""
-        return self.tower.value(name)
+        value = self.tower.value(name)
+        return substituted(value, self._replaced, self.nonzero) if self._replaced else value
 
     def root(self, index: int, base: Ratio, degree: int) -> Ratio:
         """The nonnegative root of that degree."""
@@ -81,8 +82,20 @@ class Evaluation:
         del index, values
         raise RejectedError(f"the function {node.function!r} is possible only in programs")
 
-    def _node(self, node: Node, index: int, values: Mapping[int, Value]) -> Value:
+    def _values(self, graph: Graph, ends: Iterable[int]) -> dict[int, Value]:
+        """The values of these nodes and of those they need."""
+        values: dict[int, Value] = {}
+        for index in graph.reachable(ends, self.skipped(graph)):
+            try:
+                values[index] = self._node(graph, index, values)
+            except RejectedError as rejection:
+                raise RejectedError(f"node {index}: {rejection}") from None
+        return values
+
+    def _node(self, graph: Graph, index: int, values: Mapping[int, Value]) -> Value:
+        node = graph.nodes[index]
         arguments = node.arguments
+        self.tower.field.ring.meter.spend(len(arguments))
         match node:
             case Number(value):
                 return number(self.tower.field, value)
@@ -104,11 +117,7 @@ class Evaluation:
                     return inner.rebuilt([self._derivative(e, symbol) for e in inner.entries()])
                 return self._derivative(inner, symbol)
             case AtNode(symbol):
-                new = _scalar(values[arguments[1]])
-                inner = values[arguments[0]]
-                if isinstance(inner, Matrix):
-                    return inner.rebuilt([self._at(e, symbol, new) for e in inner.entries()])
-                return self._at(inner, symbol, new)
+                return self._at(graph, arguments[0], symbol, _scalar(values[arguments[1]]))
 
     def _operation(self, operator: str, arguments: list[Value]) -> Value:
         result = arguments[0]
@@ -142,10 +151,21 @@ class Evaluation:
         return base.power(abs(exponent.numerator))
 
     def _derivative(self, value: Ratio, symbol: str) -> Ratio:
+        if self._replaced:
+            raise RejectedError("a derivative inside a substitution is not supported")
         return derivative(self.tower, value, symbol, self.nonzero)
 
-    def _at(self, value: Ratio, symbol: str, new: Ratio) -> Ratio:
-        return substituted(self.tower, value, symbol, new, self.nonzero)
+    def _at(self, graph: Graph, inner: int, symbol: str, new: Ratio) -> Value:
+        """The inner node evaluated anew where the symbol has another value.
+
+        Not its value with the symbol replaced: sqrt(k^2) is k for k >= 0, and at k - 5 it is not
+        k - 5; and (1/k)/(1/k) is 1, but nothing at k = 0.
+        """
+        if self._depth >= MAXIMUM_ORDER:
+            raise RejectedError("substitutions nested too deeply")
+        replaced = {**self._replaced, replaceable(self.tower, symbol): new}
+        there = Evaluation(self.tower, self.nonzero, replaced, self._depth + 1)
+        return there._values(graph, (inner,))[inner]
 
 
 def _scalar(value: Value) -> Ratio:

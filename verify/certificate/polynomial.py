@@ -16,6 +16,7 @@ from operator import add
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_COEFFICIENT_BITS,
     MAXIMUM_EXPONENT,
+    MAXIMUM_TERMS,
     Meter,
     RejectedError,
 )
@@ -120,6 +121,8 @@ class Polynomial:
             for right, second in other.terms.items():
                 monomial = tuple(map(add, left, right))
                 product[monomial] = product.get(monomial, 0) + first * second
+            if len(product) > MAXIMUM_TERMS:
+                raise RejectedError(f"a polynomial grew beyond {MAXIMUM_TERMS} terms")
         return self.ring.normal(product, self.denominator * other.denominator)
 
     def __pow__(self, exponent: int) -> Polynomial:
@@ -192,7 +195,8 @@ class Polynomial:
 
     def _cost(self, other: Polynomial) -> int:
         bits = _bits(self) + _bits(other)
-        return len(self.terms) * len(other.terms) * (1 + (bits // 256) ** 2 // 32)
+        products = len(self.terms) * len(other.terms)
+        return products * (1 + self.ring.size // 8 + (bits // 256) ** 2 // 32)
 
 
 def _bits(polynomial: Polynomial) -> int:

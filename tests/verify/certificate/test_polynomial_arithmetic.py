@@ -38,7 +38,7 @@ def _same(value: Polynomial, expected: Any) -> bool:
     return bool(sp.expand(_symbolic(value) - expected) == 0)
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=50)
 @given(polynomials, polynomials)
 def test_arithmetic(a: Polynomial, b: Polynomial) -> None:
     assert _same(a + b, _symbolic(a) + _symbolic(b))
@@ -51,7 +51,7 @@ def test_arithmetic(a: Polynomial, b: Polynomial) -> None:
     assert hash(a + b - b) == hash(a)
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=50)
 @given(polynomials, st.integers(0, 2), coefficients)
 def test_calculus(a: Polynomial, position: int, number: Fraction) -> None:
     symbol = (X, Y, Z)[position]
@@ -84,7 +84,7 @@ def _field() -> Field:
                                                                    (0, 0, 0): 2 * one})))
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=50)
 @given(polynomials)
 def test_reduction(a: Polynomial) -> None:
     field = _field()
@@ -154,7 +154,7 @@ ratios = st.tuples(polynomials, st.integers(1, 3), st.integers(0, 2)).map(
     lambda made: (made[0], RING.variable(made[2]) + RING.constant(made[1])))
 
 
-@settings(deadline=None, max_examples=50)
+@settings(deadline=None, max_examples=30)
 @given(ratios, ratios)
 def test_ratios(first: tuple[Polynomial, Polynomial], second: tuple[Polynomial, Polynomial],
                 ) -> None:

@@ -190,6 +190,63 @@ def test_substitution(memory: Data) -> None:
         assert ("nonzero" in found) == (value == 0)
 
 
+def _at(inner: list[Any], new: list[Any], right: Any) -> Data:
+    """at(inner, k := new) = right."""
+    shifted = [[n[0], *(a + len(inner) if isinstance(a, int) else a for a in n[1:])] for n in new]
+    nodes = [*inner, *shifted]
+    nodes.append(["at", len(inner) - 1, "k", len(nodes) - 1])
+    return {"left": {"nodes": nodes, "outputs": {"value": len(nodes) - 1}}, "right": graph(right),
+            "free": []}
+
+
+BACK = [["symbol", "k"], ["number", "-1"], ["add", 0, 1]]
+
+
+def test_substitution_under_a_root(memory: Data) -> None:
+    """sqrt(k^2) is k for k from 1 on; at k - 5 it is |k - 5|, which is not k - 5."""
+    root = [["symbol", "k"], ["pow", 0, "2"], ["pow", 1, "1/2"]]
+    far = [["symbol", "k"], ["number", "-5"], ["add", 0, 1]]
+    assert "not known" in changed(memory, "first", "claim", _at(root, far, k - 5))
+    ahead = [["symbol", "k"], ["number", "5"], ["mul", 0, 1]]
+    assert changed(memory, "first", "claim", _at(root, ahead, 5 * k)) == ""
+
+
+def test_substitution_where_a_divisor_vanishes(memory: Data) -> None:
+    """(1/k)/(1/k) and 1/k - 1/k mean nothing at k - 1 = 0."""
+    start: list[Any] = [["symbol", "k"], ["pow", 0, "-1"]]
+    for rest, value in (([["div", 1, 1]], 1), ([["neg", 1], ["add", 1, 2]], 0)):
+        claim = _at([*start, *rest], BACK, value)
+        assert "nonzero" in changed(memory, "first", "claim", claim)
+    zero = [["symbol", "k"], ["number", "0"], ["div", 1, 0]]
+    assert "nonzero" in changed(memory, "first", "claim", _at(zero, BACK, 0))
+
+
+def test_nested_substitution(memory: Data) -> None:
+    """at(at(k^2, k := k + 1), k := 2 k) is (2 k + 1)^2."""
+    nodes: list[Any] = [["symbol", "k"], ["pow", 0, "2"], ["number", "1"], ["add", 0, 2],
+                        ["at", 1, "k", 3], ["number", "2"], ["mul", 0, 5], ["at", 4, "k", 6]]
+    claim = {"left": {"nodes": nodes, "outputs": {"value": 7}}, "right": graph((2 * k + 1)**2),
+             "free": []}
+    assert changed(memory, "first", "claim", claim) == ""
+    claim["right"] = graph(4 * k**2 + 1)
+    assert changed(memory, "first", "claim", claim)
+
+
+def test_simultaneous_substitution(memory: Data) -> None:
+    """k and f exchanged: what was put in is not replaced again."""
+    nodes: list[Any] = [["symbol", "k"], ["symbol", "f"], ["neg", 1], ["add", 0, 2],
+                        ["at", 3, "k", 1], ["at", 4, "f", 0]]
+    claim = {"left": {"nodes": nodes, "outputs": {"value": 5}}, "right": graph(0), "free": ["f"]}
+    assert changed(memory, "first", "claim", claim) == ""
+    claim["right"] = graph(sp.Symbol("f") - k)
+    assert changed(memory, "first", "claim", claim)
+
+
+def test_no_derivative_inside_a_substitution(memory: Data) -> None:
+    inner = [["symbol", "k"], ["derivative", 0, "k"]]
+    assert "derivative inside" in changed(memory, "first", "claim", _at(inner, BACK, 1))
+
+
 def test_no_substitution_over_generators(acceleration: Data) -> None:
     left = graph(sp.Subs(s, p, p + 1, evaluate=False))
     assert "without generators" in changed(acceleration, "relation", "claim.left", left)

@@ -13,7 +13,7 @@ from gainproof.verify.certificate.tower import lifted
 def finite_sum(case: Case) -> str:
     """The sum of the summand over index = start, ..., upper equals the closed form.
 
-    For every integer ``upper`` from ``start`` on: the closed form grows by the summand from
+    For every integer ``upper`` in the parameter's domain: the closed form grows by the summand from
     upper - 1 to upper, and both agree at the start, as polynomials.
     Claim: index (a new name), start (integer as text), upper (a parameter with "from"),
     summand (in the index, not in the upper limit), closed. Evidence: none, an empty record.
