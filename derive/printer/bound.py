@@ -119,8 +119,7 @@ class _Proof:
         return Forward(self.program, grid, self.form, self.kernel.cancellations)
 
     def run(self) -> KernelBound:
-        first = boxes.cover(self.lowest, self.highest, self.near, [])
-        forward = self._forward(first)
+        forward = self._forward(boxes.cover(self.lowest, self.highest, self.near, []))
         domains: dict[int, tuple[float, float]] = {}
         for _, scale in self.ends:
             if scale not in domains:
@@ -138,9 +137,15 @@ class _Proof:
 
     def _domain(self, forward: Forward, number: int) -> tuple[float, float]:
         """The largest interval of inputs where a step's true value is a normal number."""
-        low, high = (end[0] for end in true_size(forward.values[number]))
-        sure = np.flatnonzero((low >= self.form.least_normal) & (high <= self.top))
-        if not len(sure):
+        for _ in range(6):
+            low, high = (end[0] for end in true_size(forward.values[number]))
+            sure = np.flatnonzero((low >= self.form.least_normal) & (high <= self.top))
+            if len(sure):
+                break
+            finer = boxes.halves(forward.grid, self.form)
+            order = np.argsort(finer.low, kind="stable")
+            forward = self._forward(boxes.grid(finer.low[order], finer.high[order]))
+        else:
             raise PrintingError(f"{self.kernel.name}: an output is nowhere surely a normal number")
 
         def normal(x: float) -> bool:

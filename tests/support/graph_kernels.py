@@ -23,7 +23,7 @@ def kernel_of(
     cancellations: dict[str, str] | None = None,
     lower: Limit = "0",
     upper: Limit | None = None,
-    **options: bool,
+    **options: Any,
 ) -> Kernel:
     """A kernel of one input x; `scales` names an output's scale, outputs of "_" are scales only."""
     shown = [name for name in graph["outputs"] if not name.startswith("_")]

@@ -1,6 +1,7 @@
 """Neighbours and rounding agree with NumPy."""
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from hypothesis import strategies as st
 
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
 
-FLOATS = {"float64": np.float64, "float32": np.float32}
+FLOATS: dict[str, Any] = {"float64": np.float64, "float32": np.float32}
 
 
 @pytest.mark.parametrize("form", FORMATS, ids=lambda form: form.name)
