@@ -112,8 +112,9 @@ name}; {"denominator": polynomial, "numerators": [[polynomial]], "cofactors": {"
 per generator]}}
     M = F X F' + q Q0 with q = index^2, K = M H'/(H M H' + R), X = M - K H M. With M = A/d, a = A H'
     and s = H a + R d (d and s manifestly positive) the entries i <= j of
-    s (F A F' - A + d q Q0) - F a a' F', expanded without reduction, equal the sums of cofactor
-    times (y^n - radicand). One scalar measurement; the index has no denominator.
+    D^2 (s (F A F' - A) - F a a' F') + s d N^2 Q0, expanded without reduction, equal the sums of
+    cofactor times (y^n - radicand). N/D is the index as the tower writes it. One scalar
+    measurement.
 stable {"model": model, "gain": [names]}; {"values": [fraction, ...]}
     All roots of a(z) = det(z I - F (I - K H)) lie inside the unit circle. For each degree from n
     down to 1 the manifestly positive a_n - a_0 and a_n + a_0, then a_k <- a_n a_(k+1) - a_0

@@ -17,17 +17,25 @@ from gainproof.verify.certificate.rejection import (
     Meter,
     RejectedError,
 )
+from gainproof.verify.certificate.written import WrittenFraction
 
 
 class Tower:
-    """A field and the named elements over it; remembers which names were used."""
+    """A field and the named elements over it; remembers which names were used.
 
-    __slots__ = ("_positions", "elements", "field", "used")
+    ``written`` keeps the elements' fractions as they came, for what is expanded unreduced.
+    """
 
-    def __init__(self, field: Field, elements: Mapping[str, Ratio], used: set[str]) -> None:
+    __slots__ = ("_positions", "elements", "field", "used", "written")
+
+    def __init__(
+        self, field: Field, elements: Mapping[str, Ratio], used: set[str],
+        written: Mapping[str, WrittenFraction] | None = None,
+    ) -> None:
         self.field = field
         self.elements = elements
         self.used = used
+        self.written = written or {}
         self._positions = {name: i for i, name in enumerate(field.variables())}
 
     def knows(self, name: str) -> bool:
@@ -109,12 +117,13 @@ def read_tower(value: Plain, meter: Meter, place: str) -> Tower:
     for generator in field.generators:
         tower.mark(generator.radicand)
     values: dict[str, Ratio] = {}
+    fractions: dict[str, WrittenFraction] = {}
     for name, entry in elements.items():
         fraction = written.read_fraction(entry, ring, f"{place}.elements.{name}")
         tower.mark(fraction.numerator)
         tower.mark(fraction.denominator)
-        values[name] = fraction.ratio(field)
-    return Tower(field, values, tower.used)
+        values[name], fractions[name] = fraction.ratio(field), fraction
+    return Tower(field, values, tower.used, fractions)
 
 
 def read_generator(value: Plain, field: Field, place: str) -> Generator:

@@ -74,7 +74,7 @@ def test_every_cofactor_counts(acceleration: Data) -> None:
     ("claim.predicted", [["m11", "m12"]], "square"),
     ("claim.predicted", [], "square"),
     ("claim.index", "p", "combination"),
-    ("claim.index", "alpha", "denominator"),
+    ("claim.index", "alpha", "combination"),
     ("claim.index", "sigma", "combination"),
 ])
 def test_riccati(acceleration: Data, path: str, new: Any, why: str) -> None:

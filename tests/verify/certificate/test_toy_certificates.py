@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from time import perf_counter
 from typing import Any
 
 from tests.verify.certificate.toy_writer import expectations
@@ -21,3 +24,18 @@ def test_memory_is_accepted(memory: dict[str, Any]) -> None:
     report = check(memory, **expectations(memory))
     assert report.accepted, report.reason
     assert report.count("proved") == len(memory["statements"])
+
+
+def test_soon(acceleration: dict[str, Any]) -> None:
+    start = perf_counter()
+    check(acceleration)
+    assert perf_counter() - start < 3
+
+
+def test_pure_python() -> None:
+    """The checker stands on Python's own library alone."""
+    code = ("import sys; import gainproof.verify.certificate.alteration;"
+            "print(*[m for m in ('sympy', 'numpy', 'flint', 'mpmath', 'scipy', 'lark')"
+            " if m in sys.modules])")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == ""

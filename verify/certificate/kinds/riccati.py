@@ -23,8 +23,8 @@ def riccati(case: Case) -> str:
     q the square of the index.
     Claim: model, predicted, updated (square arrays of names), gain (names), index (name).
     Evidence: denominator d, numerators A (M = A/d), cofactors: for each "i,j" with i <= j one
-    polynomial per generator, so that the residual times d s, expanded without any reduction, is
-    the sum of cofactor times (y^n - radicand).
+    polynomial per generator, so that the residual times d s D^2, expanded without any reduction,
+    is the sum of cofactor times (y^n - radicand); D is the index's denominator as written.
     """
     claim = case.claims("model", "predicted", "updated", "gain", "index")
     evidence = case.evidences("denominator", "numerators", "cofactors")
@@ -36,7 +36,7 @@ def riccati(case: Case) -> str:
     gain = case.names(claim["gain"], "gain")
     if not len(predicted) == len(updated) == len(gain) == size:
         raise RejectedError(f"{size} states in the model, other sizes in the claim")
-    index = _index(case, claim["index"])
+    index, index_below = _index(case, claim["index"])
     below = case.polynomial(evidence["denominator"], "denominator")
     above = _numerators(case, evidence["numerators"], size)
     if not field.positive(below):
@@ -55,24 +55,28 @@ def riccati(case: Case) -> str:
             _same(entry, predicted[i][j], f"predicted {i + 1},{j + 1}")
             change = polynomial(field, column[i] * column[j]).over(over_below).over(over_variance)
             _same(entry - change, updated[i][j], f"updated {i + 1},{j + 1}")
-    residual = _residual(field, model, above, below, column, variance, index * index)
+    scales = index_below * index_below, below * index * index
+    residual = _residual(field, model, above, column, variance, scales)
     _check_cofactors(case, evidence["cofactors"], residual)
     return "proved"
 
 
 def _residual(
-    field: Field, model: Model, above: _Square, below: Polynomial, column: list[Polynomial],
-    variance: Polynomial, noise: Polynomial,
+    field: Field, model: Model, above: _Square, column: list[Polynomial], variance: Polynomial,
+    scales: tuple[Polynomial, Polynomial],
 ) -> _Square:
-    """``s (F A F' - A + d q Q0) - F a a' F'`` with a = A H' and s = H a + R d, not reduced."""
+    """``D^2 (s (F A F' - A) - F a a' F') + s d N^2 Q0``, not reduced.
+
+    a = A H', s = H a + R d, the index is N/D; ``scales`` are D^2 and d N^2.
+    """
     size = model.size
     moved = _transformed(field, model, above)
     outer = [[first * second for second in column] for first in column]
     moved_outer = _transformed(field, model, outer)
-    scaled = below * noise
+    outside, noise = scales[0], variance * scales[1]
     return [[
-        variance * (moved[i][j] - above[i][j] + scaled.times(model.process_noise[i][j]))
-        - moved_outer[i][j]
+        outside * (variance * (moved[i][j] - above[i][j]) - moved_outer[i][j])
+        + noise.times(model.process_noise[i][j])
         for j in range(size)] for i in range(size)]
 
 
@@ -105,12 +109,14 @@ def _check_cofactors(case: Case, value: Plain, residual: _Square) -> None:
                                 "generators' relations")
 
 
-def _index(case: Case, value: Plain) -> Polynomial:
+def _index(case: Case, value: Plain) -> tuple[Polynomial, Polynomial]:
+    """The index as it is written: numerator and denominator."""
     name = schema.name(value, f"{case.place}.claim.index")
     index = case.tower.value(name)
-    if index.factors:
-        raise RejectedError(f"the index {name!r} has a denominator")
-    return index.numerator
+    if name in case.tower.written:
+        fraction = case.tower.written[name]
+        return fraction.numerator, fraction.denominator
+    return index.numerator, case.tower.field.ring.constant(1)
 
 
 def _numerators(case: Case, value: Plain, size: int) -> _Square:
