@@ -5,13 +5,14 @@
 For every family, argument and format the points are log-uniform over the domain of the bounds
 (half as many again near the upper end of a gain's domain), and log-uniform over 1e-6..1e6 for the
 tracking index. Truth is a ball round the Riccati solution. The state file is written every few
-chunks; a campaign that was interrupted goes on from it, and one that is complete prints its table
-at once. Status 1 when a measured error exceeds its bound.
+chunks; a campaign that was interrupted goes on from it as long as the kernels are the same, and
+one that is complete prints its table at once. Status 1 when a measured error exceeds its bound.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 import os
 import sys
@@ -25,6 +26,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from kernel_errors import Worst, log_uniform, measure, near_supremum
 from printed_kernels import DTYPES, common_domain, groups, printed_kernels
+
+import gainproof.generated
 
 CHUNK = 500
 HELP = "worst error of every kernel output over very many points, beside its stated bound"
@@ -82,10 +85,23 @@ def run(task: Task) -> dict[str, tuple[float, float, int]]:
 
 
 def load(path: Path) -> dict[str, Any]:
+    """What was measured of these very kernels; nothing when they have changed since."""
+    kernels = digest()
     if path.exists():
         state: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-        return state
-    return {"done": [], "worst": {}}
+        if state["kernels"] == kernels:
+            return state
+        sys.stderr.write(f"{path} is about other kernels: starting anew\n")
+    return {"kernels": kernels, "done": [], "worst": {}}
+
+
+def digest() -> str:
+    """A digest of the text of all generated modules."""
+    found = hashlib.sha256()
+    for folder in gainproof.generated.__path__:
+        for file in sorted(Path(folder).glob("*.py")):
+            found.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
+    return found.hexdigest()
 
 
 def save(path: Path, state: dict[str, Any]) -> None:

@@ -27,6 +27,8 @@ def test_it_resumes_and_reports(tmp_path: Path) -> None:
     assert "4/4 chunks" in whole.stderr
     assert "least_squares_mean.gains.alpha" in whole.stdout
 
+    whole_state = state.read_text()
+
     # complete: nothing is measured again
     again = run(state)
     assert "chunks" not in again.stderr
@@ -38,8 +40,13 @@ def test_it_resumes_and_reports(tmp_path: Path) -> None:
     state.write_text(json.dumps(kept))
     assert "1/1 chunks" in run(state).stderr
 
+    # measurements of other kernels count for nothing
+    state.write_text(json.dumps({**kept, "kernels": "others"}))
+    assert "4/4 chunks" in run(state).stderr
+
     # a measured error above its bound is a failure
     key = "least_squares_mean/gains.alpha/float64/domain"
     kept["worst"][key][0] = 1.02
+    kept["done"] = json.loads(whole_state)["done"]
     state.write_text(json.dumps(kept))
     assert run(state).returncode == 1
