@@ -91,9 +91,10 @@ def _at(
     if kernel.promises[dtype][output].holds_at(place):
         error = distance.relative_error(value, true.value, true.scale) / float(EPSILON[dtype])
         return Worst(error, place, 1)
-    # a pole's part may be small or 0 inside its range too; outside it the whole pole is
-    size = abs(value)
-    documented = size == math.inf or size <= 8 * LEAST_NORMAL[dtype] or size >= LARGEST[dtype] / 8
+    # 0, subnormal or infinite, but for what the rounding next to the ends of the normal range
+    # makes of a true value there
+    size, edge = abs(value), 2.0**-10
+    documented = size <= LEAST_NORMAL[dtype] * (1 + edge) or size >= LARGEST[dtype] * (1 - edge)
     where = f"{kernel.id}.{output} at {place!r} ({dtype})"
     assert documented, f"{where}: {value!r} outside the promised range"
     return Worst()
