@@ -143,11 +143,9 @@ class Polynomial:
 
     def constant_value(self) -> Fraction | None:
         """The number this polynomial is, or None if a variable occurs."""
-        if not self.terms:
-            return Fraction(0)
         if any(any(m) for m in self.terms):
             return None
-        return Fraction(next(iter(self.terms.values())), self.denominator)
+        return Fraction(sum(self.terms.values()), self.denominator)
 
     def occurs(self, position: int) -> bool:
         """Whether the variable at ``position`` occurs."""
@@ -194,11 +192,10 @@ class Polynomial:
             raise RejectedError("polynomials over different variables met")
 
     def _cost(self, other: Polynomial) -> int:
-        bits = _bits(self) + _bits(other)
+        bits = self._bits() + other._bits()
         products = len(self.terms) * len(other.terms)
         return products * (1 + self.ring.size // 8 + (bits // 256) ** 2 // 32)
 
-
-def _bits(polynomial: Polynomial) -> int:
-    values = polynomial.terms.values()
-    return max(0, *values, -min(values, default=0)).bit_length()
+    def _bits(self) -> int:
+        values = self.terms.values()
+        return max(0, *values, -min(values, default=0)).bit_length()
