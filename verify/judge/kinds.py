@@ -30,20 +30,21 @@ def judge_reading(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     relations = tuple(scope.relation(r) for r in reading.relations)
     printed = tuple(scope.relation(r) for r in reading.conditions)
     _only_plain((*relations, *printed))
-    boxes, rest = _domain(claim, scope, relations if claim.kind == "recursion" else ())
+    both = claim.kind == "equivalence" or reading.connective == "iff"
+    implied = claim.kind == "implication" or reading.connective == "implies"
+    stated = () if both or implied else printed
+    boxes, rest = _domain(claim, scope, stated, relations if claim.kind == "recursion" else ())
     labels = scope.labels()
     parameter = scope.environment.parameter
     needed = tuple(scope.needed)
-    both = claim.kind == "equivalence" or reading.connective == "iff"
     if both:
         return _equivalence(
             Statement(relations, printed, "iff", needed), rest, boxes, parameter, labels
         )
-    if claim.kind == "implication" or reading.connective == "implies":
+    if implied:
         statement = Statement(printed, (*relations, *rest), "if", needed)
     else:
-        boxes, printed = bounded(boxes, printed)
-        statement = Statement(relations, (*printed, *rest), "if", needed)
+        statement = Statement(relations, rest, "if", needed)
     statement = without_equations(statement, boxes, parameter, labels)
     return finding_of(settle(statement, boxes, parameter, labels))
 
@@ -55,12 +56,10 @@ def _only_plain(relations: Iterable[Rel]) -> None:
 
 
 def _domain(
-    claim: Claim, scope: Scope, used: tuple[Rel, ...]
+    claim: Claim, scope: Scope, printed: tuple[Rel, ...], used: tuple[Rel, ...] = ()
 ) -> tuple[dict[str, Box], tuple[Rel, ...]]:
-    """Boxes and further conditions: the fields `domain` of claim and symbols, and the hypotheses
-    `given`.
-    """
-    stated = [scope.relation(r) for r in claim.domain]
+    """Boxes and further conditions: `printed` ones, fields `domain`, `given`."""
+    stated = [*printed, *[scope.relation(r) for r in claim.domain]]
     for formula in claim.given:
         if len(formula.readings) != 1:
             raise Undecided("a hypothesis with several readings")
@@ -122,9 +121,8 @@ def _limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     expr = scope.expression(relation.left)
     target = _end(relation.right, scope)
     claimed = target if isinstance(target, str) else scope.expression(relation.right)
-    others = [scope.relation(r) for r in reading.conditions if r is not arrows[0]]
-    boxes, rest = _domain(claim, scope, ())
-    boxes, rest = bounded(boxes, (*others, *rest))
+    others = tuple(scope.relation(r) for r in reading.conditions if r is not arrows[0])
+    boxes, rest = _domain(claim, scope, others)
     if rest or variable.kind != "symbol":
         raise Undecided("a limit under conditions, or in a quantity that is no variable")
     if not isinstance(claimed, str) and symbols_of(claimed):

@@ -107,8 +107,7 @@ def _real(x: Fraction) -> Any:
 
 def _rational(x: Any) -> Fraction:
     """A multiprecision number that is a simple rational, as one."""
-    found = Fraction(str(mpmath.nstr(x, 60, strip_zeros=False))).limit_denominator(10**12)
-    return found
+    return Fraction(str(mpmath.nstr(x, 60, strip_zeros=False))).limit_denominator(10**12)
 
 
 def _root(base: Any, exponent: Fraction) -> Any:

@@ -14,6 +14,8 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
+import flint
+
 from gainproof.verify.judge.exact.algebraic import Algebraic, apart, real_roots, simplest_between
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.decision import decide
@@ -24,7 +26,7 @@ from gainproof.verify.judge.exact.norm import norm, vanishing_factors
 from gainproof.verify.judge.exact.place import Box, Place, places
 from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree, rational, univariate
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
-from gainproof.verify.judge.exact.tower import Tower, build_tower
+from gainproof.verify.judge.exact.tower import Element, Tower, build_tower
 from gainproof.verify.judge.exact.witness import enclosure, separated, value_ball
 
 UNKNOWN = "limit value"
@@ -68,8 +70,7 @@ def limit_to_infinity(
     )
     fences = _fences(roots)
     local, sample = _beyond(tower, last, m, fences)
-    value = _resolved(local, element, sample, fences)
-    place = sum(1 for fence in fences if value > rational(fence))
+    place = _gap(local, element, sample, fences)
     certificate = {
         "checked": "replayed",
         "tower": tower.relations_text(),
@@ -113,12 +114,15 @@ def _beyond(tower: Tower, last: Place, m: Poly, fences: list[Fraction]) -> tuple
     return Local(tower, last), Fraction(start.__floor__() + 1)
 
 
-def _resolved(local: Local, element: Any, sample: Fraction, fences: list[Fraction]) -> Any:
+def _gap(local: Local, element: Element, sample: Fraction, fences: list[Fraction]) -> int:
+    """How many of the fences lie below the value at the sample; it equals none of them."""
     precision = 64
     while precision <= local.tower.limits.precision:
         ball = value_ball(local, element, sample, precision, ())
-        if ball is not None and all(not ball.contains(rational(f)) for f in fences):
-            return ball
+        with flint.ctx.workprec(precision):
+            edges = [flint.arb(rational(fence)) for fence in fences]
+            if ball is not None and not any(ball.overlaps(edge) for edge in edges):
+                return sum(1 for edge in edges if ball > edge)
         precision *= 2
     raise Undecided("balls cannot tell the limit")
 

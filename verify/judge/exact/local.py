@@ -236,7 +236,7 @@ def evaluate(p: Poly, values: list[Ball | None]) -> Ball:
     missing.
     """
     total = flint.arb(0)
-    powers: dict[tuple[int, int], Ball] = {}
+    powers: dict[int, list[Ball]] = {}
     for exponents, coefficient in terms(p):
         product = flint.arb(flint.fmpq(coefficient))
         for index, exponent in enumerate(exponents):
@@ -245,9 +245,10 @@ def evaluate(p: Poly, values: list[Ball | None]) -> Ball:
             value = values[index]
             if value is None:
                 return flint.arb.nan()
-            key = (index, exponent)
-            if key not in powers:
-                powers[key] = value**exponent
-            product = product * powers[key]
+            # by multiplication: arb's own power is not a number for a ball that contains zero
+            known = powers.setdefault(index, [flint.arb(1)])
+            while len(known) <= exponent:
+                known.append(known[-1] * value)
+            product = product * known[exponent]
         total = total + product
     return total

@@ -182,18 +182,22 @@ def _strictly_inside(number: Algebraic, box: Box) -> bool:
     )
 
 
-def region_text(kept: list[Place], name: str) -> str:
+def region_text(kept: list[Place], name: str, *, integer: bool = False) -> str:
     """The union of places as text: neighbouring places are joined."""
     pieces: list[list[Place]] = []
     for place in kept:
-        if pieces and _adjacent(pieces[-1][-1], place):
+        if pieces and _adjacent(pieces[-1][-1], place, integer):
             pieces[-1].append(place)
         else:
             pieces.append([place])
-    return " or ".join(_piece_text(piece, name) for piece in pieces) or "nowhere"
+    shown = _integer_text if integer else _piece_text
+    return " or ".join(shown(piece, name) for piece in pieces) or "nowhere"
 
 
-def _adjacent(a: Place, b: Place) -> bool:
+def _adjacent(a: Place, b: Place, integer: bool) -> bool:
+    if integer:
+        last, first = _ends(a)[1], _ends(b)[0]
+        return last is not None and first == last + 1
     if a.is_cell:
         return b.at is not None and a.right == b.at
     return b.is_cell and a.at is not None and b.left == a.at
@@ -216,3 +220,30 @@ def _piece_text(piece: list[Place], name: str) -> str:
     assert left is not None
     assert right is not None
     return f"{left.text()} {low} {name} {high} {right.text()}"
+
+
+def _ends(place: Place) -> tuple[int | None, int | None]:
+    """The first and the last integer of a place that holds one; None without bound."""
+    if place.at is not None:
+        return int(place.at.low), int(place.at.low)
+    first = last = None
+    if place.left is not None:
+        first = floor(place.left.low)
+        while compare(place.left, Fraction(first)) >= 0:
+            first += 1
+    if place.right is not None:
+        last = ceil(place.right.high)
+        while compare(place.right, Fraction(last)) <= 0:
+            last -= 1
+    return first, last
+
+
+def _integer_text(piece: list[Place], name: str) -> str:
+    first, last = _ends(piece[0])[0], _ends(piece[-1])[1]
+    if first is None and last is None:
+        return f"all {name}"
+    if first == last:
+        return f"{name} = {first}"
+    if last is None:
+        return f"{name} >= {first}"
+    return f"{name} <= {last}" if first is None else f"{first} <= {name} <= {last}"

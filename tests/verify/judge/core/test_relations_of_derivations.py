@@ -1,0 +1,77 @@
+"""Relations written by derivations, judged by the judge's own solutions: every one, kernels
+included.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from gainproof.derive.catalogue import CATALOGUE
+from gainproof.verify.judge.relation import judge_relation, judge_statement
+from gainproof.verify.judge.surroundings import surroundings
+
+DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}
+BEYOND_THE_TOWER = {
+    ("continuous-white-acceleration", "kernel-complex-poles"),
+    ("continuous-white-acceleration", "kernel-real-poles"),
+}
+"""Statements whose tower of roots is higher than the judge admits; certificates prove them."""
+
+
+def symbol_graph(*names: str, kind: str = "add") -> dict[str, Any]:
+    nodes: list[list[Any]] = [["symbol", name] for name in names]
+    if len(names) > 1:
+        nodes.append([kind, *range(len(names))])
+    return {"nodes": nodes, "outputs": {"value": len(nodes) - 1}}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("entry", CATALOGUE, ids=lambda entry: str(entry.name))
+def test_every_statement_is_proved(entry: Any) -> None:
+    certificate = entry.build().certificate()
+    degree = DEGREES.get(entry.name)
+    model = entry.build().model_data if degree is None else None
+    around = {n: surroundings(model, degree, t) for n, t in certificate["towers"].items()}
+    for statement in certificate["statements"]:
+        kind = statement["kind"]
+        finding = judge_statement(
+            kind,
+            statement["claim"],
+            programs=certificate["programs"],
+            around=around[statement["tower"]],
+        )
+        expected = {"definition": "definition", "cited": "remark"}.get(kind, "proved")
+        if (entry.name, statement["id"]) in BEYOND_THE_TOWER:
+            expected = "undecided"
+        assert finding.verdict == expected, f"{statement['id']}: {finding.reason}"
+
+
+def test_relation_of_another_family_is_refuted() -> None:
+    (other,) = (e.build().model_data for e in CATALOGUE if e.name == "random-acceleration")
+    left = {
+        "nodes": [["symbol", "alpha"], ["symbol", "beta"], ["add", 0, 1], ["mul", 0, 2]],
+        "outputs": {"value": 3},
+    }
+    right = {"nodes": [["number", "2"], ["symbol", "beta"], ["mul", 0, 1]], "outputs": {"value": 2}}
+    finding = judge_relation(left, right, other)
+    assert finding.verdict == "refuted"
+    assert finding.witness is not None
+    assert finding.witness.point == {"tracking_index": "1"}
+
+
+def test_unknown_symbols_and_malformed_data_are_undecided() -> None:
+    finding = judge_relation(symbol_graph("alpha"), symbol_graph("omega"), degree=0)
+    assert finding.verdict == "undecided"
+    assert "omega" in finding.reason
+    bad: dict[str, Any] = {"nodes": [["number", "0.5"]], "outputs": {"value": 0}}
+    assert judge_relation(symbol_graph("alpha"), bad, degree=0).verdict == "undecided"
+    assert judge_statement("no such kind", {}, degree=0).verdict == "undecided"
+
+
+def test_free_symbols_of_a_relation() -> None:
+    left, right = symbol_graph("z", "alpha"), symbol_graph("alpha", "z")
+    assert judge_relation(left, right, degree=1, free=["z"]).verdict == "proved"
+    product = symbol_graph("alpha", "z", kind="mul")
+    assert judge_relation(left, product, degree=1, free=["z"]).verdict == "refuted"
