@@ -25,7 +25,7 @@ def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
     """{"subject", "accepted", "reason", "statements"}: the checker's report as plain data.
 
     A statement is {"id", "kind", "status", "reason", "seconds"}. Rejected too: a certificate that
-    proves nothing of one of the kernels.
+    says nothing of one of the kernels' outputs.
     """
     report = check(
         certificate,
@@ -46,7 +46,7 @@ def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
     ]
     reason = report.reason
     if report.accepted:
-        reason = _unproved_kernels(expected) or _other_subject(report.subject, expected)
+        reason = _unproved_outputs(expected) or _other_subject(report.subject, expected)
     return {
         "subject": expected["subject"],
         "accepted": report.accepted and not reason,
@@ -55,12 +55,20 @@ def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def _unproved_kernels(expected: Mapping[str, Any]) -> str:
+def _unproved_outputs(expected: Mapping[str, Any]) -> str:
     claimed = {
-        entry["claim"]["program"] for entry in expected["claims"] if entry["kind"] == "program"
+        (entry["claim"]["program"], output)
+        for entry in expected["claims"]
+        if entry["kind"] == "program"
+        for output in entry["claim"]["outputs"]
     }
-    missing = sorted(set(expected["kernels"]) - claimed)
-    return f"no statement says what these kernels compute: {', '.join(missing)}" if missing else ""
+    missing = [
+        f"{kernel}.{output}"
+        for kernel in expected["kernels"]
+        for output in expected["programs"][kernel]["graph"]["outputs"]
+        if (kernel, output) not in claimed
+    ]
+    return f"no statement says what these outputs are: {', '.join(missing)}" if missing else ""
 
 
 def _other_subject(subject: str, expected: Mapping[str, Any]) -> str:
