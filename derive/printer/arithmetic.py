@@ -41,7 +41,7 @@ class Arithmetic:
         self.masks: dict[str, str] = {}
         self.placed: dict[int, str] = {}  # results of select, known by their array's name
         body = [*self._unpacking(), *self._body()]
-        self.lines = _without_unused_names(body)
+        self.lines = [line for each in _without_unused_names(body) for line in fitted(each)]
         self.uses_type = any(" if single else " in line for line in body)
 
     @property
@@ -75,19 +75,16 @@ class Arithmetic:
                 self.names[number] = self.inputs[
                     [given.name for given in self.kernel.inputs].index(step.label)
                 ]
-        final = {number: name for name, number in zip(self.outputs, self._ends(), strict=True)}
+        final = set(self._ends())
         for number in self.plan.order:
             step = self.program.steps[number]
-            is_output = self.plan.register[number] < len(self.outputs) and number in final
-            if is_output:
+            if self.plan.register[number] < len(self.outputs) and number in final:
+                yield from self._statements(number, step, "")
                 self.names[number] = self._register(number)
-                target = ""
-            else:
-                name = self._fresh(step.label or f"t{number}")
-                target = f"{name} = "
-            yield from self._statements(number, step, target)
-            if not is_output:
-                self.names[number] = self.placed.get(number, name)
+                continue
+            name = self._fresh(step.label or f"t{number}")
+            yield from self._statements(number, step, f"{name} = ")
+            self.names[number] = self.placed.get(number, name)
         for output, number in self.plan.copies:
             yield from self._prepared(number)
             yield f"np.copyto({self.outputs[output]}, {self._operand(number)})"
@@ -182,6 +179,20 @@ class Arithmetic:
 def literal(value: float) -> str:
     """The shortest text of a number, as the formatter writes it."""
     return repr(value).replace("e+", "e")
+
+
+def fitted(line: str, width: int = 96) -> list[str]:
+    """An unpacking or a call on as many lines as the formatter gives it."""
+    if len(line) <= width:
+        return [line]
+    if line.endswith((" = given", " = out", " = work")):
+        names, _, source = line.partition(" = ")
+        return ["(", *(f"    {name}," for name in names.split(", ")), f") = {source}"]
+    opening, _, inner = line.partition("(")
+    arguments = inner.removesuffix(")")
+    if len(arguments) + 4 <= width:
+        return [f"{opening}(", f"    {arguments}", ")"]
+    return [f"{opening}(", *(f"    {part}," for part in arguments.split(", ")), ")"]
 
 
 def _without_unused_names(lines: list[str]) -> list[str]:

@@ -177,13 +177,13 @@ class _Proof:
             points = self._forward(boxes.grid(grid.low, grid.low))
             worse = self._uncertain(points, Behaviour(points))
             if worse.any() or turn == 11 or len(grid.low) > GREATEST_COUNT:
-                break
+                raise PrintingError(
+                    f"{self.kernel.name} ({self.form.name}), input "
+                    f"{float(grid.low[worse.argmax()])!r}: NaN, or a normal number where the true "
+                    "value is none, cannot be excluded; another order of operations may avoid an "
+                    "over- or underflow"
+                )
             grid = boxes.halves(boxes.halves(grid, self.form), self.form)
-        raise PrintingError(
-            f"{self.kernel.name} ({self.form.name}), input {float(grid.low[worse.argmax()])!r}: "
-            "NaN, or a normal number where the true value is none, cannot be excluded; "
-            "another order of operations may avoid an over- or underflow"
-        )
 
     def _uncertain(self, forward: Forward, behaviour: Behaviour) -> Mask:
         """Boxes where an output may be NaN, or normal outside its domain."""

@@ -160,10 +160,10 @@ class Forward:
             np.stack([nearest, sizes[0][0], sizes[1][0]]),
             np.stack([farthest, sizes[0][1], sizes[1][1]]),
         )
-        steep = [
-            interval.divide((x * abs(affine.factor),) * 2, end)
-            for x, end in zip((self.grid.low, self.grid.high), sizes, strict=True)
-        ]
+        steep = []
+        for x, end in zip((self.grid.low, self.grid.high), sizes, strict=True):
+            scaled = x * abs(affine.factor)
+            steep.append(interval.divide((scaled, scaled), end))
         slope_low = np.minimum(steep[0][0], steep[1][0])
         slope_high = np.maximum(steep[0][1], steep[1][1])
         falling = sign * affine.factor < 0

@@ -1,0 +1,186 @@
+"""Guards, types, shapes and output arrays of printed kernels."""
+
+from __future__ import annotations
+
+import warnings
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from graph_kernels import function_of, kernel_of
+
+from gainproof.derive.printer.graph import GraphBuilder
+from gainproof.derive.printer.runtime import SIZE
+
+
+@cache
+def two() -> Any:
+    """root = sqrt(x), square = x x for positive x."""
+    b = GraphBuilder()
+    x = b.symbol("x")
+    return function_of(kernel_of(b.graph({"root": b.sqrt(x), "square": x * x})))
+
+
+@cache
+def counted() -> Any:
+    """6/(k (k + 1)) for whole numbers from 1."""
+    b = GraphBuilder()
+    k = b.symbol("x")
+    graph = b.graph({"y": 6 / (k * (k + 1))})
+    return function_of(kernel_of(graph, lower=1, lower_open=False, integer=True, upper=10**9))
+
+
+def test_numbers_give_numbers() -> None:
+    for given, kind in ((4.0, np.float64), (4, np.float64), (np.float32(4), np.float32)):
+        found = two()(given)
+        assert [type(each) for each in found] == [kind, kind]
+        assert found == (2, 16)
+        assert found.root == 2
+
+
+def test_arrays_keep_shape_and_type() -> None:
+    for shape in ((), (0,), (3,), (2, 0), (2, 3, 4), (SIZE + 1,), (3, SIZE)):
+        for kind in (np.float32, np.float64):
+            x = np.full(shape, 4, kind)
+            root, square = two()(x)
+            assert root.shape == square.shape == shape
+            assert root.dtype == square.dtype == kind
+            assert np.all(root == 2)
+            assert np.all(square == 16)
+    assert two()([1, 4]).root.dtype == np.float64
+    assert two()(np.arange(1, 5, dtype=np.uint8)).square.tolist() == [1, 4, 9, 16]
+    assert two()(np.array([4.0], ">f8")).root.tolist() == [2]
+
+
+def test_every_layout_gives_the_same() -> None:
+    x = np.linspace(1, 2, 6 * SIZE).reshape(3, 2 * SIZE)
+    plain = two()(x)
+    for view, back in ((x.T, (1, 0)), (np.asfortranarray(x), (0, 1))):
+        for found, wanted in zip(two()(view), plain, strict=True):
+            assert np.array_equal(found.transpose(back), wanted)
+    assert np.array_equal(two()(x[::-1, ::3]).root, plain.root[::-1, ::3])
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, -1.0, 0.0, -0.0])
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_inputs_outside_the_domain(bad: float, kind: type[Any]) -> None:
+    with pytest.raises(ValueError, match="x must be a number above 0 and finite, got") as caught:
+        two()(kind(bad))
+    assert "index" not in str(caught.value)
+    for place in (0, 5, SIZE, 2 * SIZE + 3):
+        x = np.ones(2 * SIZE + 4, kind)
+        x[place] = bad
+        with pytest.raises(ValueError, match=rf"got {kind(bad)!s} at index {place}$"):
+            two()(x)
+    x = np.ones((4, 5), kind)
+    x[2, 3] = bad
+    with pytest.raises(ValueError, match=r"at index \(2, 3\)$"):
+        two()(x.T.copy().T)
+
+
+def test_no_output_is_touched_by_bad_input() -> None:
+    x = np.ones(3 * SIZE)
+    x[-1] = np.nan
+    out = (np.full(x.shape, 7.0), np.full(x.shape, 7.0))
+    with pytest.raises(ValueError, match="got nan"):
+        two()(x, out=out)
+    assert all(np.all(each == 7) for each in out)
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        1j,
+        True,
+        "1",
+        None,
+        [1, "2"],
+        np.float16(1),
+        np.longdouble(1),
+        np.array([1], object),
+        np.array(["2020"], "M8[Y]"),
+        10**30,
+    ],
+)
+def test_wrong_types(bad: Any) -> None:
+    with pytest.raises(TypeError, match="x must be real numbers of type float64 or float32"):
+        two()(bad)
+
+
+def test_whole_numbers() -> None:
+    assert counted()([1, 2]).y.tolist() == [3, 1]
+    assert counted()(3.0).y == 0.5
+    with pytest.raises(
+        ValueError, match=r"a whole number at least 1 and below 1000000000, got 1.5"
+    ):
+        counted()([1, 1.5])
+    with pytest.raises(ValueError, match=r"got 0.0 at index 1"):
+        counted()([1, 0])
+
+
+def test_given_outputs() -> None:
+    x = np.linspace(1, 3, 2 * SIZE + 5)
+    plain = two()(x)
+    out = (np.empty_like(x), np.empty((x.size, 2))[:, 0])
+    found = two()(x, out=out)
+    assert found.root is out[0]
+    assert found.square is out[1]
+    assert np.array_equal(out[0], plain.root)
+    assert np.array_equal(out[1], plain.square)
+    again = two()(x, out=found)
+    assert again.root is out[0]
+    columns = np.empty((x.size, 2))
+    two()(x, out=(columns[:, 0], columns[:, 1]))
+    assert np.array_equal(columns[:, 1], plain.square)
+    nought = (np.empty(()), np.empty(()))
+    assert two()(4.0, out=nought).root is nought[0]
+    assert nought[0] == 2
+
+
+def test_an_output_may_be_the_input() -> None:
+    x = np.linspace(1, 3, 2 * SIZE + 5)
+    plain = two()(x)
+    for shift in (0, 3):
+        whole = np.concatenate([x, np.ones(shift)])
+        given = whole[: x.size]
+        target = whole[shift : shift + x.size]
+        found = two()(given, out=(target, np.empty_like(x)))
+        assert np.array_equal(found.root, plain.root)
+        assert np.array_equal(found.square, plain.square)
+
+
+def test_outputs_that_do_not_fit() -> None:
+    x = np.ones(3)
+    fine = np.empty(3)
+    frozen = np.empty(3)
+    frozen.flags.writeable = False
+    for out, kind, text in (
+        (fine, ValueError, r"out must be a tuple of 2 arrays \(root, square\), got ndarray"),
+        ((fine,), ValueError, "got tuple of 1"),
+        ((fine, [0.0] * 3), TypeError, "out square must be an array, got list"),
+        ((fine, np.empty(3, np.float32)), TypeError, "of type float64, got float32"),
+        ((np.empty(4), fine), ValueError, r"out root must have shape \(3,\), got \(4,\)"),
+        ((np.empty((1, 3)), fine), ValueError, r"must have shape \(3,\), got \(1, 3\)"),
+        ((fine, frozen), ValueError, "out square must be writable"),
+        ((fine, fine), ValueError, "out root and square share memory"),
+    ):
+        with pytest.raises(kind, match=text):
+            two()(x, out=out)
+
+
+def test_no_warning_escapes() -> None:
+    with warnings.catch_warnings(), np.errstate(all="raise"):
+        warnings.simplefilter("error")
+        found = two()(np.array([5e-324, 1e-200, 1e200, 1.7e308]))
+        assert found.square.tolist() == [0, 0, np.inf, np.inf]
+
+
+def test_threads_do_not_meet() -> None:
+    def run(seed: int) -> bool:
+        x = np.random.default_rng(seed).uniform(1, 2, 5 * SIZE)
+        return np.array_equal(two()(x).root, np.sqrt(x))
+
+    with ThreadPoolExecutor(4) as pool:
+        assert all(pool.map(run, range(16)))

@@ -1,0 +1,64 @@
+"""The files of generated as bytes, and the layout of their JSON."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from graph_kernels import kernel_of
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gainproof.derive.printer.canonical_json import WIDTH, canonical_json
+from gainproof.derive.printer.graph import GraphBuilder
+from gainproof.derive.printer.kernel import Module
+from gainproof.derive.printer.write import RUNTIME, all_files
+
+
+def module(name: str) -> Module:
+    b = GraphBuilder()
+    graph = b.graph({"y": b.sqrt(b.symbol("x"))})
+    return Module(name, f"The module {name}", "made so", "from this", (kernel_of(graph),))
+
+
+def test_all_files() -> None:
+    files = all_files([module("b"), module("a")], {"a": {"x": [1]}, "b": {}})
+    assert list(files) == ["__init__.py", "_runtime.py", "a.py", "a.json", "b.py", "b.json"]
+    assert files["_runtime.py"] == RUNTIME.read_bytes()
+    assert files["a.json"] == b'{"x": [1]}\n'
+    assert b"`a`: The module a\n- `b`" in files["__init__.py"]
+    assert all(b"\r" not in content and content.endswith(b"\n") for content in files.values())
+    assert files == all_files([module("a"), module("b")], {"b": {}, "a": {"x": [1]}})
+
+
+def test_what_does_not_belong_together() -> None:
+    with pytest.raises(ValueError, match="differ"):
+        all_files([module("a")], {"a": {}, "b": {}})
+    with pytest.raises(KeyError):
+        all_files([module("a")], {})
+    with pytest.raises(ValueError, match="differ"):
+        all_files([module("a"), module("a")], {"a": {}})
+
+
+PLAIN = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.text(max_size=30),
+    lambda inner: st.lists(inner, max_size=30) | st.dictionaries(st.text(max_size=9), inner),
+    max_leaves=80,
+)
+
+
+@given(PLAIN)
+def test_json_comes_back(value: object) -> None:
+    text = canonical_json(value)
+    assert json.loads(text) == value
+    assert text.endswith("\n")
+
+
+def test_json_is_neither_one_line_nor_one_number_a_line() -> None:
+    value = {"rows": [[str(n), [n, n]] for n in range(100)], "short": {"a": 1}}
+    lines = canonical_json(value).splitlines()
+    assert 10 < len(lines) < 40
+    assert max(map(len, lines)) <= WIDTH
+    assert lines[-2:] == ['  "short": {"a": 1}', "}"]
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        canonical_json([float("nan")])
