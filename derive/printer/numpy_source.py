@@ -77,9 +77,9 @@ def _kernel(kernel: Kernel, bounds: Sequence[KernelBound]) -> Iterator[str]:
     yield from ("", "")
     work = "work" if arithmetic.work else "_work"
     single = "single" if arithmetic.uses_type else "_single"
-    given = "given: Sequence[Array], out: Sequence[Array]"
+    arrays = "given: Sequence[Array], out: Sequence[Array]"
     yield f"def {block}("
-    yield f"    {given}, {work}: Sequence[Array], {single}: bool"
+    yield f"    {arrays}, {work}: Sequence[Array], {single}: bool"
     yield ") -> None:"
     yield from (f"    {line}" for line in arithmetic.lines)
     yield from ("", "")
