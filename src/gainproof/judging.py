@@ -9,6 +9,10 @@ from typing import Any
 from gainproof.bad_input import BadInputError
 from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
+from gainproof.workers import processors
+
+SECONDS = 60.0
+"""Time for one claim; what takes longer is undecided."""
 
 
 def judge_text(path: str, text: str, models: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -20,7 +24,7 @@ def judge_text(path: str, text: str, models: Sequence[Mapping[str, Any]]) -> dic
         claim_file = read_claim_text(text, path)
     except ClaimFileError as error:
         raise BadInputError(str(error)) from None
-    verdicts = judge_file(claim_file, models)
+    verdicts = judge_file(claim_file, models, seconds=SECONDS, processes=processors())
     return {
         "source": asdict(claim_file.source),
         "claims": [verdict.to_json() for verdict in verdicts],

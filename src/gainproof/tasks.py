@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -87,6 +89,13 @@ def wait(seconds: float) -> float:
     return seconds
 
 
+def start_another(seconds: float) -> float:
+    """Wait in a process that this one starts."""
+    script = f"import time; time.sleep({seconds!r})"
+    subprocess.run([sys.executable, "-c", script, "started-by-a-job"], check=True)
+    return seconds
+
+
 TASKS: Mapping[str, Callable[..., Any]] = {
     "catalogue": catalogue,
     "overview": overview,
@@ -99,4 +108,5 @@ TASKS: Mapping[str, Callable[..., Any]] = {
     "judge": judge,
     "environment": environment,
     "wait": wait,
+    "start_another": start_another,
 }

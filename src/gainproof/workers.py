@@ -11,6 +11,7 @@ import asyncio
 import contextlib
 import json
 import os
+import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -68,7 +69,7 @@ async def _run(
     async def one(job: Job) -> Any:
         async with room:
             start = asyncio.get_running_loop().time()
-            result = await _call(job, settings)
+            result = await call(job, settings)
             if on_done is not None:
                 on_done(job, asyncio.get_running_loop().time() - start)
             return result
@@ -83,7 +84,8 @@ async def _run(
         raise
 
 
-async def _call(job: Job, settings: Mapping[str, str]) -> Any:
+async def call(job: Job, settings: Mapping[str, str]) -> Any:
+    """The result of one job in a process with these settings; cancelling ends the process."""
     process = await asyncio.create_subprocess_exec(
         sys.executable,
         *("-m", "gainproof.worker"),
@@ -91,16 +93,26 @@ async def _call(job: Job, settings: Mapping[str, str]) -> Any:
         stdout=asyncio.subprocess.PIPE,
         stderr=asyncio.subprocess.PIPE,
         env=settings,
+        # a session of its own: what the job has started ends with it
+        start_new_session=os.name == "posix",
     )
     request = json.dumps({"task": job.task, "arguments": job.arguments}).encode()
     try:
         output, errors = await process.communicate(request)
     except BaseException:
-        with contextlib.suppress(ProcessLookupError):
-            process.kill()
+        _end(process)
         await process.wait()
         raise
     return _result(job, process.returncode, output, errors)
+
+
+def _end(process: asyncio.subprocess.Process) -> None:
+    """End a job and, where the system has process groups, everything that it started."""
+    with contextlib.suppress(ProcessLookupError):
+        if sys.platform == "win32":
+            process.kill()
+        else:
+            os.killpg(process.pid, signal.SIGKILL)
 
 
 def _result(job: Job, status: int | None, output: bytes, errors: bytes) -> Any:

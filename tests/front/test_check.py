@@ -103,10 +103,11 @@ def test_the_lecture_is_settled_and_the_noise_of_each_row_found(capsys: Capture)
 
 
 def test_a_claim_that_cannot_be_decided_has_status_1(tmp_path: Path, capsys: Capture) -> None:
-    """No exact method covers what the reader has no name for; the verdict must not be more."""
+    """True, so that no point refutes it, and with more radicals than any method takes."""
+    left = " + ".join(rf"\sqrt{{{n} + \alpha}}\sqrt{{{n} + \beta}}" for n in range(2, 10))
+    right = " + ".join(rf"\sqrt{{({n} + \alpha)({n} + \beta)}}" for n in range(2, 10))
     path = tmp_path / "open.toml"
-    powers = " + ".join(rf"\sqrt{{{n} + \alpha}}" for n in range(2, 12))
-    path.write_text(HEAD + claim("hard", rf"{powers} = 7 + \sqrt{{\beta + \Lambda}}"))
+    path.write_text(HEAD + claim("hard", f"{left} = {right}"))
     assert cli.main(["check", str(path), "--json"]) == 1
     (entry,) = as_json(capsys)["claims"]
     assert entry["verdict"] in {"held", "undecided"}

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
+import os
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -71,3 +74,21 @@ def test_works_from_a_program_without_a_main_guard() -> None:
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
     )
     assert done.stdout.strip() == "[0]"
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="needs a list of processes")
+def test_what_a_job_has_started_ends_with_it() -> None:
+    def still_running() -> bool:
+        return any(
+            b"started-by-a-job" in path.read_bytes()
+            for path in Path("/proc").glob("[0-9]*/cmdline")
+            if path.exists()
+        )
+
+    async def interrupted() -> None:
+        job = Job("slow", "start_another", {"seconds": 60})
+        with pytest.raises(TimeoutError):
+            await asyncio.wait_for(workers.call(job, dict(os.environ)), 2)
+
+    asyncio.run(interrupted())
+    assert not still_running()
