@@ -53,7 +53,7 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None) -> Gains:
 
 
 def _gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Sequence[Array], out: Sequence[Array], _work: Sequence[Array], _single: bool
 ) -> None:
     (sample_number,) = given
     (alpha,) = out
@@ -113,7 +113,7 @@ def updated_covariance(
 
 
 def _updated_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Sequence[Array], out: Sequence[Array], _work: Sequence[Array], _single: bool
 ) -> None:
     (sample_number,) = given
     (updated_11,) = out
@@ -173,7 +173,7 @@ def predicted_covariance(
 
 
 def _predicted_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Sequence[Array], out: Sequence[Array], _work: Sequence[Array], _single: bool
 ) -> None:
     (sample_number,) = given
     (predicted_11,) = out
