@@ -14,12 +14,13 @@ from typing import Any
 from flint import arb, ctx, fmpq
 
 Graph = Mapping[str, Any]
+Ball = Any  # flint.arb; python-flint ships no types
 
 
-def ball_outputs(graph: Graph, point: float, precision: int = 192) -> dict[str, arb]:
+def ball_outputs(graph: Graph, point: float, precision: int = 192) -> dict[str, Ball]:
     """Balls round the exact outputs of a one-argument graph at a float."""
     ctx.prec = precision
-    values: list[arb] = []
+    values: list[Ball] = []
     for operation, *operands in graph["nodes"]:
         values.append(_value(operation, operands, values, point))
     found = {name: values[number] for name, number in graph["outputs"].items()}
@@ -29,7 +30,7 @@ def ball_outputs(graph: Graph, point: float, precision: int = 192) -> dict[str, 
     return ball_outputs(graph, point, 2 * precision)
 
 
-def _value(operation: str, operands: Sequence[Any], values: list[arb], point: float) -> arb:
+def _value(operation: str, operands: Sequence[Any], values: list[Ball], point: float) -> Ball:
     if operation == "number":
         number = Fraction(operands[0])
         return arb(fmpq(number.numerator, number.denominator))
@@ -54,7 +55,7 @@ def _value(operation: str, operands: Sequence[Any], values: list[arb], point: fl
     return -first if operation == "neg" else first
 
 
-def error(value: float, exact: arb, scale: arb, epsilon: float) -> float:
+def error(value: float, exact: Ball, scale: Ball, epsilon: float) -> float:
     """|value - exact|/|scale| in units of epsilon, rounded to a float."""
     return float(((arb(value) - exact) / scale).abs_upper().mid()) / epsilon
 
