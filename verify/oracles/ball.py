@@ -23,6 +23,7 @@ from fractions import Fraction
 
 import flint
 
+from gainproof.verify.oracles.closed_loop import Unresolved, distances_from_one, expand
 from gainproof.verify.oracles.matrices import Matrix
 from gainproof.verify.oracles.spectrum import Spectrum
 from gainproof.verify.oracles.state_space import Index, NotConverged, SteadyState, exact
@@ -49,8 +50,14 @@ class Enclosure:
     bits: int
 
 
-class _Unresolved(Exception):
-    """The working precision does not yet decide; more bits are needed."""
+def _lost(index: Fraction) -> int:
+    """A first guess of the bits that cancel; the precision is doubled if they are more.
+
+    Poles are kept as distances from 1, where slow filters have them; those of fast ones end near
+    0 and -1, and their distances from there are smaller than the inverse index.
+    """
+    size = int(index.numerator.bit_length() - index.denominator.bit_length())
+    return 4 * size if size > 0 else -size
 
 
 def enclose(spectrum: Spectrum, tracking_index: Index, digits: int = 40) -> Enclosure:
@@ -63,12 +70,12 @@ def enclose(spectrum: Spectrum, tracking_index: Index, digits: int = 40) -> Encl
     if index <= 0:
         raise ValueError(f"the tracking index must be positive, got {tracking_index!r}")
     wanted = digits * 10 // 3 + 1
-    bits = wanted + 64 + abs(index.numerator.bit_length() - index.denominator.bit_length())
+    bits = wanted + 64 + _lost(index)
     while bits <= LARGEST_PRECISION:
         with flint.ctx.workprec(bits):
             try:
                 return _enclose(spectrum, index, wanted, bits)
-            except (_Unresolved, ZeroDivisionError):
+            except (Unresolved, ZeroDivisionError):
                 bits *= 2
     raise NotConverged(f"balls: {digits} digits of every entry not reached with {bits // 2} bits")
 
@@ -77,8 +84,8 @@ def _enclose(spectrum: Spectrum, index: Fraction, wanted: int, bits: int) -> Enc
     model = spectrum.model
     n = model.size
     ratio = flint.fmpq(index.numerator, index.denominator)
-    distances = _distances(spectrum, ratio * ratio)
-    loop_polynomial = _expand(distances)
+    distances = distances_from_one(spectrum, ratio * ratio)
+    loop_polynomial = expand(distances)
     apart = flint.arb_mat(
         n, 1, [c - d for c, d in zip(loop_polynomial, spectrum.characteristic, strict=False)][:n]
     )
@@ -113,43 +120,6 @@ def _enclose(spectrum: Spectrum, index: Fraction, wanted: int, bits: int) -> Enc
     return enclosed
 
 
-def _distances(spectrum: Spectrum, q: flint.fmpq) -> list[flint.acb]:
-    """x = 1 - z for each closed-loop pole z, certified inside the unit circle.
-
-    A root v of the spectrum belongs to the pair of roots of x^2 - v x + v = 0, whose z are
-    reciprocal. Kept as distances from 1 because slow filters have all their poles there.
-    """
-    polynomial = spectrum.still + q * spectrum.driven
-    found: list[flint.acb] = []
-    roots: list[tuple[flint.acb, int]] = polynomial.numer().complex_roots()  # type: ignore[assignment]  # its stub names one root
-    for v, multiplicity in roots:
-        if v.abs_lower() == 0:
-            raise _Unresolved
-        # one factor under each root: the product v (v - 4) can be negative for complex v
-        root = v.sqrt() * (v - 4).sqrt()
-        plus, minus = (v + root) / 2, (v - root) / 2
-        larger = plus if plus.abs_lower() > minus.abs_lower() else minus
-        pair = [x for x in (larger, v / larger) if _inside(x)]
-        if len(pair) != 1:
-            raise _Unresolved
-        found += pair * int(multiplicity)
-    # roots v that have gone to infinity are poles z = 0
-    return found + [flint.acb(1)] * (spectrum.model.size - len(found))
-
-
-def _inside(x: flint.acb) -> bool:
-    """Whether |1 - x| < 1 is certain."""
-    return bool(x.real * x.real + x.imag * x.imag < 2 * x.real)
-
-
-def _expand(distances: list[flint.acb]) -> list[flint.arb]:
-    """Coefficients in powers of x of the product of (x_i - x); real because poles pair up."""
-    product = flint.acb_poly([1])
-    for distance in distances:
-        product = product * flint.acb_poly([distance, -1])
-    return [product[k].real for k in range(len(distances) + 1)]
-
-
 def _lyapunov(loop: flint.arb_mat, rights: tuple[flint.arb_mat, ...]) -> tuple[flint.arb_mat, ...]:
     """Symmetric X with X = A X A' + C for each C, from one linear system in balls."""
     n = loop.nrows()
@@ -179,12 +149,12 @@ def _require(enclosed: Enclosure, wanted: int) -> None:
         for rows in (state.predicted, state.updated, state.gain, state.innovation):
             for row in rows:
                 if any(entry.rel_accuracy_bits() < wanted for entry in row):
-                    raise _Unresolved
+                    raise Unresolved
     for rows in (enclosed.predictor_gain, enclosed.predictor_slope):
         if any(row[0].rel_accuracy_bits() < wanted for row in rows):
-            raise _Unresolved
+            raise Unresolved
     if any(pole.rel_accuracy_bits() < wanted for pole in enclosed.poles):
-        raise _Unresolved
+        raise Unresolved
 
 
 def _ball(value: Fraction) -> flint.arb:

@@ -19,7 +19,6 @@ from gainproof.verify.oracles.ball import Enclosure, enclose
 from gainproof.verify.oracles.spectrum import Spectrum
 from gainproof.verify.oracles.state_space import NotConverged
 
-WIDTH = Fraction(1, 10**34)
 KEPT_BITS = 160
 Quantity = Callable[[Enclosure], tuple[flint.arb, flint.arb]]
 
@@ -44,40 +43,48 @@ class Bracket:
 
 
 def bracket(
-    spectrum: Spectrum, quantity: Quantity, value: Fraction, near: Fraction | None = None
+    spectrum: Spectrum,
+    quantity: Quantity,
+    value: Fraction,
+    near: Fraction | None = None,
+    width: Fraction = Fraction(1, 10**34),
 ) -> Bracket:
-    """The index at which an increasing quantity takes ``value``, to a relative 1e-34.
+    """The index at which an increasing quantity takes ``value``, to a relative ``width``.
 
     ``quantity`` returns the ball and its slope. ``near`` is a guess, used to save time and
     not trusted. Raises NotConverged when no index between 2^-2300 and 2^2300 gives the value.
     """
-    found = _newton(spectrum, quantity, value, near) if near is not None and near > 0 else None
+    found = (
+        _newton(spectrum, quantity, value, near, width) if near is not None and near > 0 else None
+    )
     if found is None:
-        found = _newton(spectrum, quantity, value, _search(spectrum, quantity, value))
+        found = _newton(spectrum, quantity, value, _search(spectrum, quantity, value), width)
     if found is None:
         raise NotConverged(f"no index found that gives {float(value)!r}")
     return found
 
 
 def _newton(
-    spectrum: Spectrum, quantity: Quantity, value: Fraction, start: Fraction
+    spectrum: Spectrum, quantity: Quantity, value: Fraction, start: Fraction, width: Fraction
 ) -> Bracket | None:
     at = start
+    with flint.ctx.workprec(4 * KEPT_BITS):
+        wanted = _ball(value)
     for _ in range(12):
         ball, slope = quantity(enclose(spectrum, at))
         step = (value - distance.middle(ball)) / distance.middle(slope)
         if at + step <= 0:
             return None
-        settled = abs(step) < at * WIDTH / 4
+        # quadratic convergence: what remains after a relative step d is of order d^2
+        near = (step / at) ** 2 < width / 16
         at = _shortened(at + step)
-        if settled:
-            break
-    low, high = enclose(spectrum, at * (1 - WIDTH)), enclose(spectrum, at * (1 + WIDTH))
-    with flint.ctx.workprec(4 * KEPT_BITS):
-        wanted = _ball(value)
-        certain = quantity(low)[0] < wanted < quantity(high)[0]
-        rising = quantity(low)[1] > 0 and quantity(high)[1] > 0
-    return Bracket(low, high) if certain and rising else None
+        if not near:
+            continue
+        low, high = enclose(spectrum, at * (1 - width)), enclose(spectrum, at * (1 + width))
+        below, above = quantity(low), quantity(high)
+        if below[0] < wanted < above[0] and below[1] > 0 and above[1] > 0:
+            return Bracket(low, high)
+    return None
 
 
 def _search(spectrum: Spectrum, quantity: Quantity, value: Fraction) -> Fraction:

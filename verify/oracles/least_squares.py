@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cache
 from math import factorial
 
 from gainproof.verify.oracles.matrices import (
@@ -75,20 +76,23 @@ def covariance(degree: int, newest: int) -> Matrix:
 
 
 def power_sum(power: int, last: int) -> Fraction:
-    """0^power + 1^power + ... + last^power, exactly.
-
-    A polynomial in ``last`` of degree ``power + 1``: interpolated from as many plain sums.
-    """
-    if last <= power + 2:
-        return Fraction(sum(j**power for j in range(last + 1)))
+    """0^power + 1^power + ... + last^power, exactly."""
     total = Fraction(0)
-    for i in range(power + 2):
-        basis = Fraction(1)
-        for j in range(power + 2):
-            if j != i:
-                basis *= Fraction(last - j, i - j)
-        total += basis * sum(j**power for j in range(i + 1))
+    for coefficient in reversed(_power_sum_polynomial(power)):
+        total = total * last + coefficient
     return total
+
+
+@cache
+def _power_sum_polynomial(power: int) -> Vector:
+    """Coefficients, from low to high, of the sum as a polynomial in its last term's number.
+
+    It has degree ``power + 1`` and is interpolated from as many plain sums.
+    """
+    numbers = range(power + 2)
+    sums = tuple((Fraction(sum(j**power for j in range(last + 1))),) for last in numbers)
+    powers = tuple(tuple(Fraction(last) ** i for i in numbers) for last in numbers)
+    return tuple(row[0] for row in solve(powers, sums))
 
 
 def taylor(degree: int) -> Matrix:

@@ -24,6 +24,8 @@ from gainproof.verify.oracles.state_space import exact, state_space
 
 ORDINALS = ("first", "second", "third")
 BITS = 400
+# of the bracket round an index found from a gain: a billionth of a double's last place
+WIDTH = Fraction(1, 10**26)
 
 
 @dataclass(frozen=True)
@@ -57,7 +59,7 @@ class SteadyStateTruth:
             return quantities.values(found)[argument], quantities.slopes(found)[argument]
 
         guess = exact(near) if near is not None else None
-        found = inverse.bracket(self.spectrum, gain, exact(value), guess)
+        found = inverse.bracket(self.spectrum, gain, exact(value), guess, WIDTH)
         below, above = quantities.values(found.below), quantities.values(found.above)
         named = {"tracking_index": _plain(found.index)}
         with flint.ctx.workprec(BITS):
