@@ -33,16 +33,16 @@ class Arithmetic:
         self.program = program(kernel.graph)
         ends = [self.program.outputs[output.name] for output in kernel.outputs]
         self.plan = plan(self.program, ends)
-        self.taken = {"np", "given", "out", "work", "single", "Array", "Sequence"}
+        self.taken = {"np", "given", "out", "work", "single", "choose", "mask_of"}
         self.inputs = [self._fresh(given.name) for given in kernel.inputs]
         self.outputs = [self._fresh(output.name) for output in kernel.outputs]
         self.buffers = [self._fresh(f"w{i}") for i in range(self.plan.work)]
         self.names: dict[int, str] = {}
         self.masks: dict[str, str] = {}
-        self.placed: dict[int, str] = {}  # results of select, known by their array's name
         body = [*self._unpacking(), *self._body()]
         self.lines = [line for each in _without_unused_names(body) for line in fitted(each)]
-        self.uses_type = any(" if single else " in line for line in body)
+        self.chooses = bool(self.masks)
+        self.uses_type = self.chooses or any(" if single else " in line for line in body)
 
     @property
     def work(self) -> int:
@@ -84,7 +84,7 @@ class Arithmetic:
                 continue
             name = self._fresh(step.label or f"t{number}")
             yield from self._statements(number, step, f"{name} = ")
-            self.names[number] = self.placed.get(number, name)
+            self.names[number] = name
         for output, number in self.plan.copies:
             yield from self._prepared(number)
             yield f"np.copyto({self.outputs[output]}, {self._operand(number)})"
@@ -95,7 +95,7 @@ class Arithmetic:
     def _statements(self, number: int, step: Step, target: str) -> Iterator[str]:
         register = self._register(number)
         if step.operation == "select":
-            yield from self._select(number, step)
+            yield from self._select(number, step, target)
             return
         parts = [affine_sum(self.program, number, form) for form in FORMATS]
         if all(part is not None for part in parts) and any(
@@ -130,7 +130,7 @@ class Arithmetic:
         yield f"np.{UFUNC[step.operation]}({', '.join(operands)}, out={register})"
         yield f"{target}np.add({register}, {rest}, out={register})"
 
-    def _select(self, number: int, step: Step) -> Iterator[str]:
+    def _select(self, number: int, step: Step, target: str) -> Iterator[str]:
         limits = [threshold(self.program, step, form) for form in FORMATS]
         value, lines = self._by_type("limit", [limit.value for limit in limits])
         yield from lines
@@ -141,19 +141,12 @@ class Arithmetic:
         x, y = step.operands[2:]
         for part in (x, y):
             yield from self._prepared(part)
-        # the branch that already lies in the result's array stays there
-        stays = self.plan.register.get(x) == self.plan.register[number]
-        test = "np.greater_equal" if stays else "np.less"
-        kept, other = (x, y) if stays else (y, x)
-        condition = f"{test}({first}, {second})"
+        condition = f"np.less({first}, {second})"
         if condition not in self.masks:
             self.masks[condition] = self._fresh("mask")
-            yield f"{self.masks[condition]} = {condition}"
+            yield f"{self.masks[condition]} = mask_of({condition}, single)"
         mask = self.masks[condition]
-        if self.plan.register.get(kept) != self.plan.register[number]:
-            yield f"np.copyto({register}, {self._operand(kept)})"
-        yield f"np.putmask({register}, {mask}, {self._operand(other)})"
-        self.placed[number] = register
+        yield f"{target}choose({mask}, {self._operand(x)}, {self._operand(y)}, out={register})"
 
     def _prepared(self, part: int) -> Iterator[str]:
         """What must be said before a constant is used whose two types need two literals."""
@@ -202,5 +195,5 @@ def _without_unused_names(lines: list[str]) -> list[str]:
     for at, line in enumerate(lines):
         name, equals, rest = line.partition(" = ")
         unused = name.isidentifier() and not any(name in later for later in words[at + 1 :])
-        kept.append(rest if equals and unused and rest.startswith("np.") else line)
+        kept.append(rest if equals and unused and rest.startswith(("np.", "choose(")) else line)
     return [line for line in kept if line]

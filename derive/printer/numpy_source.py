@@ -27,6 +27,9 @@ def prove_both(kernel: Kernel) -> tuple[KernelBound, ...]:
 def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
     """The text of one generated module from bounds already proved, one pair a kernel."""
     names = [kernel.name for kernel in module.kernels]
+    arithmetics = [Arithmetic(kernel) for kernel in module.kernels]
+    chooses = any(arithmetic.chooses for arithmetic in arithmetics)
+    taken = f"Domain, Signature, {'choose, ' if chooses else ''}evaluate"
     lines = [
         f"# Made by: {_one_line(module.command)}",
         f"# From: {_one_line(module.derivation)}",
@@ -38,7 +41,7 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         "import numpy as np",
         "",
-        "from gainproof.generated._runtime import Domain, Signature, evaluate",
+        f"from gainproof.generated._runtime import {taken}{', mask_of' if chooses else ''}",
         "",
         "if TYPE_CHECKING:",
         "    from collections.abc import Sequence",
@@ -49,8 +52,8 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         *_all(names),
     ]
-    for kernel, pair in zip(module.kernels, bounds, strict=True):
-        lines += ["", "", *_kernel(kernel, pair)]
+    for kernel, arithmetic, pair in zip(module.kernels, arithmetics, bounds, strict=True):
+        lines += ["", "", *_kernel(kernel, arithmetic, pair)]
     return "\n".join(lines) + "\n"
 
 
@@ -68,8 +71,7 @@ def _all(names: Sequence[str]) -> list[str]:
     return ["__all__ = [", *(f"    {name}," for name in quoted), "]"]
 
 
-def _kernel(kernel: Kernel, bounds: Sequence[KernelBound]) -> Iterator[str]:
-    arithmetic = Arithmetic(kernel)
+def _kernel(kernel: Kernel, arithmetic: Arithmetic, bounds: Sequence[KernelBound]) -> Iterator[str]:
     block, signature = f"_{kernel.name}_block", f"_{kernel.name.upper()}"
     yield from _result(kernel)
     yield from ("", "")

@@ -75,6 +75,29 @@ def evaluate(
     return tuple(results)
 
 
+def mask_of(condition: NDArray[np.bool_], single: bool) -> NDArray[Any]:
+    """All bits set where the condition holds, as integers as wide as the numbers."""
+    kind = np.int32 if single else np.int64
+    mask: NDArray[Any] = np.negative(condition.view(np.int8), dtype=kind)
+    return mask
+
+
+def choose(mask: NDArray[Any], x: Array | float, y: Array | float, out: Array) -> Array:
+    """x where the mask is set, else y: bit by bit, since a masked copy waits for every branch.
+
+    `out` may be x or y, or both may be numbers.
+    """
+    kind = mask.dtype
+    bits = out.view(kind)
+    first, second = (np.asarray(each, out.dtype).view(kind) for each in (x, y))
+    if out is y:
+        mask, first, second = ~mask, second, first
+    np.bitwise_xor(first, second, out=bits)
+    np.bitwise_and(bits, mask, out=bits)
+    np.bitwise_xor(bits, second, out=bits)
+    return out
+
+
 def _run(
     kernel: Signature,
     flat: Sequence[Array],
