@@ -32,19 +32,22 @@ def expression(random: Random, depth: int) -> Expr:
         return random.choice(
             (X, X, X, number(random.randint(-4, 4)), number(Fraction(random.randint(1, 5), 2)))
         )
-    a, b = (lambda: expression(random, depth - 1)), (lambda: expression(random, depth - 1))
+
+    def a() -> Expr:
+        return expression(random, depth - 1)
+
     kind = random.choice(
         ("add", "add", "sub", "mul", "mul", "div", "sqrt", "sqrt", "square", "neg", "cube", "abs")
     )
     match kind:
         case "add":
-            return add(a(), b())
+            return add(a(), a())
         case "sub":
-            return a() - b()
+            return a() - a()
         case "mul":
-            return mul(a(), b())
+            return mul(a(), a())
         case "div":
-            return div(a(), b())
+            return div(a(), a())
         case "sqrt":
             return sqrt(a())
         case "square":

@@ -5,6 +5,7 @@ then replaced.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from gainproof.verify.judge.domain import box_conditions
 from gainproof.verify.judge.exact.calculus import substituted
@@ -12,6 +13,7 @@ from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 
 
@@ -37,7 +39,10 @@ def settle(
             return decide(statement, boxes, choice, labels)
         except Undecided as reason:
             last = reason
-    raise last
+    points = try_points(statement, boxes, labels)
+    if points is None:
+        raise last
+    return replace(points, reason=f"{points.reason} ({last})")
 
 
 def without_equations(

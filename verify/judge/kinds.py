@@ -106,7 +106,8 @@ def _equivalence(
         return replace(
             findings[0], certificate=certificate, method="each side solved and put into the other"
         )
-    return replace(wrong[0], reason=f"one direction fails: {wrong[0].reason}")
+    worst = next((f for f in wrong if f.verdict != "held"), wrong[0])
+    return replace(worst, reason=f"one direction only: {worst.reason}")
 
 
 def _limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:

@@ -90,7 +90,7 @@ def finding_of(outcome: Outcome) -> Finding:
     return Finding(
         outcome.verdict,
         outcome.reason,
-        outcome.domain,
+        outcome.domain or None,
         outcome.method,
         outcome.witness,
         outcome.certificate,

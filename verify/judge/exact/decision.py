@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
 
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
+from gainproof.verify.judge.exact.certificate import certificate_of
 from gainproof.verify.judge.exact.expression import power, symbol
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
 from gainproof.verify.judge.exact.place import Box, Place, region_text
+from gainproof.verify.judge.exact.radicand import NeedsPower
 from gainproof.verify.judge.exact.statement import (
     ORDERS,
     Enclosure,
@@ -26,7 +27,6 @@ from gainproof.verify.judge.exact.survey import (
     Work,
     survey,
 )
-from gainproof.verify.judge.exact.tower import NeedsPower
 from gainproof.verify.judge.exact.witness import (
     equal_sides_witness,
     find_witness,
@@ -84,7 +84,7 @@ def _outcome(work: Work, judged: list[Judged]) -> Outcome:
     relevant = [j for j in judged if j.truth != SKIPPED and (stated or j.truth != NO_VALUE)]
     held = [j for j in relevant if j.truth == TRUE]
     failed = [j for j in relevant if j.truth != TRUE]
-    certificate = _certificate(work, judged)
+    certificate = certificate_of(work, judged)
     if not relevant:
         if any(j.truth == NO_VALUE for j in judged):
             raise Undecided("the formula has no value anywhere on its domain")
@@ -176,30 +176,3 @@ def _samples(place: Place, integer: bool) -> list[Fraction]:
     if integer:
         return [Fraction(n) for n in place.integers(1)]
     return list(place.samples[:1])
-
-
-def _certificate(work: Work, judged: list[Judged]) -> dict[str, Any]:
-    """What another program needs to go through the same steps."""
-    names = {
-        work.tower.names[i]: n
-        for i, n in zip(work.tower.free_indices, work.tower.free, strict=True)
-    }
-    if work.tower.parameter is not None:
-        names["x"] = work.tower.parameter
-    return {
-        "checked": "replayed",
-        "variables": {short: work.labels.get(full, full) for short, full in names.items()},
-        "tower": work.tower.relations_text(),
-        "candidates": [str(f) for f in work.factors],
-        "places": [
-            {
-                "place": j.place.text(
-                    work.labels.get(work.tower.parameter or "", work.tower.parameter or "")
-                ),
-                "samples": [str(s) for s in j.place.samples[:3]],
-                "found": j.truth,
-                "balls": list(dict.fromkeys(j.local.steps))[:20],
-            }
-            for j in judged
-        ],
-    }

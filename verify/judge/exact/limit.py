@@ -25,8 +25,9 @@ from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.norm import norm, vanishing_factors
 from gainproof.verify.judge.exact.place import Box, Place, places
 from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree, rational, univariate
+from gainproof.verify.judge.exact.radicand import Element
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
-from gainproof.verify.judge.exact.tower import Element, Tower, build_tower
+from gainproof.verify.judge.exact.tower import Tower, build_tower
 from gainproof.verify.judge.exact.witness import enclosure, separated, value_ball
 
 UNKNOWN = "limit value"

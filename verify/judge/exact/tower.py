@@ -10,46 +10,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from fractions import Fraction
-from math import gcd, lcm
-from typing import Any
+from math import prod
 
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
-from gainproof.verify.judge.exact.poly import (
-    Poly,
-    Ring,
-    constant,
-    degree,
-    fraction,
-    from_terms,
-    monomial_content,
-    rational,
-    ring,
-    terms,
-    text,
+from gainproof.verify.judge.exact.poly import Poly, Ring, constant, degree, ring, terms, text
+from gainproof.verify.judge.exact.radicand import (
+    Element,
+    Variables,
+    number_root,
+    product_of_roots,
+    simplified,
+    split_off,
 )
-
-SMALL_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47)
-
-
-class NeedsPower(Exception):
-    """A root of an odd power of a positive symbol: the symbol must be written as a power of a new
-    one.
-    """
-
-    def __init__(self, name: str, order: int) -> None:
-        super().__init__(f"{name} = new^{order}")
-        self.name = name
-        self.order = order
-
-
-@dataclass(frozen=True)
-class Element:
-    """num / den, polynomials of the tower. Where the expression is defined, den is not zero."""
-
-    num: Poly
-    den: Poly
 
 
 @dataclass(frozen=True)
@@ -241,126 +214,32 @@ def _power(tower: Tower, node: Expr, base: Element) -> Element:
 
 
 def _root(tower: Tower, node: Expr, base: Element, order: int) -> Element:
-    num, den, outside = _extracted(tower, base, order)
+    one = constant(tower.context, 1)
+    variables = Variables(tower.free, tower.free_indices, tower.parameter_index, tower.positive)
+    num, den, outside = simplified(base, order, variables, tower.parameter)
     if num.is_zero():
-        return Element(num, den)
+        return Element(num, one)
     for exponents, _ in [*terms(num), *terms(den)]:
         if any(exponents[i] for i in tower.free_indices):
             raise Undecided("several parameters stand under one root")
-    plain = _number_root(num, den, order)
+    plain = number_root(num, den, order)
     if plain is not None:
-        return _product(
-            tower, outside, Element(constant(tower.context, plain), constant(tower.context, 1))
-        )
-    for root in tower.roots:
-        if root.order == order and root.radicand.num == num and root.radicand.den == den:
-            break
-    else:
+        return _product(tower, outside, Element(constant(tower.context, plain), one))
+    known = [(r.index, r.radicand) for r in tower.roots if r.order == order]
+    while (split := split_off(num, order, known, variables, tower.parameter)) is not None:
+        num, outside = split[0], _product(tower, outside, split[1])
+    product = product_of_roots(num, den, order, known, variables, tower.parameter)
+    if product is not None:
+        return _product(tower, outside, product)
+    root = next(
+        (r for r in tower.roots if r.order == order and r.radicand == Element(num, den)), None
+    )
+    if root is None:
         index = tower._slots - 1 - len(tower.roots)
         relation = tower.context.gen(index) ** order - tower.reduce(num * den ** (order - 1))
         root = Root(index, order, Element(num, den), relation)
         tower.roots.append(root)
-        total = 1
-        for each in tower.roots:
-            total *= each.order
-        if total > tower.limits.tower_degree:
+        if prod(each.order for each in tower.roots) > tower.limits.tower_degree:
             raise Undecided(f"a tower of roots of degree more than {tower.limits.tower_degree}")
     tower.checks.append(Check(node, root.sign_poly, root))
     return _product(tower, outside, Element(tower.context.gen(root.index), den))
-
-
-def _extracted(tower: Tower, base: Element, order: int) -> tuple[Poly, Poly, Element]:
-    """Powers of positive symbols taken out of the radicand."""
-    indices = [
-        i
-        for i, name in [
-            *zip(tower.free_indices, tower.free, strict=True),
-            *([] if tower.parameter_index is None else [(tower.parameter_index, tower.parameter)]),
-        ]
-        if name in tower.positive
-    ]
-    sides = []
-    for p in (base.num, base.den):
-        inside, outside = p, constant(tower.context, 1)
-        content = monomial_content(p, indices)
-        for i, e in zip(indices, content, strict=True):
-            if e % order and i in tower.free_indices:
-                raise NeedsPower(tower.free[i - tower._slots], order)
-            whole = e - e % order
-            if whole:
-                inside = divmod(inside, tower.context.gen(i) ** whole)[0]
-                outside = outside * tower.context.gen(i) ** (whole // order)
-        sides.append((inside, outside))
-    (num, top), (den, bottom) = sides
-    if num.is_zero():
-        return num, den, Element(top, bottom)
-    num, den, factor = _without_squares(num, den, order)
-    return num, den, Element(top * factor, bottom)
-
-
-def _without_squares(num: Poly, den: Poly, order: int) -> tuple[Poly, Poly, Any]:
-    """num / den = factor^order * (num' / den'), both primitive but for a number without small
-    powers.
-
-    So that roots that differ by a rational factor are one variable of the tower.
-    """
-    ratio = Fraction(1)
-    made = []
-    for p, sign in ((num, 1), (den, -1)):
-        content = _content(p)
-        made.append(p / rational(content))
-        ratio *= content**sign
-    # u / v = u v^(n-1) / v^n
-    whole = abs(ratio.numerator) * ratio.denominator ** (order - 1)
-    outside, inside = _power_part(whole, order)
-    inside = -inside if ratio < 0 else inside
-    return made[0] * inside, made[1], rational(Fraction(outside, ratio.denominator))
-
-
-def _content(p: Poly) -> Fraction:
-    """The positive number that leaves integer coefficients without common factor."""
-    coefficients = [fraction(c) for _, c in terms(p)]
-    top, bottom = 0, 1
-    for c in coefficients:
-        top, bottom = gcd(top, c.numerator), lcm(bottom, c.denominator)
-    return Fraction(top, bottom)
-
-
-def _power_part(n: int, order: int) -> tuple[int, int]:
-    """n = a^order * b, with no small prime left to that power in b."""
-    outside = 1
-    for prime in SMALL_PRIMES:
-        while n % prime**order == 0:
-            n //= prime**order
-            outside *= prime
-    exact = _integer_root(n, order)
-    return (outside, n) if exact is None else (outside * exact, 1)
-
-
-def _number_root(num: Poly, den: Poly, order: int) -> Fraction | None:
-    """The root of a rational number that has a rational one; negative only for odd order."""
-    if not (num.is_constant() and den.is_constant()):
-        return None
-    value = fraction(num.leading_coefficient()) / fraction(den.leading_coefficient())
-    if value < 0 and order == 2:
-        return None
-    top, bottom = (_integer_root(abs(n), order) for n in (value.numerator, value.denominator))
-    if top is None or bottom is None:
-        return None
-    return Fraction(top, bottom) * (-1 if value < 0 else 1)
-
-
-def _integer_root(n: int, order: int) -> int | None:
-    low, high = 0, 1 << (n.bit_length() // order + 1)
-    while low < high:
-        middle = (low + high) // 2
-        if middle**order < n:
-            low = middle + 1
-        else:
-            high = middle
-    return low if low**order == n else None
-
-
-def monomial(context: Ring, exponents: tuple[int, ...]) -> Poly:
-    """One monomial with coefficient 1."""
-    return from_terms(context, {exponents: 1})

@@ -14,8 +14,8 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
 from gainproof.verify.judge.exact.place import Box, Place
 from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.radicand import Element
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
-from gainproof.verify.judge.exact.tower import Element
 
 FREE_PATTERNS = (
     (1, 2, 3, 5, 7, 11, 13, 17),
@@ -81,7 +81,7 @@ def free_values(names: tuple[str, ...], boxes: Mapping[str, Box]) -> Iterator[tu
     for pattern in FREE_PATTERNS:
         values = []
         for k, name in enumerate(names):
-            value = _inside(boxes[name], pattern[k % len(pattern)] + 20 * (k // len(pattern)))
+            value = inside(boxes[name], pattern[k % len(pattern)] + 20 * (k // len(pattern)))
             if value is None:
                 return
             values.append(value)
@@ -90,18 +90,25 @@ def free_values(names: tuple[str, ...], boxes: Mapping[str, Box]) -> Iterator[tu
             return
 
 
-def _inside(box: Box, wanted: int) -> Fraction | None:
-    if box.holds(Fraction(wanted)):
-        return Fraction(wanted)
+def inside(box: Box, wanted: Fraction | int) -> Fraction | None:
+    """A number of the box: the wanted one if it lies there, else one made from it; None if none is
+    found.
+    """
+    wanted = Fraction(ceil(wanted)) if box.integer else Fraction(wanted)
+    if box.holds(wanted):
+        return wanted
     if box.lower is None:
         assert box.upper is not None
-        return Fraction(floor(box.upper) - wanted)
-    if box.upper is None:
-        return Fraction(ceil(box.lower) + wanted)
-    if box.integer:
-        inside = [n for n in range(ceil(box.lower), floor(box.upper) + 1) if box.holds(Fraction(n))]
-        return Fraction(inside[wanted % len(inside)]) if inside else None
-    return box.lower + (box.upper - box.lower) * Fraction(wanted, wanted + 1)
+        made = floor(box.upper) - wanted
+    elif box.upper is None:
+        made = ceil(box.lower) + wanted
+    elif box.integer:
+        first = floor(box.lower) + 1 if box.lower_open else ceil(box.lower)
+        last = ceil(box.upper) - 1 if box.upper_open else floor(box.upper)
+        made = Fraction(first + int(wanted) % (last - first + 1) if last >= first else first)
+    else:
+        made = box.lower + (box.upper - box.lower) * wanted / (abs(wanted) + 1)
+    return Fraction(made) if box.holds(Fraction(made)) else None
 
 
 def sample_points(place: Place, integer: bool) -> Iterable[Fraction | None]:

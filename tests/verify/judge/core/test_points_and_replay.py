@@ -1,0 +1,83 @@
+"""Beyond the methods points refute or hold, never prove. Certificates are replayed."""
+
+from __future__ import annotations
+
+import copy
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gainproof.derive.catalogue import CATALOGUE
+from gainproof.verify.judge.claim_file import read_claim_file
+from gainproof.verify.judge.exact.decision import decide
+from gainproof.verify.judge.exact.expression import power, sqrt, symbol
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.judge import judge_file
+from gainproof.verify.judge.replay import replay, replay_json
+
+x, y = symbol("x"), symbol("y")
+POSITIVE = Box(lower=Fraction(0))
+BOTH = {"x": POSITIVE, "y": POSITIVE}
+LECTURE = Path(__file__).parents[4] / "verify" / "claims" / "kosuge-slides.toml"
+
+
+def test_roots_it_does_not_cover_are_held_or_refuted() -> None:
+    fifth = power(x, Fraction(1, 5))
+    true = settle(Statement((Rel("=", fifth**5, x),)), {"x": POSITIVE}, "x", {})
+    assert true.verdict == "held"
+    assert "no proof" in true.reason
+    assert "order 5" in true.reason
+    false = settle(Statement((Rel("=", fifth**4, x),)), {"x": POSITIVE}, "x", {})
+    assert false.verdict == "refuted"
+    assert false.witness is not None
+    assert false.witness.point == {"x": "2"}
+
+
+def test_several_parameters_under_a_root() -> None:
+    true = Rel("=", sqrt(power(x, 2) + 2 * x * y + power(y, 2)), x + y)
+    assert settle(Statement((true,)), BOTH, None, {}).verdict == "held"
+    false = Rel("=", sqrt(power(x, 2) + power(y, 2)), x + y)
+    assert settle(Statement((false,)), BOTH, None, {}).verdict == "refuted"
+    mean = Rel(">=", (x + y) / 2, sqrt(x * y))
+    assert settle(Statement((mean,)), BOTH, None, {}).verdict == "held"
+    assert settle(Statement((Rel(">", x, y),)), BOTH, None, {}).verdict == "refuted"
+
+
+def test_conditions_are_respected_at_points() -> None:
+    statement = Statement((Rel(">", 3 * x, y),), (Rel(">", 2 * x, y),))
+    assert settle(statement, BOTH, None, {}).verdict in ("held", "proved")
+    nowhere = Statement((Rel(">", x, y),), (Rel(">", x, 1000 * y), Rel("<", x, y)))
+    with pytest.raises(Undecided):
+        settle(nowhere, BOTH, None, {})
+
+
+def test_a_certificate_is_replayed_and_an_altered_one_is_not() -> None:
+    left, right = sqrt(power(x, 2) - 6 * x + 9), x - 3
+    outcome = decide(Statement((Rel("=", left, right),)), {"x": POSITIVE}, "x")
+    certificate: dict[str, Any] = json.loads(json.dumps(outcome.certificate))
+    assert replay(certificate, "conditional") is None
+    assert replay(certificate, "proved") is not None
+    for field in ("tower", "candidates", "places"):
+        altered = copy.deepcopy(certificate)
+        altered[field] = altered[field][:-1]
+        assert replay(altered, "conditional") is not None
+    altered = copy.deepcopy(certificate)
+    altered["statement"]["domain"]["x"]["lower"] = "3"
+    assert replay(altered, "conditional") is not None
+    del altered["statement"]["relations"]
+    assert "cannot be replayed" in str(replay(altered, "conditional"))
+
+
+def test_verdicts_of_the_lecture_are_replayed() -> None:
+    models = [m for entry in CATALOGUE if (m := entry.build().model_data)]
+    verdicts = judge_file(read_claim_file(LECTURE), models)
+    claims = [json.loads(json.dumps(v.to_json())) for v in verdicts]
+    replayed = [c for c in claims if (c["evidence"]["certificate"] or {}).get("statement")]
+    assert len(replayed) > 20
+    assert all(replay_json(c) is None for c in claims)

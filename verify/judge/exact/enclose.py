@@ -1,0 +1,78 @@
+"""Balls round expression trees at rational points, straight from the tree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+import flint
+
+from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.poly import Ball, rational
+
+
+class NoValue(ArithmeticError):
+    """Division by exactly zero, or an even root of a negative number."""
+
+
+class Unresolved(ArithmeticError):
+    """A ball contains zero where its sign matters, or a function is not known."""
+
+
+def enclosed(expr: Expr, values: Mapping[str, Fraction], precision: int) -> Ball:
+    """A ball round the value at a point. Raises NoValue, Unresolved."""
+    with flint.ctx.workprec(precision):
+        done: dict[bytes, Ball] = {}
+        for node in walk(expr):
+            done[node.key] = _node(node, [done[p.key] for p in node.parts], values)
+        return done[expr.key]
+
+
+def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction]) -> Ball:
+    match node.kind:
+        case "number":
+            return flint.arb(rational(node.fraction))
+        case "symbol":
+            if node.name not in values:
+                raise Unresolved(node.name)
+            return flint.arb(rational(values[node.name]))
+        case "add" | "mul":
+            total = parts[0]
+            for part in parts[1:]:
+                total = total + part if node.kind == "add" else total * part
+            return total
+        case "neg":
+            return -parts[0]
+        case "div":
+            return parts[0] * _inverse(parts[1])
+        case "pow":
+            return _power(parts[0], node.fraction)
+        case _:
+            raise Unresolved(str(node.value))
+
+
+def _inverse(x: Ball) -> Ball:
+    if x.is_zero():
+        raise NoValue("a divisor is zero")
+    if x.contains(0):
+        raise Unresolved("a divisor that may be zero")
+    return 1 / x
+
+
+def _power(base: Ball, exponent: Fraction) -> Ball:
+    order, times = exponent.denominator, abs(exponent.numerator)
+    if exponent < 0:
+        base = _inverse(base)
+    if order > 1 and not base.is_zero():
+        if base > 0:
+            base = base.root(order)
+        elif base < 0 and order % 2:
+            base = -((-base).root(order))
+        elif base < 0:
+            raise NoValue("an even root of a negative number")
+        else:
+            raise Unresolved("a root of a number that may be zero")
+    product = flint.arb(1)
+    for _ in range(times):
+        product = product * base
+    return product

@@ -1,0 +1,102 @@
+"""Where no method decides: exact rational points, which can refute and never prove."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.witness import inside, separated
+
+PRECISIONS = (128, 512, 2048)
+AGREED_BITS = 400
+WANTED = 24
+LEAST = 8
+PATTERNS = (
+    (1, 2, 3, 5, 7, 11),
+    (2, 3, 5, 7, 11, 13),
+    (5, 1, 7, 2, 3, 1),
+    (1, 1, 1, 1, 1, 1),
+    (9, 4, 1, 6, 2, 8),
+)
+
+
+def try_points(
+    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+) -> Outcome | None:
+    """`refuted` with a witness, `held` if at least LEAST points agree and none differs, or None.
+
+    Only for statements of the form `relations if conditions`.
+    """
+    if statement.connective != "if":
+        return None
+    agreed = 0
+    for tried, point in enumerate(_points(sorted(statement.symbols()), boxes), start=1):
+        found = _at(statement, point, labels)
+        if isinstance(found, Witness):
+            reason = f"fails {found.text()}; where it may hold is not determined"
+            return Outcome("refuted", "", reason, "balls at an exact point", found, {}, tried)
+        agreed += found
+    if agreed < LEAST:
+        return None
+    reason = f"agrees at {agreed} exact points to {AGREED_BITS * 3 // 10} digits; no proof"
+    return Outcome("held", "", reason, "balls at exact points")
+
+
+def _points(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
+    """Simple points inside the boxes, then the same with halves and thirds, and far out."""
+    made: set[tuple[Fraction, ...]] = set()
+    for scale in (1, Fraction(1, 2), 10, Fraction(1, 30), 1000):
+        for pattern in PATTERNS:
+            values = []
+            for k, name in enumerate(names):
+                wanted = Fraction(pattern[k % len(pattern)] + 20 * (k // len(pattern))) * scale
+                value = inside(boxes.get(name, Box(stated=False)), wanted)
+                if value is None:
+                    return
+                values.append(value)
+            if tuple(values) not in made and len(made) < WANTED:
+                made.add(tuple(values))
+                yield dict(zip(names, values, strict=True))
+
+
+def _at(
+    statement: Statement, point: Mapping[str, Fraction], labels: Mapping[str, str]
+) -> Witness | int:
+    """A witness, 1 if the statement was seen to hold at the point, 0 if it says nothing there."""
+    for precision in PRECISIONS:
+        try:
+            if not all(_holds(rel, point, precision) for rel in statement.conditions):
+                return 0
+            for rel in statement.relations:
+                a, b = (enclosed(side, point, precision) for side in (rel.left, rel.right))
+                if not _holds(rel, point, precision):
+                    shown = separated(a, b)
+                    if shown is None:
+                        raise Unresolved("sides too close")
+                    where = {labels.get(name, name): str(value) for name, value in point.items()}
+                    return Witness(where, rel.operator, *shown)
+            return 1
+        except Unresolved:
+            continue
+        except NoValue:
+            return 0
+    return 0
+
+
+def _holds(rel: Rel, point: Mapping[str, Fraction], precision: int) -> bool:
+    """Truth by balls; two sides that agree to AGREED_BITS count as equal. Raises Unresolved,
+    NoValue.
+    """
+    a, b = (enclosed(side, point, precision) for side in (rel.left, rel.right))
+    if not a.overlaps(b):
+        less = bool(a < b)
+        return {"=": False, "!=": True, "<": less, "<=": less, ">": not less, ">=": not less}[
+            rel.operator
+        ]
+    gap = a - b
+    if rel.operator in ("=", "<=", ">=") and gap.abs_upper() * 2**AGREED_BITS < a.abs_upper() + 1:
+        return True
+    raise Unresolved("sides that overlap")
