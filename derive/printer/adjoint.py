@@ -19,7 +19,8 @@ from gainproof.derive.printer import interval
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array, Interval
 from gainproof.derive.printer.program import Step
-from gainproof.derive.printer.value import Mask, Value, none_as_zero, true_size
+from gainproof.derive.printer.ratio import ratio
+from gainproof.derive.printer.value import MARGIN, Mask, Value, none_as_zero, true_size
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,10 @@ class Adjoint:
                 self._account(number)
                 self._pass_on(number)
         self.upper *= interval.SLACK
+        if any(value.loose for value in self.values):
+            # weights of cancelled values are over exact sizes, rounded ones differ by the drift
+            drift = max(value.drift for value in self.values)
+            self.upper *= 1.0 + 4.0 * len(self.values) * drift
         self.upper[~(self.upper >= self.lower)] = np.inf
 
     def _start(self, row: int, output: int, scale: int) -> None:
@@ -68,7 +73,7 @@ class Adjoint:
             (_, high), (low, _) = value.size, true_size(reference)
             one = np.zeros(self.shape[1]), np.fmin(interval.up(high[0] / low[0]), np.inf)
         else:
-            one = self.forward.ratio(value, reference)
+            one = ratio(value, reference, self.forward.grid.width)
         wide = (1.0 + value.drift) * interval.SLACK
         low, high = np.zeros(self.shape), np.zeros(self.shape)
         low[row], high[row] = one[0] / interval.SLACK, one[1] * wide
@@ -111,7 +116,8 @@ class Adjoint:
         if value.tiny is not None:
             assert weight.absolute is not None
             exposed = weight.active & (value.tiny > 0)
-            self.upper += np.where(exposed, interval.up(weight.absolute * value.tiny) / 2, 0.0)
+            lost = interval.up(weight.absolute * value.tiny) / 2 * MARGIN
+            self.upper += np.where(exposed, lost, 0.0)
         for failed in (value.invalid, value.over):
             if failed is not None:
                 self.upper[weight.active & failed] = np.inf

@@ -60,7 +60,7 @@ def scale(a: Interval, power: float) -> Interval:
 
 
 def spread(slope: Array, width: Array) -> Array:
-    """An upper bound of (1 + width)^slope for slope >= 0 and 0 <= width < 2^10.
+    """An upper bound of (1 + width)^slope for slope >= 0; infinity for a width beyond 2^10.
 
     (1 + w)^g <= 1 + g w for g <= 1, applied up to three times, or 1/(1 - g w) where g w < 1.
     """
@@ -68,7 +68,7 @@ def spread(slope: Array, width: Array) -> Array:
     for k in (1.0, 2.0):
         product = product * (1.0 + np.clip(slope - k, 0.0, 1.0) * width)
     steep = slope * width
-    small = np.where(slope <= 3.0, product, np.inf)
+    small = np.where((slope <= 3.0) & (width <= 1024.0), product, np.inf)
     return np.minimum(small, np.where(steep < 1.0, 1.0 / (1.0 - steep), np.inf)) * SLACK
 
 

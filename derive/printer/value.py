@@ -15,6 +15,11 @@ Signs = NDArray[np.int8]
 Mask = NDArray[np.bool_]
 
 
+# u is taken larger by this: covers 1/(1 - u), a result just below the least normal number,
+# and errors of second order in the comparison of exact and computed values.
+MARGIN = 1.0 + 2.0**-13
+
+
 class PrintingError(ValueError):
     """A graph that cannot be printed with a proved bound; the message names the node."""
 

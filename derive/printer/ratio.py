@@ -1,0 +1,53 @@
+"""Ratios of two steps over boxes, tight where natural interval division is not."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gainproof.derive.printer import interval
+from gainproof.derive.printer.interval import Array, Interval
+from gainproof.derive.printer.value import Value, none_as_zero, sum_of
+
+
+def ratio(a: Value, b: Value, width: Array) -> Interval:
+    """|a|/|b| over boxes of the given width, under every possible rounding.
+
+    Where the slopes differ by one sign the ratio is monotone and its ends suffice; else it moves
+    away from either end by no more than the largest difference of slopes allows.
+    """
+    low, high = _exact(a, b, width)
+    wide = (1.0 + sum_of(a.drift, b.drift)) * interval.SLACK
+    low, high = low / wide, high * wide
+    if a.stray is not None or b.stray is not None:
+        low, high = _astray(a, b, (low, high), wide)
+    return np.fmax(interval.down(low), 0.0), np.fmin(interval.up(high), np.inf)
+
+
+def _exact(a: Value, b: Value, width: Array) -> Interval:
+    least = np.nextafter(a.slope[0] - b.slope[1], -np.inf)
+    most = np.nextafter(a.slope[1] - b.slope[0], np.inf)
+    low, high = interval.divide(a.size, b.size)
+    factor = interval.spread(np.maximum(-least, most), width)
+    rises, falls = least >= 0, most <= 0
+    from_ends = np.maximum(low[1], low[2]) / factor, np.minimum(high[1], high[2]) * factor
+    return (
+        np.where(rises, low[1], np.where(falls, low[2], np.fmax(low[0], from_ends[0]))),
+        np.where(rises, high[2], np.where(falls, high[1], np.fmin(high[0], from_ends[1]))),
+    )
+
+
+def _astray(a: Value, b: Value, tight: Interval, wide: float) -> Interval:
+    """(a +- lost)/(b +- lost), from the tight a/b with b at its least, and from the ranges."""
+    lost_a, lost_b = none_as_zero(a.stray) * wide, none_as_zero(b.stray) * wide
+    lost = (lost_a > 0) | (lost_b > 0)
+    least_b = b.size[0][0] / wide
+    above, below = least_b + lost_b, np.fmax(least_b - lost_b, 0.0)
+    most_b = b.size[1][0] * wide + lost_b
+    plain_low = np.fmax(a.size[0][0] / wide - lost_a, 0.0) / most_b / wide
+    plain_high = (a.size[1][0] * wide + lost_a) / below * wide
+    tight_low = tight[0] * (least_b / above) - lost_a / above * wide
+    tight_high = tight[1] * (least_b / below) + lost_a / below * wide
+    return (
+        np.where(lost, np.fmax(tight_low / wide, plain_low), tight[0]),
+        np.where(lost, np.fmin(tight_high * wide, plain_high), tight[1]),
+    )
