@@ -12,9 +12,14 @@ from gainproof.cache import FOLDER_VARIABLE
 
 @pytest.fixture(scope="session", autouse=True)
 def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Derivations are made once a session; they depend on the code alone."""
+    """Derivations are made once a session; they depend on the code alone.
+
+    Processes of pytest-xdist share one folder: it lies beside those of their own.
+    """
+    base = tmp_path_factory.getbasetemp()
+    place = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
     before = os.environ.get(FOLDER_VARIABLE)
-    os.environ[FOLDER_VARIABLE] = str(tmp_path_factory.mktemp("cache"))
+    os.environ[FOLDER_VARIABLE] = str(place / "shared-cache")
     yield
     if before is None:
         del os.environ[FOLDER_VARIABLE]
