@@ -64,6 +64,12 @@ class Adjoint:
             self.upper *= 1.0 + 4.0 * len(self.values) * drift
         self.upper[~(self.upper >= self.lower)] = np.inf
 
+    def greatest_weight(self, number: int, boxes: Mask) -> list[float]:
+        """The largest |share| of a step in each output, over some boxes."""
+        weight = self.weights[number]
+        size = np.where(weight.active & boxes, interval.magnitude(weight.share), 0.0)
+        return [float(most) for most in size.max(axis=1, initial=0.0)]
+
     def _start(self, row: int, output: int, scale: int) -> None:
         value, reference = self.values[output], self.values[scale]
         if output == scale and not value.loose:

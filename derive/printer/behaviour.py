@@ -6,19 +6,24 @@ format's own arithmetic on the ends of a range encloses every computed value.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gainproof.derive.printer import boxes
 from gainproof.derive.printer.affine import affine_sum
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.program import Step
-from gainproof.derive.printer.value import Mask
+from gainproof.derive.printer.value import Grid, Mask, PrintingError
 
 Floats = NDArray[Any]
+
+ROUNDS = 12
+GREATEST_COUNT = 40_000  # of boxes still uncertain after a round
 
 
 class Behaviour:
@@ -109,3 +114,48 @@ class Behaviour:
         for number, value in enumerate(self.forward.values):
             if value.over is not None:
                 value.over &= np.isinf(self.high[number])
+
+
+def exclude_nan(
+    grid: Grid,
+    again: Callable[[Grid], Forward],
+    ends: Sequence[tuple[int, int]],
+    domains: Sequence[tuple[float, float]],
+) -> None:
+    """PrintingError unless no output can be NaN, nor normal where the true value is not.
+
+    `ends` pairs outputs with their scales, `domains` are the intervals where these are normal;
+    `again` makes the forward pass over finer boxes.
+    """
+    for turn in range(ROUNDS):
+        bad = _uncertain(Behaviour(again(grid)), ends, domains)
+        if not bad.any():
+            return
+        grid = boxes.grid(grid.low[bad], grid.high[bad])
+        form = again(grid).form
+        worse = _uncertain(Behaviour(again(boxes.grid(grid.low, grid.low))), ends, domains)
+        if worse.any() or turn == ROUNDS - 1 or len(grid.low) > GREATEST_COUNT:
+            raise PrintingError(
+                f"input {float(grid.low[worse.argmax()])!r}: NaN, or a normal number where the "
+                "true value is none, cannot be excluded; another order of operations may avoid an "
+                "over- or underflow"
+            )
+        grid = boxes.halves(boxes.halves(grid, form), form)
+
+
+def _uncertain(
+    behaviour: Behaviour,
+    ends: Sequence[tuple[int, int]],
+    domains: Sequence[tuple[float, float]],
+) -> Mask:
+    """Boxes where an output may be NaN, or normal outside its domain."""
+    grid, form = behaviour.forward.grid, behaviour.forward.form
+    bad = np.zeros(len(grid.low), np.bool_)
+    for (output, scale), (low, high) in zip(ends, domains, strict=True):
+        bad |= behaviour.lost[output]
+        if output == scale:
+            outside = (grid.high < low) | (grid.low > high)
+            vanishing = behaviour.high[output] <= 4.0 * form.least_normal
+            vast = behaviour.low[output] >= form.largest / 4.0
+            bad |= outside & ~(vanishing | vast)
+    return bad

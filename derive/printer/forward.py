@@ -22,6 +22,7 @@ from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.ratio import ratio
 from gainproof.derive.printer.threshold import threshold
 from gainproof.derive.printer.value import (
+    LEAST_NORMAL,
     MARGIN,
     Grid,
     Mask,
@@ -54,7 +55,7 @@ class Forward:
         self.cancellations = cancellations
         self.count = len(grid.low)
         self.unit = form.unit_roundoff * MARGIN
-        self.least_normal = form.least_normal * (1.0 - 2.0**-14)
+        self.least_normal = form.least_normal * LEAST_NORMAL
         self.values: list[Value] = []
         for number in range(len(program.steps)):
             self.values.append(self._finished(number, self._value(number)))

@@ -19,6 +19,8 @@ Mask = NDArray[np.bool_]
 # and errors of second order in the comparison of exact and computed values.
 MARGIN = 1.0 + 2.0**-13
 
+LEAST_NORMAL = 1.0 - 2.0**-14  # times the least normal number: still rounded as if it were one
+
 
 class PrintingError(ValueError):
     """A graph that cannot be printed with a proved bound; the message names the node."""

@@ -1,0 +1,80 @@
+"""Where an input may lie, and where an output's true value is a normal number."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+
+import numpy as np
+
+from gainproof.derive.printer import boxes
+from gainproof.derive.printer.constant import constant
+from gainproof.derive.printer.exact import is_normal, last_that_holds
+from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.forward import Forward
+from gainproof.derive.printer.kernel import Input
+from gainproof.derive.printer.value import Grid, PrintingError, true_size
+
+FINER = 6  # bisections of all boxes before an output is given up as nowhere normal
+
+
+def input_range(given: Input, form: Format) -> tuple[float, float]:
+    """The least and the greatest number of the format in an input's domain."""
+    lower = constant(given.lower)
+    lowest = lower.at_least(form)
+    if given.lower_open and lower.is_exact(form):
+        lowest = form.after(lowest)
+    if given.upper is None:
+        return lowest, form.largest
+    upper = constant(given.upper)
+    if upper.rational is not None and upper.rational > Fraction(form.largest):
+        return lowest, form.largest
+    highest = upper.at_most(form)
+    if given.upper_open and upper.is_exact(form):
+        highest = form.before(highest)
+    return lowest, highest
+
+
+def greatest_normal(form: Format) -> float:
+    """The largest number, less room for the rounding error of a value next to it."""
+    return form.largest * (1.0 - 64.0 * form.epsilon)
+
+
+def normal_interval(
+    forward: Forward, number: int, again: Callable[[Grid], Forward]
+) -> tuple[float, float]:
+    """The largest interval of inputs where a step's true value is a normal number.
+
+    It starts from boxes where that is sure and ends at exact numbers of the format, found by
+    bisection with balls. What lies between sure boxes is left to the error bound, which proves
+    nothing where a value is not normal. `again` makes the forward pass over finer boxes.
+    PrintingError if no box is sure.
+    """
+    program, form, top = forward.program, forward.form, greatest_normal(forward.form)
+    for _ in range(FINER):
+        low, high = (end[0] for end in true_size(forward.values[number]))
+        sure = np.flatnonzero((low >= form.least_normal) & (high <= top))
+        if len(sure):
+            break
+        finer = boxes.halves(forward.grid, form)
+        order = np.argsort(finer.low, kind="stable")
+        forward = again(boxes.grid(finer.low[order], finer.high[order]))
+    else:
+        raise PrintingError("an output is nowhere surely a normal number")
+
+    def normal(x: float) -> bool:
+        return is_normal(program, number, x, form, top)
+
+    def end(inside: float, places: list[float]) -> float:
+        for place in places:
+            if not normal(place):
+                return last_that_holds(normal, inside, place, form)
+            inside = place
+        return inside
+
+    # ends of boxes may lie between numbers of a narrower format
+    lows = [form.at_least(Fraction(x)) for x in forward.grid.low[: sure[0]][::-1].tolist()]
+    highs = [form.at_most(Fraction(x)) for x in forward.grid.high[sure[-1] + 1 :].tolist()]
+    first = form.at_least(Fraction(float(forward.grid.low[sure[0]])))
+    last = form.at_most(Fraction(float(forward.grid.high[sure[-1]])))
+    return end(first, lows), end(last, highs)
