@@ -22,6 +22,7 @@ class Measured:
     subject: str
     kernel: Kernel
     function: Callable[..., Any]
+    signature: Any
     bound: KernelBound
     textbook: Mapping[str, sp.Expr] | None
     model: Mapping[str, Any] | None
@@ -38,6 +39,7 @@ def measured_kernels() -> Iterator[Measured]:
                 subject.name,
                 kernel,
                 getattr(module, kernel.name),
+                getattr(module, f"_{kernel.name.upper()}"),
                 prove(kernel, FLOAT64),
                 textbook.get(kernel.name),
                 subject.model_data,
