@@ -75,7 +75,7 @@ def _others(findings: Mapping[str, Finding], fitting: Sequence[str]) -> dict[str
     return {
         n: f.witness.to_json() if f.witness is not None else f.reason
         for n, f in findings.items()
-        if n not in fitting
+        if n not in fitting and f.verdict != "proved"
     }
 
 

@@ -4,7 +4,7 @@ then replaced.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from gainproof.verify.judge.domain import box_conditions
@@ -15,6 +15,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.exact.tidy import tidied
 
 
 def candidates(statement: Statement, parameter: str | None) -> list[str | None]:
@@ -62,12 +63,17 @@ def without_equations(
         name, value = solved(equation, boxes, parameter, labels)
         rest = tuple(c for c in statement.conditions if c is not equation)
         moved = Statement(statement.relations, rest, statement.connective, statement.needed).mapped(
-            lambda e, n=name, v=value: substituted(e, {n: v})  # type: ignore[misc]
+            _put_in(name, tidied(value))
         )
+        # the hypothesis holds nowhere where it has no value: a condition, not part of the claim
+        defined = Rel("<=", value, value)
         inside = box_conditions(name, value, boxes.get(name, Box(stated=False)))
-        statement = Statement(
-            moved.relations, (*moved.conditions, *inside), moved.connective, (*moved.needed, value)
-        )
+        conditions = (*moved.conditions, defined, *inside)
+        statement = Statement(moved.relations, conditions, moved.connective, moved.needed)
+
+
+def _put_in(name: str, value: Expr) -> Callable[[Expr], Expr]:
+    return lambda expr: substituted(expr, {name: value})
 
 
 def _is_free(rel: Rel, parameter: str | None) -> bool:

@@ -10,6 +10,7 @@ from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
+from gainproof.verify.judge.exact.graph import graph_of
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Box
@@ -25,6 +26,18 @@ PLAIN = ("=", "!=", "<", "<=", ">", ">=")
 
 def judge_reading(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """The finding on a claim with a formula. Raises Undecided, UndefinedSymbol, Malformed."""
+    finding = _judged(claim, reading, scope)
+    meanings = {
+        token: graph_of(expr)
+        for token, expr in scope.used.items()
+        if expr.kind != "symbol" and scope.setting.symbols[token].role == "quantity"
+    }
+    if not meanings or not finding.certificate:
+        return finding
+    return replace(finding, certificate={**finding.certificate, "quantities": meanings})
+
+
+def _judged(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     if any(r.operator == "->" for r in (*reading.relations, *reading.conditions)):
         return _limit(claim, reading, scope)
     relations = tuple(scope.relation(r) for r in reading.relations)

@@ -120,5 +120,5 @@ def _attempt(work: Callable[[], Finding]) -> Finding:
         return Finding("undefined", str(reason), certificate={"symbol": reason.token})
     except (Undecided, Malformed, NotEstablished) as reason:
         return Finding("undecided", str(reason))
-    except (RecursionError, MemoryError, OverflowError) as reason:
-        return Finding("undecided", f"a limit of the machine: {type(reason).__name__}")
+    except (RecursionError, MemoryError, ArithmeticError, ValueError) as reason:
+        return Finding("undecided", f"the arithmetic stopped: {type(reason).__name__}: {reason}")

@@ -138,9 +138,20 @@ def absolute(x: Expr) -> Expr:
 
 
 def weighted(coefficients: Sequence[int | Fraction], terms: Sequence[Expr]) -> Expr:
-    """Sum of coefficient * term, terms with coefficient zero left out."""
-    kept = [number(c) * t for c, t in zip(coefficients, terms, strict=True) if c != 0]
+    """Sum of coefficient * term; terms with coefficient zero and factors one are left out."""
+    one = number(1)
+    kept = []
+    for c, t in zip(coefficients, terms, strict=True):
+        if c != 0:
+            kept.append(t if c == 1 else number(c) if t == one else number(c) * t)
     return add(*kept) if kept else number(0)
+
+
+def whole_power(base: Expr, exponent: int) -> Expr:
+    """base^exponent for a base that has a value everywhere: exponents 0 and 1 are not written."""
+    if exponent == 0:
+        return number(1)
+    return base if exponent == 1 else power(base, exponent)
 
 
 def walk(*roots: Expr) -> Iterator[Expr]:

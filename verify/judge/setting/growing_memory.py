@@ -20,7 +20,13 @@ import flint
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.decision import decide
-from gainproof.verify.judge.exact.expression import Expr, number, power, symbol, weighted
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    number,
+    symbol,
+    weighted,
+    whole_power,
+)
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.poly import fraction, rational
@@ -85,7 +91,7 @@ def _determinant(rows: Sequence[Sequence[Polynomial]]) -> Polynomial:
 
 def _expr(p: Polynomial) -> Expr:
     k = symbol(SAMPLE)
-    return weighted(p, [power(k, e) for e in range(len(p))])
+    return weighted(p, [whole_power(k, e) for e in range(len(p))])
 
 
 def growing_memory(degree: int) -> GrowingMemory:

@@ -10,7 +10,14 @@ from math import factorial
 from typing import Any
 
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.expression import Expr, add, number, power, symbol
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    add,
+    number,
+    power,
+    symbol,
+    whole_power,
+)
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.setting.environment import (
@@ -126,12 +133,21 @@ def _states(transition: Exprs, gain: tuple[Expr, ...]) -> dict[str, Expr]:
     before = [symbol(f"previous_state.{i + 1}") for i in range(size)]
     predicted = []
     for i in range(size):
-        terms = [transition[i][j] * power(T, j - i) * before[j] for j in range(i, size)]
+        terms = [
+            _times(_times(transition[i][j], whole_power(T, j - i)), before[j])
+            for j in range(i, size)
+        ]
         predicted.append(add(*terms))
     innovation = symbol("measurement") - predicted[0]
     found: dict[str, Expr] = {}
     for i in range(size):
         found[f"previous_state.{i + 1}"] = before[i]
         found[f"predicted_state.{i + 1}"] = predicted[i]
-        found[f"updated_state.{i + 1}"] = predicted[i] + gain[i] / power(T, i) * innovation
+        factor = gain[i] if i == 0 else gain[i] / whole_power(T, i)
+        found[f"updated_state.{i + 1}"] = predicted[i] + factor * innovation
     return found
+
+
+def _times(a: Expr, b: Expr) -> Expr:
+    one = number(1)
+    return b if a == one else a if b == one else a * b

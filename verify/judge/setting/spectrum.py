@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isqrt
 
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol, weighted
 from gainproof.verify.judge.exact.limits import Undecided
@@ -63,10 +64,12 @@ def stable_factor(f: Numbers, q: Numbers, h: Numbers, r: Fraction) -> Factor:
     index = symbol(INDEX)
 
     def at(z: int) -> Expr:
-        plain = sum(value * z ** abs(k) for k, value in rest.items())
-        driven = sum(value * z ** abs(k) for k, value in noise.items())
+        plain = sum((value * z ** abs(k) for k, value in rest.items()), Fraction(0))
+        driven = sum((value * z ** abs(k) for k, value in noise.items()), Fraction(0))
         if plain == 0:
-            return index * sqrt(number(driven)) if driven != 1 else index
+            return weighted([1], [index]) if driven == 1 else index * _root(driven)
+        if driven == 0:
+            return _root(plain)
         return sqrt(weighted([plain, driven], [number(1), power(index, 2)]))
 
     n2 = rest.get(2, Fraction(0))
@@ -80,9 +83,17 @@ def stable_factor(f: Numbers, q: Numbers, h: Numbers, r: Fraction) -> Factor:
     root = sqrt(power(total, 2) - number(16 * n2))
     deviation = number(Fraction(1, 4)) * (total + root)
     other = number(Fraction(1, 4)) * (total - root)
-    inverse = number(1 / n2) * other
+    inverse = weighted([1 / n2], [other])
     return Factor(
         c1=number(Fraction(1, 2)) * (plus - minus) * inverse,
-        c0=number(1 / n2) * power(other, 2),
+        c0=weighted([1 / n2], [power(other, 2)]),
         innovation=power(deviation, 2),
     )
+
+
+def _root(value: Fraction) -> Expr:
+    """Square root of a number, written without a root where it is rational."""
+    top, bottom = isqrt(abs(value.numerator)), isqrt(value.denominator)
+    if value == Fraction(top, bottom) ** 2:
+        return number(Fraction(top, bottom))
+    return sqrt(number(value))

@@ -86,7 +86,7 @@ def _predictor_gain(f: Numbers, h: Numbers, factor: Factor) -> list[Expr]:
     h1, h2 = h[0]
     # det(zI - F + L H) = det(zI - F) + H adj(zI - F) L
     rows = [[h1, h2], [-h1 * d + h2 * c, h1 * b - h2 * a]]
-    right = [factor.c1 - number(-(a + d)), factor.c0 - number(a * d - b * c)]
+    right = [factor.c1 + number(a + d), factor.c0 + number(b * c - a * d)]
     solved = solve_rows(rows, right)
     if solved is None:
         raise Undecided("the state is not observable")

@@ -1,0 +1,64 @@
+"""Expressions as plain text, shared parts named once."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+from gainproof.verify.judge.exact.expression import Expr, walk
+
+LONG = 60
+
+
+def written(*exprs: Expr, names: Mapping[Expr, str] | None = None) -> tuple[list[str], list[str]]:
+    """`a = ...` lines, and each expression in terms of their left sides.
+
+    A line is written for each part that has a name, and for long parts that occur more than once.
+    """
+    named = names or {}
+    uses = Counter(part.key for node in walk(*exprs) for part in node.parts)
+    texts: dict[bytes, tuple[str, int]] = {}
+    lines: list[str] = []
+    short = 0
+    for node in walk(*exprs):
+        text, strength = _text(node, texts)
+        name = named.get(node)
+        if name is None and uses[node.key] > 1 and len(text) > LONG:
+            short += 1
+            name = f"e{short}"
+        if name is not None:
+            lines.append(f"{name} = {text}")
+            text, strength = name, 4
+        texts[node.key] = text, strength
+    return lines, [texts[e.key][0] for e in exprs]
+
+
+def _text(node: Expr, texts: dict[bytes, tuple[str, int]]) -> tuple[str, int]:
+    def part(k: int, least: int) -> str:
+        text, strength = texts[node.parts[k].key]
+        return text if strength >= least else f"({text})"
+
+    count = range(len(node.parts))
+    match node.kind:
+        case "number":
+            whole = node.fraction.denominator == 1 and node.fraction >= 0
+            return str(node.fraction), 4 if whole else 1
+        case "symbol":
+            return node.name.removeprefix("free "), 4
+        case "add":
+            joined = " + ".join(part(k, 1) for k in count).replace("+ -", "- ")
+            return joined, 1
+        case "mul":
+            return " ".join(part(k, 3 if k else 2) for k in count), 2
+        case "div":
+            return f"{part(0, 2)} / {part(1, 3)}", 1
+        case "neg":
+            return f"-{part(0, 2)}", 1
+        case "pow":
+            if str(node.value) == "1/2":
+                return f"sqrt({texts[node.parts[0].key][0]})", 4
+            exponent = str(node.value)
+            return f"{part(0, 4)}^{exponent if exponent.isdigit() else f'({exponent})'}", 3
+        case _:
+            inner = ", ".join(texts[p.key][0] for p in node.parts)
+            return f"{node.kind} {node.value}({inner})", 4
