@@ -30,13 +30,6 @@ class AffineSum:
 
     def zero(self, form: Format) -> tuple[float, float]:
         """The numbers of the format next to the input where the sum vanishes, or that one twice."""
-        place = Constant(
-            None if self.constant.rational is None else self._place(self.constant.rational),
-            self.constant.nodes,
-            self.constant.number,
-        )
-        if place.rational is not None:
-            return form.at_most(place.rational), form.at_least(place.rational)
         ends = [self._place(end) for end in self.constant.between()]
         return form.at_most(min(ends)), form.at_least(max(ends))
 

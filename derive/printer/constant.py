@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
 import flint
 
@@ -20,8 +21,11 @@ class Constant:
     """A real number: `rational` if it is known to be one, always a graph without symbols."""
 
     rational: Fraction | None
-    nodes: tuple[tuple[str | int, ...], ...] = field(repr=False, compare=False)
+    nodes: tuple[tuple[str | int, ...], ...] = field(repr=False)
     number: int
+    _known: dict[tuple[str, object], Any] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     def ball(self, precision: int) -> flint.arb:
         """An enclosure whose radius shrinks as the precision in bits grows."""
@@ -34,6 +38,12 @@ class Constant:
         """Rational numbers below and above; equal for a rational constant."""
         if self.rational is not None:
             return self.rational, self.rational
+        ends: tuple[Fraction, Fraction] = self._once(
+            "between", precision, lambda: self._ends(precision)
+        )
+        return ends
+
+    def _ends(self, precision: int) -> tuple[Fraction, Fraction]:
         ball = self.ball(precision)
         if not ball.is_finite():
             raise ValueError(f"the constant of node {self.number} is not a finite real number")
@@ -42,15 +52,15 @@ class Constant:
 
     def nearest(self, form: Format) -> float:
         """The nearest number of the format."""
-        return float(self._settled(form.nearest))
+        return self._settled("nearest", form, form.nearest)
 
     def at_least(self, form: Format) -> float:
         """The least number of the format that is not below the constant."""
-        return float(self._settled(form.at_least))
+        return self._settled("at least", form, form.at_least)
 
     def at_most(self, form: Format) -> float:
         """The greatest number of the format that is not above the constant."""
-        return -float(self._settled(lambda value: form.at_least(-value)))
+        return self._settled("at most", form, form.at_most)
 
     def is_exact(self, form: Format) -> bool:
         """Whether the format holds the constant itself."""
@@ -59,9 +69,19 @@ class Constant:
     def remainder(self, form: Format) -> float:
         """The part of the constant that `nearest` leaves, itself rounded to the format."""
         high = Fraction(self.nearest(form))
-        return float(self._settled(lambda value: form.nearest(value - high)))
+        return self._settled("remainder", form, lambda value: form.nearest(value - high))
 
-    def _settled(self, rounded: Callable[[Fraction], float]) -> float:
+    def _once(self, what: str, key: object, compute: Callable[[], Any]) -> Any:
+        """A result kept, since the same few are wanted for every box and operation."""
+        if (what, key) not in self._known:
+            self._known[what, key] = compute()
+        return self._known[what, key]
+
+    def _settled(self, what: str, form: Format, rounded: Callable[[Fraction], float]) -> float:
+        return float(self._once(what, form.name, lambda: self._decided(rounded)))
+
+    def _decided(self, rounded: Callable[[Fraction], float]) -> float:
+        """What rounds alike over a whole enclosure."""
         precision = 128
         while precision <= GREATEST_PRECISION:
             below, above = (rounded(value) for value in self.between(precision))

@@ -59,16 +59,16 @@ def evaluate(
     shape = np.broadcast_shapes(*(x.shape for x in inputs))
     flat = [_flat(x, shape) for x in inputs]
     kind = inputs[0].dtype
-    if out is None:
-        results = [np.empty(shape, kind) for _ in kernel.outputs]
-    else:
-        results = _checked(kernel, out, shape, kind)
-        for domain, x, whole in zip(kernel.inputs, flat, inputs, strict=True):
-            for start in range(0, x.size, SIZE):
-                _guard(kernel, domain, x[start : start + SIZE], start, whole, shape)
-        if any(_overlap(y, x) for y in results for x in flat):
-            flat = [x.copy() for x in flat]
     with np.errstate(all="ignore"):
+        if out is None:
+            results = [np.empty(shape, kind) for _ in kernel.outputs]
+        else:
+            results = _checked(kernel, out, shape, kind)
+            for domain, x, whole in zip(kernel.inputs, flat, inputs, strict=True):
+                for start in range(0, x.size, SIZE):
+                    _guard(kernel, domain, x[start : start + SIZE], start, whole, shape)
+            if any(_overlap(y, x) for y in results for x in flat):
+                flat = [x.copy() for x in flat]
         _run(kernel, flat, results, inputs, out is None)
     if out is None and shape == ():
         return tuple(y[()] for y in results)

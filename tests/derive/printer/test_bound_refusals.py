@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from graph_kernels import kernel_of, simple
+from graph_kernels import function_of, kernel_of, simple
 
 from gainproof.derive.printer.bound import KernelBound, prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
@@ -142,6 +142,17 @@ def test_select_compares_exact_things_only() -> None:
     with pytest.raises(PrintingError, match="select compares exact things only"):
         prove(simple(lambda b, x: b.select(b.sqrt(x), 1, x, 2 * x)), FLOAT64)
     assert only(simple(lambda b, x: b.select(x, "1/3", x, 2 * x))) == 0
+
+
+def test_a_domain_may_begin_at_0() -> None:
+    """At 0 the value 0 is no normal number: outside the range, but no error."""
+    kernel = simple(lambda b, x: b.sqrt(x) * 3, lower_open=False)
+    found = prove(kernel, FLOAT64)
+    assert (found.lowest, found.outputs[0].lowest) == (0, FLOAT64.least)
+    assert float(function_of(kernel)(0.0)[0]) == 0
+    shifted = prove(simple(lambda b, x: b.sqrt(x) + 1, lower_open=False), FLOAT64)
+    assert shifted.outputs[0].lowest == 0
+    assert shifted.outputs[0].bound < Fraction(102, 100)
 
 
 def test_an_untaken_branch_may_do_anything() -> None:

@@ -175,6 +175,9 @@ def test_no_warning_escapes() -> None:
         warnings.simplefilter("error")
         found = two()(np.array([5e-324, 1e-200, 1e200, 1.7e308]))
         assert found.square.tolist() == [0, 0, np.inf, np.inf]
+        for out in (None, (np.empty(2), np.empty(2))):
+            with pytest.raises(ValueError, match="got nan at index 1"):
+                two()([1.0, np.nan], out=out)
 
 
 def test_threads_do_not_meet() -> None:
