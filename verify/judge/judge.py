@@ -9,6 +9,7 @@ from typing import Any
 
 from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim_record import Claim, ClaimFile, Setting
+from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.trial import Trial, try_claim
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
@@ -64,7 +65,7 @@ def judge_setting(
         if claim.setting != setting.name:
             continue
         if claim.kind in WITHOUT_DECISION:
-            verdicts.append(_plain(claim))
+            verdicts.append(_plain(claim, setting))
         elif claim.id in done:
             trials.append(done[claim.id])
         else:
@@ -72,6 +73,9 @@ def judge_setting(
     return [*verdicts, *choose(trials)]
 
 
-def _plain(claim: Claim) -> ClaimVerdict:
+def _plain(claim: Claim, setting: Setting) -> ClaimVerdict:
+    fault = None if claim.formula is None else fitting_readings(claim.formula, setting)[1]
+    if fault is not None:
+        return verdict_of(claim, Finding("refuted", fault, method="dimensions"), None, 0.0)
     reason = claim.note if claim.kind == "remark" and claim.note else WITHOUT_DECISION[claim.kind]
     return verdict_of(claim, Finding(claim.kind, reason), None, 0.0)

@@ -10,6 +10,7 @@ from typing import Any
 
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.convention import Unusable, conventions
+from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.kinds import judge_determines, judge_reading
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
@@ -96,7 +97,10 @@ def _attempts(
         if entry.definition is not None and len(entry.definition.readings) > 1
     }
     combinations = list(product(*several.values()))[:MOST_CHOICES]
-    for reading in claim.formula.readings:
+    readings, fault = fitting_readings(claim.formula, setting)
+    if fault is not None:
+        yield None, lambda: Finding("refuted", fault, method="dimensions")
+    for reading in readings:
         for combination in combinations:
             choice = dict(zip(several, combination, strict=True))
             names = [reading.text] if reading.text else []

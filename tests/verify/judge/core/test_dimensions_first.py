@@ -1,0 +1,76 @@
+"""Dimensions decide before anything else: between readings, and against formulas that mix units."""
+
+from __future__ import annotations
+
+import pytest
+
+from gainproof.verify.judge.claim_file import read_claim_text
+from gainproof.verify.judge.judge import judge_file
+from gainproof.verify.judge.verdict import ClaimVerdict
+
+HEAD = """
+format = "gainproof claims 1"
+[source]
+key = "test"
+title = "made for this test"
+authors = ["nobody"]
+publication = "nowhere"
+[symbols]
+'T' = { quantity = "sampling_interval", meaning = "interval" }
+'a' = { unit = "m s^-2", meaning = "acceleration" }
+'v' = { unit = "m s^-1", meaning = "velocity" }
+'x' = { unit = "m", meaning = "position" }
+'b' = { unit = "1", meaning = "a number" }
+'w' = { definition = 'a T + v', meaning = "velocity after a while" }
+'u' = { definition = 'x + v', meaning = "nonsense" }
+[settings.s]
+title = "s"
+kind = "algebra"
+"""
+
+
+def judged(kind: str, latex: str) -> ClaimVerdict:
+    text = f"{HEAD}[[claims]]\nid = 'c'\nplace = 'p'\nkind = '{kind}'\nsetting = 's'\n"
+    return judge_file(read_claim_text(f"{text}latex = '{latex}'\n"), ())[0]
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex"),
+    [
+        ("identity", "x + v = v + x"),
+        ("identity", "x = T a + x - T a"),
+        ("definition", "v = a T^2"),
+        ("inequality", "x < v"),
+        ("identity", "x + b = b + x"),
+        ("identity", "(x + 1)^2 = x^2 + 2x + 1"),
+        ("definition", r"v = \\sqrt{x}".replace("\\\\", "\\")),
+    ],
+)
+def test_mixed_dimensions_are_refuted(kind: str, latex: str) -> None:
+    verdict = judged(kind, latex)
+    assert verdict.verdict == "refuted"
+    assert verdict.method == "dimensions"
+    assert verdict.reason.startswith("dimensions: ")
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex", "expected"),
+    [
+        ("identity", "x + v T = T v + x", "proved"),
+        ("identity", "w = v + T a", "proved"),
+        ("identity", "0 = x - x", "proved"),
+        ("definition", "x = v T + a T^2 / 2", "definition"),
+        ("inequality", "x^2 + 1 > 0", "refuted"),
+    ],
+)
+def test_agreeing_dimensions_are_judged_on(kind: str, latex: str, expected: str) -> None:
+    assert judged(kind, latex).verdict == expected
+
+
+def test_dimensions_choose_the_reading_of_a_slash() -> None:
+    # x/v T is (x/v) T or x/(v T): only one of them is a number
+    verdict = judged("identity", "b x / v T = b x T^{-1} v^{-1}")
+    assert verdict.verdict == "proved"
+    assert verdict.reading is not None
+    # both readings are numbers here, and the second is the true one
+    assert judged("identity", "b / b b = b^{-1} ").verdict == "proved"
