@@ -87,6 +87,9 @@ def choose(mask: NDArray[Any], x: Array | float, y: Array | float, out: Array) -
 
     `out` may be x or y, or both may be numbers.
     """
+    if x is y:
+        np.copyto(out, x)
+        return out
     kind = mask.dtype
     bits = out.view(kind)
     first, second = (np.asarray(each, out.dtype).view(kind) for each in (x, y))

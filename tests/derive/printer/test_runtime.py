@@ -12,7 +12,7 @@ import pytest
 from graph_kernels import function_of, kernel_of
 
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.runtime import SIZE
+from gainproof.derive.printer.runtime import SIZE, choose, mask_of
 
 
 @cache
@@ -168,6 +168,24 @@ def test_outputs_that_do_not_fit() -> None:
     ):
         with pytest.raises(kind, match=text):
             two()(x, out=out)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_choosing_between_arrays_numbers_and_the_result_itself(kind: type[Any]) -> None:
+    rng = np.random.default_rng(3)
+    condition = rng.random(50) < 0.5
+    mask = mask_of(condition, kind is np.float32)
+    x, y = (rng.normal(size=50).astype(kind) for _ in range(2))
+    x[::5], y[::7] = np.nan, np.inf
+    for first in (x, y, 0.0, -2.5):
+        for second in (x, y, 0.0):
+            wanted = np.where(condition, first, second).astype(kind)
+            for target in (first, second, np.empty(50, kind)):
+                if isinstance(target, np.ndarray):
+                    kept = target.copy()
+                    choose(mask, first, second, target)
+                    assert np.array_equal(target, wanted, equal_nan=True)
+                    target[:] = kept
 
 
 def test_no_warning_escapes() -> None:
