@@ -13,7 +13,7 @@ from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 
 def choose(trials: Sequence[Trial]) -> list[ClaimVerdict]:
     """The verdicts under those conventions under which every claim that fits any of them holds."""
-    names = list(trials[0].findings) if trials else []
+    names = list(dict.fromkeys(name for trial in trials for name in trial.findings))
     fits = {t.claim.id: {n for n, f in t.findings.items() if f.verdict == "proved"} for t in trials}
     common = [n for n in names if all(n in fit for fit in fits.values() if fit)]
     return [_chosen(trial, common, fits) for trial in trials]
@@ -41,15 +41,17 @@ def _chosen(trial: Trial, common: list[str], fits: Mapping[str, set[str]]) -> Cl
         finding = replace(findings[fitting], verdict="conditional", reason=reason)
         others = _others(findings, sorted(mine))
         return verdict_of(claim, finding, fitting, trial.seconds, others)
-    finding = _none_fits(trial, common, fits)
-    return verdict_of(claim, finding, None, trial.seconds, _others(findings, []))
+    finding, partly = _none_fits(trial, common, fits)
+    return verdict_of(claim, finding, partly, trial.seconds, _others(findings, []))
 
 
-def _none_fits(trial: Trial, common: list[str], fits: Mapping[str, set[str]]) -> Finding:
+def _none_fits(
+    trial: Trial, common: list[str], fits: Mapping[str, set[str]]
+) -> tuple[Finding, str | None]:
     """No convention makes the claim true: refuted if each was refuted, with one witness in front.
 
     The convention that the other claims of the setting chose comes first, then one under which the
-    claim holds on a part of its domain.
+    claim holds on a part of its domain; such a one is named.
     """
     findings, unusable = trial.findings, trial.unusable
     unsettled = {
@@ -62,12 +64,13 @@ def _none_fits(trial: Trial, common: list[str], fits: Mapping[str, set[str]]) ->
         verdict = "undefined" if kinds == {"undefined"} and not unusable else "undecided"
         first = next(iter(unsettled.values()), None)
         certificate = {} if first is None or verdict == "undecided" else first.certificate
-        return Finding(verdict, "; ".join(reasons), certificate=certificate)
+        return Finding(verdict, "; ".join(reasons), certificate=certificate), None
     settled = [n for n in common if any(fits.values())]
     partly = [n for n, f in findings.items() if f.verdict == "conditional"]
     chosen = [*settled, *partly, *findings][0]
     reason = "; ".join(f"{n}: {f.reason}" for n, f in findings.items())
-    return replace(findings[chosen], reason=f"fits no convention: {reason}")
+    finding = replace(findings[chosen], reason=f"fits no convention: {reason}")
+    return finding, chosen if finding.verdict == "conditional" else None
 
 
 def _others(findings: Mapping[str, Finding], fitting: Sequence[str]) -> dict[str, Any]:

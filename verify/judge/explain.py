@@ -117,6 +117,8 @@ def _witness(title: str, witness: Any) -> list[str]:
         value = witness[side]
         text = value.get("undefined") or f"{value['midpoint']} +/- {value['radius']}"
         lines.append(f"  {side:<6}{text}")
+    for name, value in witness.get("values", {}).items():
+        lines.append(f"  where {name} = {value['midpoint']} +/- {value['radius']}")
     if witness.get("note"):
         lines.append(f"  {witness['note']}")
     return lines

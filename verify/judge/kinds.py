@@ -14,6 +14,7 @@ from gainproof.verify.judge.exact.graph import graph_of
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.exact.points import with_values
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.hypothesis import settle, without_equations
@@ -28,13 +29,16 @@ def judge_reading(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """The finding on a claim with a formula. Raises Undecided, UndefinedSymbol, Malformed."""
     finding = _judged(claim, reading, scope)
     meanings = {
-        token: graph_of(expr)
+        token: expr
         for token, expr in scope.used.items()
         if expr.kind != "symbol" and scope.setting.symbols[token].role == "quantity"
     }
-    if not meanings or not finding.certificate:
-        return finding
-    return replace(finding, certificate={**finding.certificate, "quantities": meanings})
+    if meanings and finding.certificate:
+        graphs = {token: graph_of(expr) for token, expr in meanings.items()}
+        finding = replace(finding, certificate={**finding.certificate, "quantities": graphs})
+    if meanings and finding.witness is not None:
+        finding = replace(finding, witness=with_values(finding.witness, meanings, scope.labels()))
+    return finding
 
 
 def _judged(claim: Claim, reading: Reading, scope: Scope) -> Finding:

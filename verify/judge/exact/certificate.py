@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.graph import graph_of, rational, read_graph
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.place import Box
@@ -28,6 +28,7 @@ def certificate_of(work: Work, judged: Sequence[Judged]) -> Data:
         "statement": statement_data(work.statement, work.boxes, tower.parameter, labels),
         "variables": {short: labels.get(full, full) for short, full in names.items()},
         "tower": tower.relations_text(),
+        "roots": _roots_text(work),
         "candidates": [str(factor) for factor in work.factors],
         "places": [
             {
@@ -39,6 +40,15 @@ def certificate_of(work: Work, judged: Sequence[Judged]) -> Data:
             for j in judged
         ],
     }
+
+
+def _roots_text(work: Work) -> str:
+    """Which root is meant, where that is a convention."""
+    exponents = {
+        node.fraction.denominator for node in walk(*work.statement.exprs()) if node.kind == "pow"
+    }
+    square = "square roots are not negative"
+    return f"{square}, cube roots are real, also of negative numbers" if 3 in exponents else square
 
 
 def statement_data(

@@ -29,9 +29,9 @@ class Expr:
     key: bytes = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        digest = hashlib.blake2b(
-            f"{self.kind}|{self.value}|{len(self.parts)}|".encode(), digest_size=32
-        )
+        # lengths are written, so that no name can imitate another node
+        text = f"{self.kind}|{len(str(self.value))}|{self.value}|{len(self.parts)}|"
+        digest = hashlib.blake2b(text.encode(), digest_size=32)
         for part in self.parts:
             digest.update(part.key)
         object.__setattr__(self, "key", digest.digest())

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
-from gainproof.verify.judge.exact.witness import inside, separated
+from gainproof.verify.judge.exact.witness import enclosure, inside, separated
 
 PRECISIONS = (128, 512, 2048)
 AGREED_BITS = 400
@@ -100,3 +102,24 @@ def _holds(rel: Rel, point: Mapping[str, Fraction], precision: int) -> bool:
     if rel.operator in ("=", "<=", ">=") and gap.abs_upper() * 2**AGREED_BITS < a.abs_upper() + 1:
         return True
     raise Unresolved("sides that overlap")
+
+
+def with_values(
+    witness: Witness, quantities: Mapping[str, Expr], labels: Mapping[str, str]
+) -> Witness:
+    """The witness with the values of named quantities at its point, where the point is rational."""
+    try:
+        point = {
+            name: Fraction(witness.point[label])
+            for name, label in labels.items()
+            if label in witness.point
+        }
+    except ValueError:
+        return witness
+    values = {}
+    for token, expr in quantities.items():
+        try:
+            values[token] = enclosure(enclosed(expr, point, PRECISIONS[0]), 12)
+        except (NoValue, Unresolved):
+            continue
+    return replace(witness, values=values)

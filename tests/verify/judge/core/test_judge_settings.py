@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from gainproof.verify.judge.choice import choose
 from gainproof.verify.judge.claim_file import read_claim_file, read_claim_text
+from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.judge import judge_file
+from gainproof.verify.judge.trial import Trial, try_claim
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 LECTURE = Path(__file__).parents[4] / "verify" / "claims" / "kosuge-slides.toml"
@@ -82,6 +86,7 @@ def test_row_that_fits_no_family_is_refuted_with_a_witness_for_each() -> None:
     others = verdict.certificate["against other conventions"]
     assert len(others) == len(MODELS)
     assert all(set(witness["point"]) == {r"\Lambda"} for witness in others.values())
+    assert all(set(witness["values"]) == {r"\alpha", r"\beta"} for witness in others.values())
     assert verdict.witness is not None
 
 
@@ -179,3 +184,24 @@ def test_child_processes_give_the_same_verdicts_and_can_be_killed() -> None:
     (stopped,) = judged(setting, ("identity", hard), seconds=-29.9)
     assert stopped.verdict == "undecided"
     assert "stopped after" in stopped.reason
+
+
+def test_a_claim_that_failed_does_not_spoil_the_choice_for_the_others() -> None:
+    verdicts = judged(
+        STEADY.format("search", "filter"),
+        ("identity", r"\alpha = \lambda"),
+        ("identity", r"\alpha(\alpha + \beta) = 2\beta"),
+    )
+    assert [v.verdict for v in verdicts] == ["undefined", "proved"]
+    setting, claim = settings_and_claim(r"\alpha(\alpha + \beta) = 2\beta")
+    good = try_claim(claim, setting, MODELS, {})
+    failed = Trial(replace(claim, id="x"), {}, (), False, 0.0, "stopped")
+    chosen = choose([failed, good])
+    assert [v.verdict for v in chosen] == ["undecided", "proved"]
+
+
+def settings_and_claim(latex: str) -> tuple[Setting, Claim]:
+    text = HEAD + STEADY.format("search", "filter")
+    text += "[[claims]]\nid = 'y'\nplace = 'p'\nkind = 'identity'\nsetting = 's'\n"
+    claim_file = read_claim_text(f"{text}latex = '{latex}'\n")
+    return claim_file.settings["s"], claim_file.claims[0]
