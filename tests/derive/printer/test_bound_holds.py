@@ -105,3 +105,16 @@ def test_exact_differences(which: int) -> None:
             computed = function(np.array(points, KINDS[form.name]))
             worst, place = worst_error(kernel, computed, row, points)
             assert worst <= bound.bound * Fraction(form.epsilon), (form.name, row, place)
+
+
+def test_the_comparison_can_fail() -> None:
+    """The measured error comes close to the bound: a tenth less would be seen to be false."""
+    b = GraphBuilder()
+    x = b.symbol("x")
+    kernel = kernel_of(b.graph({"y": b.sqrt(x)}))
+    function = function_of(kernel)
+    for form in FORMATS:
+        (bound,) = prove(kernel, form).outputs
+        points = points_of(bound, form, 400, 1)
+        worst, _ = worst_error(kernel, function(np.array(points, KINDS[form.name])), 0, points)
+        assert worst > bound.bound * Fraction(form.epsilon) * 9 / 10
