@@ -1,8 +1,7 @@
-"""Verdicts for people: a line or a few for each claim, and the whole evidence of one."""
+"""Verdicts for people: a line or a few for each claim."""
 
 from __future__ import annotations
 
-import json
 import textwrap
 from collections.abc import Mapping
 from typing import Any
@@ -53,29 +52,6 @@ def remarks(claim: Claim) -> list[str]:
     return found
 
 
-def explanation(judgement: Judgement, claim: Claim) -> str:
-    """All that is known about one claim: the whole proof or witness."""
-    source, evidence = judgement["source"], claim["evidence"]
-    lines = [f"{source['key']} {claim['id']}: {claim['verdict']}", ""]
-    for label, value in (
-        ("place", claim["place"]),
-        ("kind", claim["kind"]),
-        ("formula", claim["latex"]),
-        ("reason", claim["reason"]),
-        ("domain", claim["domain"]),
-        ("convention", claim["convention"]),
-        ("reading", claim["reading"]),
-        ("repair", claim["repair"]),
-        ("undefined", claim["undefined"]),
-        ("method", evidence["method"]),
-        ("witness", evidence["witness"]),
-        ("certificate", evidence["certificate"]),
-    ):
-        if value not in (None, "", [], {}):
-            lines += _entry(label, value)
-    return "\n".join(lines) + "\n"
-
-
 def filled(text: str, indent: str) -> list[str]:
     """Text filled to the width of the page, long words kept whole."""
     return textwrap.wrap(
@@ -86,38 +62,6 @@ def filled(text: str, indent: str) -> list[str]:
         break_long_words=False,
         break_on_hyphens=False,
     )
-
-
-def _entry(label: str, value: Any) -> list[str]:
-    if isinstance(value, str):
-        first, *rest = filled(value, " " * 13) or [" " * 13]
-        return [f"{label + ':':<13}{first[13:]}", *rest]
-    return [f"{label}:", *outline(value, "    ")]
-
-
-def outline(value: Any, indent: str) -> list[str]:
-    """Plain data as indented lines: names, lists by number, short values on one line."""
-    if isinstance(value, Mapping):
-        pairs = [(str(name), inner) for name, inner in value.items()]
-    elif isinstance(value, list | tuple):
-        pairs = [(f"{i}.", inner) for i, inner in enumerate(value, start=1)]
-    else:
-        return [indent + _scalar(value)]
-    lines = []
-    for name, inner in pairs:
-        mark = name if name.endswith(".") else f"{name}:"
-        short = _scalar(inner)
-        if len(indent) + len(mark) + len(short) < WIDTH:
-            lines.append(f"{indent}{mark} {short}")
-        elif isinstance(inner, Mapping | list | tuple):
-            lines += [f"{indent}{mark}", *outline(inner, indent + "  ")]
-        else:
-            lines += [f"{indent}{mark}", *filled(short, indent + "  ")]
-    return lines
-
-
-def _scalar(value: Any) -> str:
-    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
 def _ids(value: Any) -> str:

@@ -149,12 +149,12 @@ def test_a_model_that_nobody_knows_gets_the_nearest(tmp_path: Path, capsys: Capt
 def test_explain_shows_proof_and_witness(file: Path, capsys: Capture) -> None:
     assert cli.main(["explain", str(file), "1"]) == 0
     text = capsys.readouterr().out
-    assert text.startswith("own-paper 1: proved\n")
-    assert "certificate:" in text
+    assert text.startswith("1: proved\n")
+    assert "Established about the setting" in text
     assert cli.main(["explain", str(file), "2"]) == 0
     text = capsys.readouterr().out
-    assert text.startswith("own-paper 2: refuted\n")
-    assert "witness:" in text
+    assert text.startswith("2: refuted\n")
+    assert "Counterexample: " in text
 
 
 def test_explain_an_unknown_claim_names_the_nearest(capsys: Capture) -> None:

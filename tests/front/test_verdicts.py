@@ -126,16 +126,3 @@ def test_overview_names_verdicts_repairs_and_reasons() -> None:
     assert "  a  proved\n     convention: filter gain\n" in text
     assert r"nearest true formula: \beta = 2 (proved)" in text
     assert "3 claims: 1 proved, 1 refuted, 1 remark" in text
-
-
-def test_explanation_holds_the_whole_evidence() -> None:
-    evidence = {
-        "method": "cells",
-        "certificate": {"factors": ["x - 1", {"deep": list(range(60))}]},
-        "witness": {"Lambda": "22/7"},
-    }
-    text = verdict_text.explanation(JUDGED, claim("q", "conditional", evidence=evidence))
-    assert "22/7" in text
-    assert "x - 1" in text
-    assert all(f"{i}" in text for i in range(60))
-    assert max(map(len, text.splitlines())) <= verdict_text.WIDTH
