@@ -13,12 +13,7 @@ from gainproof.workshop import Workshop
 
 def judge(files: Sequence[Path], shop: Workshop) -> list[dict[str, Any]]:
     """{"source", "claims"} of every file. Raises BadInputError for a file that cannot be used."""
-    texts = {}
-    for file in files:
-        try:
-            texts[file] = file.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            raise BadInputError(f"{places.shown(file)}: cannot be read: {error}") from None
+    texts = {file: read(file) for file in files}
     models = [entry["model"] for entry in derivations.overview(shop) if entry["model"]]
     jobs = [
         workers.Job(
@@ -27,6 +22,20 @@ def judge(files: Sequence[Path], shop: Workshop) -> list[dict[str, Any]]:
         for file, text in texts.items()
     ]
     return shop.results("judged", jobs)
+
+
+def read(file: Path) -> str:
+    """The text of a claim file, within the judge's limit of size. Raises BadInputError."""
+    from gainproof.verify.judge.claim_file import MOST_BYTES
+
+    try:
+        with file.open("rb") as stream:
+            content = stream.read(MOST_BYTES + 1)
+        if len(content) > MOST_BYTES:
+            raise BadInputError(f"{places.shown(file)}: more than {MOST_BYTES} bytes")
+        return content.decode("utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadInputError(f"{places.shown(file)}: cannot be read: {error}") from None
 
 
 def find(name: str) -> Path:

@@ -88,7 +88,8 @@ async def call(job: Job, settings: Mapping[str, str]) -> Any:
     """The result of one job in a process with these settings; cancelling ends the process."""
     process = await asyncio.create_subprocess_exec(
         sys.executable,
-        *("-m", "gainproof.worker"),
+        # -P: a file of the working folder called like a module must not take its place
+        *("-P", "-m", "gainproof.worker"),
         stdin=asyncio.subprocess.PIPE,
         stdout=asyncio.subprocess.PIPE,
         stderr=asyncio.subprocess.PIPE,

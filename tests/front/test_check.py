@@ -146,6 +146,24 @@ def test_a_model_that_nobody_knows_gets_the_nearest(tmp_path: Path, capsys: Capt
     assert "random-velocty" in captured.out + captured.err
 
 
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [(b"#" * (2**20 + 1), "more than 1048576 bytes"), (b'title = "\xff"', "cannot be read")],
+)
+def test_files_of_another_kind_have_status_2(
+    content: bytes, message: str, tmp_path: Path, capsys: Capture
+) -> None:
+    path = tmp_path / "bad.toml"
+    path.write_bytes(content)
+    assert cli.main(["check", str(path)]) == 2
+    assert message in capsys.readouterr().err
+
+
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="needs a file without end")
+def test_a_file_without_end_is_refused() -> None:
+    assert cli.main(["check", "/dev/zero"]) == 2
+
+
 def test_explain_shows_proof_and_witness(file: Path, capsys: Capture) -> None:
     assert cli.main(["explain", str(file), "1"]) == 0
     text = capsys.readouterr().out

@@ -150,6 +150,27 @@ def test_commands_without_a_tty_write_no_colour_codes(capsys: Capture) -> None:
     assert "\x1b" not in capsys.readouterr().out
 
 
+def test_a_terminal_without_the_signs_is_no_error() -> None:
+    done = python("-m", "gainproof", "derive", "Λ-filter", PYTHONIOENCODING="ascii")
+    assert done.returncode == 2
+    assert "'?-filter'" in done.stderr
+
+
+def test_a_module_in_the_working_folder_does_no_harm(tmp_path: Path) -> None:
+    (tmp_path / "json.py").write_text("raise RuntimeError('the wrong file')\n")
+    (tmp_path / "sympy.py").write_text("raise RuntimeError('the wrong file')\n")
+    program = Path(sys.executable).with_name("gainproof")
+    done = subprocess.run(
+        [program, "derive", "least-squares-mean"],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=tmp_path,
+        env={**os.environ, "GAINPROOF_CACHE": str(tmp_path / "cache")},
+    )
+    assert done.returncode == 0, done.stderr
+
+
 def test_a_reader_that_stops_early_is_no_error() -> None:
     command = f"{sys.executable} -m gainproof derive random-velocity --steps | head -1"
     done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)

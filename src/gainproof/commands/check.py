@@ -28,7 +28,7 @@ def run(options: argparse.Namespace) -> int:
     files = [judgements.find(options.file)] if options.file else list(places.claim_files())
     judged = judgements.judge(files, open_workshop(fresh=options.fresh))
     if options.json:
-        print(json.dumps(judged[0] if options.file else judged, ensure_ascii=False, indent=2))
+        print(json.dumps(judged[0] if options.file else judged, indent=2))
     else:
         print("\n".join(verdict_text.overview(judgement) for judgement in judged), end="")
     return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
