@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from gainproof.verify.judge.claim_record import OwnModel, Setting
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.scope import constant_value
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished, algebra
 from gainproof.verify.judge.setting.quantities import memory, steady_state
 

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.statement import Rel
-from gainproof.verify.judge.scope import constant_value
 from gainproof.verify.judge.setting.environment import SAMPLE
 
 TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}

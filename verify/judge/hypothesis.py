@@ -8,11 +8,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from gainproof.verify.judge.domain import box_conditions
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.exact.tidy import tidied

@@ -8,17 +8,18 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.domain import bounded
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.graph import graph_of
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.points import with_values
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.hypothesis import settle, without_equations
-from gainproof.verify.judge.scope import Scope, constant_value
+from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE
 from gainproof.verify.judge.verdict import Finding, finding_of
 

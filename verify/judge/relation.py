@@ -6,18 +6,18 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
 from gainproof.verify.judge.exact.graph import read_graph, read_values
 from gainproof.verify.judge.exact.grid import Grid
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.program import judge_program
-from gainproof.verify.judge.scope import constant_value
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.steady_statements import (
     definite_statement,

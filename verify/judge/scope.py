@@ -7,11 +7,12 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from gainproof.verify.judge.claim_record import Setting, SymbolEntry
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, rebuilt, substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, add, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.graph import read_graph
-from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
-from gainproof.verify.judge.exact.place import Box
+from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.setting.environment import Environment
@@ -206,43 +207,3 @@ class Scope:
 def free_name(token: str) -> str:
     """The name of the variable that a free symbol stands for; no quantity is named like that."""
     return f"free {token}"
-
-
-def constant_value(expr: Expr) -> Fraction | None:
-    """The value of an expression of numbers only, without roots; None for others."""
-    done: dict[bytes, Fraction] = {}
-    for node in walk(expr):
-        parts = [done.get(p.key) for p in node.parts]
-        if any(p is None for p in parts):
-            return None
-        values = [p for p in parts if p is not None]
-        value: Fraction | None = None
-        match node.kind:
-            case "number":
-                value = node.fraction
-            case "add":
-                value = sum(values, Fraction(0))
-            case "neg":
-                value = -values[0]
-            case "mul":
-                value = Fraction(1)
-                for v in values:
-                    value *= v
-            case "div":
-                value = None if values[1] == 0 else values[0] / values[1]
-            case "pow":
-                value = _integer_power(values[0], node.fraction)
-        if value is None:
-            return None
-        done[node.key] = value
-    return done[expr.key]
-
-
-def _integer_power(base: Fraction, exponent: Fraction) -> Fraction | None:
-    if (
-        exponent.denominator != 1
-        or abs(exponent) > DEFAULT_LIMITS.exponent
-        or (base == 0 and exponent < 0)
-    ):
-        return None
-    return base ** int(exponent)

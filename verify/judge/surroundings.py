@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, rebuilt, substituted
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import (
@@ -27,7 +28,6 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.graph import rational
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.graph import graph_of, rational, read_graph
 from gainproof.verify.judge.exact.limits import Malformed
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.survey import Judged, Work
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.certificate import certificate_of
 from gainproof.verify.judge.exact.expression import power, symbol
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
-from gainproof.verify.judge.exact.place import Box, Place, region_text
+from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.radicand import NeedsPower
+from gainproof.verify.judge.exact.region import region_text
 from gainproof.verify.judge.exact.statement import (
     ORDERS,
     Enclosure,

@@ -14,6 +14,7 @@ from fractions import Fraction
 
 import flint
 
+from gainproof.verify.judge.exact.evaluate import evaluate
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.norm import cofactor, highest_root
@@ -26,7 +27,6 @@ from gainproof.verify.judge.exact.poly import (
     from_terms,
     grouped,
     rational,
-    terms,
 )
 from gainproof.verify.judge.exact.tower import Root, Tower
 
@@ -229,26 +229,3 @@ class Local:
             # else not resolved at this precision, or undefined here: what uses it gets no finite
             # ball
         return values
-
-
-def evaluate(p: Poly, values: list[Ball | None]) -> Ball:
-    """The polynomial at these balls, at the current working precision; not finite where a value is
-    missing.
-    """
-    total = flint.arb(0)
-    powers: dict[int, list[Ball]] = {}
-    for exponents, coefficient in terms(p):
-        product = flint.arb(flint.fmpq(coefficient))
-        for index, exponent in enumerate(exponents):
-            if not exponent:
-                continue
-            value = values[index]
-            if value is None:
-                return flint.arb.nan()
-            # by multiplication: arb's own power is not a number for a ball that contains zero
-            known = powers.setdefault(index, [flint.arb(1)])
-            while len(known) <= exponent:
-                known.append(known[-1] * value)
-            product = product * known[exponent]
-        total = total + product
-    return total

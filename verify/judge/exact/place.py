@@ -20,61 +20,9 @@ from gainproof.verify.judge.exact.algebraic import (
     rationals_between,
     real_roots,
 )
+from gainproof.verify.judge.exact.box import Box
 
 SAMPLES = 7
-
-
-@dataclass(frozen=True)
-class Box:
-    """Where a variable lives. A missing bound is infinite; `stated` says that the domain was given,
-    not guessed.
-    """
-
-    lower: Fraction | None = None
-    upper: Fraction | None = None
-    lower_open: bool = True
-    upper_open: bool = True
-    integer: bool = False
-    stated: bool = True
-
-    @property
-    def is_empty(self) -> bool:
-        """Whether no real number (or integer, for integers) lies in it."""
-        if self.lower is None or self.upper is None:
-            return False
-        if self.lower > self.upper or (
-            self.lower == self.upper and (self.lower_open or self.upper_open)
-        ):
-            return True
-        if not self.integer:
-            return False
-        return not any(self.holds(Fraction(n)) for n in (ceil(self.lower), floor(self.lower) + 1))
-
-    @property
-    def is_positive(self) -> bool:
-        """Whether every number in it is greater than zero."""
-        return self.lower is not None and (self.lower > 0 or (self.lower == 0 and self.lower_open))
-
-    def holds(self, value: Fraction) -> bool:
-        """Whether the number lies in it."""
-        if self.lower is not None and (
-            value < self.lower or (value == self.lower and self.lower_open)
-        ):
-            return False
-        return self.upper is None or not (
-            value > self.upper or (value == self.upper and self.upper_open)
-        )
-
-    def text(self, name: str) -> str:
-        """Readable."""
-        kind = f", {name} an integer" if self.integer else ""
-        left = "" if self.lower is None else f"{self.lower} {'<' if self.lower_open else '<='} "
-        right = "" if self.upper is None else f" {'<' if self.upper_open else '<='} {self.upper}"
-        if not left and not right:
-            return f"all real {name}" if not kind else f"all integers {name}"
-        if left and not right:
-            return f"{name} {'>' if self.lower_open else '>='} {self.lower}{kind}"
-        return f"{left}{name}{right}{kind}"
 
 
 @dataclass(frozen=True)
@@ -180,70 +128,3 @@ def _strictly_inside(number: Algebraic, box: Box) -> bool:
     return (box.lower is None or compare(number, box.lower) > 0) and (
         box.upper is None or compare(number, box.upper) < 0
     )
-
-
-def region_text(kept: list[Place], name: str, *, integer: bool = False) -> str:
-    """The union of places as text: neighbouring places are joined."""
-    pieces: list[list[Place]] = []
-    for place in kept:
-        if pieces and _adjacent(pieces[-1][-1], place, integer):
-            pieces[-1].append(place)
-        else:
-            pieces.append([place])
-    shown = _integer_text if integer else _piece_text
-    return " or ".join(shown(piece, name) for piece in pieces) or "nowhere"
-
-
-def _adjacent(a: Place, b: Place, integer: bool) -> bool:
-    if integer:
-        last, first = _ends(a)[1], _ends(b)[0]
-        return last is not None and first == last + 1
-    if a.is_cell:
-        return b.at is not None and a.right == b.at
-    return b.is_cell and a.at is not None and b.left == a.at
-
-
-def _piece_text(piece: list[Place], name: str) -> str:
-    if len(piece) == 1:
-        return piece[0].text(name)
-    first, last = piece[0], piece[-1]
-    left = first.at if first.at is not None else first.left
-    right = last.at if last.at is not None else last.right
-    low = "<=" if first.at is not None else "<"
-    high = "<=" if last.at is not None else "<"
-    if left is None and right is None:
-        return f"all real {name}"
-    if right is None and left is not None:
-        return f"{name} {'>=' if low == '<=' else '>'} {left.text()}"
-    if left is None and right is not None:
-        return f"{name} {high} {right.text()}"
-    assert left is not None
-    assert right is not None
-    return f"{left.text()} {low} {name} {high} {right.text()}"
-
-
-def _ends(place: Place) -> tuple[int | None, int | None]:
-    """The first and the last integer of a place that holds one; None without bound."""
-    if place.at is not None:
-        return int(place.at.low), int(place.at.low)
-    first = last = None
-    if place.left is not None:
-        first = floor(place.left.low)
-        while compare(place.left, Fraction(first)) >= 0:
-            first += 1
-    if place.right is not None:
-        last = ceil(place.right.high)
-        while compare(place.right, Fraction(last)) <= 0:
-            last -= 1
-    return first, last
-
-
-def _integer_text(piece: list[Place], name: str) -> str:
-    first, last = _ends(piece[0])[0], _ends(piece[-1])[1]
-    if first is None and last is None:
-        return f"all {name}"
-    if first == last:
-        return f"{name} = {first}"
-    if last is None:
-        return f"{name} >= {first}"
-    return f"{name} <= {last}" if first is None else f"{first} <= {name} <= {last}"

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
-from gainproof.verify.judge.exact.witness import enclosure, inside, separated
+from gainproof.verify.judge.exact.witness import inside
 
 PRECISIONS = (128, 512, 2048)
 AGREED_BITS = 400

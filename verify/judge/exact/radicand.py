@@ -10,7 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
-from math import gcd, lcm
 from typing import Any
 
 from gainproof.verify.judge.exact.poly import (
@@ -21,8 +20,8 @@ from gainproof.verify.judge.exact.poly import (
     rational,
     terms,
 )
+from gainproof.verify.judge.exact.rational_root import content_of, number_root, power_part
 
-SMALL_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47)
 MOST_TOGETHER = 3
 
 
@@ -204,55 +203,11 @@ def _without_squares(num: Poly, den: Poly, order: int) -> tuple[Poly, Poly, Any]
     ratio = Fraction(1)
     made = []
     for p, sign in ((num, 1), (den, -1)):
-        content = _content(p)
+        content = content_of(p)
         made.append(p / rational(content))
         ratio *= content**sign
     # u / v = u v^(n-1) / v^n
     whole = abs(ratio.numerator) * ratio.denominator ** (order - 1)
-    outside, inside = _power_part(whole, order)
+    outside, inside = power_part(whole, order)
     inside = -inside if ratio < 0 else inside
     return made[0] * inside, made[1], rational(Fraction(outside, ratio.denominator))
-
-
-def _content(p: Poly) -> Fraction:
-    """The positive number that leaves integer coefficients without common factor."""
-    coefficients = [fraction(c) for _, c in terms(p)]
-    top, bottom = 0, 1
-    for c in coefficients:
-        top, bottom = gcd(top, c.numerator), lcm(bottom, c.denominator)
-    return Fraction(top, bottom)
-
-
-def _power_part(n: int, order: int) -> tuple[int, int]:
-    """n = a^order * b, with no small prime left to that power in b."""
-    outside = 1
-    for prime in SMALL_PRIMES:
-        while n % prime**order == 0:
-            n //= prime**order
-            outside *= prime
-    exact = _integer_root(n, order)
-    return (outside, n) if exact is None else (outside * exact, 1)
-
-
-def number_root(num: Poly, den: Poly, order: int) -> Fraction | None:
-    """The root of a rational number that has a rational one; negative only for odd order."""
-    if not (num.is_constant() and den.is_constant()):
-        return None
-    value = fraction(num.leading_coefficient()) / fraction(den.leading_coefficient())
-    if value < 0 and order == 2:
-        return None
-    top, bottom = (_integer_root(abs(n), order) for n in (value.numerator, value.denominator))
-    if top is None or bottom is None:
-        return None
-    return Fraction(top, bottom) * (-1 if value < 0 else 1)
-
-
-def _integer_root(n: int, order: int) -> int | None:
-    low, high = 0, 1 << (n.bit_length() // order + 1)
-    while low < high:
-        middle = (low + high) // 2
-        if middle**order < n:
-            low = middle + 1
-        else:
-            high = middle
-    return low if low**order == n else None

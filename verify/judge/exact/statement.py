@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
-from gainproof.verify.judge.exact.place import Box
 
 ORDERS = ("<", "<=", ">", ">=")
 

@@ -12,11 +12,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import walk
 from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.norm import vanishing_factors
-from gainproof.verify.judge.exact.place import Box, Place, places
+from gainproof.verify.judge.exact.place import Place, places
 from gainproof.verify.judge.exact.poly import Poly
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.tower import Tower, build_tower

@@ -18,11 +18,11 @@ from gainproof.verify.judge.exact.poly import Poly, Ring, constant, degree, ring
 from gainproof.verify.judge.exact.radicand import (
     Element,
     Variables,
-    number_root,
     product_of_roots,
     simplified,
     split_off,
 )
+from gainproof.verify.judge.exact.rational_root import number_root
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.place import Box
 
 INTERVAL = "sampling_interval"
 DEVIATION = "measurement_noise_deviation"

@@ -18,6 +18,7 @@ from math import factorial
 
 import flint
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import (
@@ -28,7 +29,6 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.poly import fraction, rational
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.setting.environment import ANY_REAL, SAMPLE, Fact, NotEstablished

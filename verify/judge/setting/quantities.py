@@ -9,6 +9,7 @@ from fractions import Fraction
 from math import factorial
 from typing import Any
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import (
     Expr,
@@ -19,7 +20,6 @@ from gainproof.verify.judge.exact.expression import (
     whole_power,
 )
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.setting.environment import (
     ANY_REAL,
     DEVIATION,

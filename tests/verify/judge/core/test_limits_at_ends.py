@@ -6,10 +6,10 @@ from fractions import Fraction
 
 import pytest
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, sqrt, symbol
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Box
 
 x = symbol("x")
 POSITIVE = Box(lower=Fraction(0))

@@ -12,10 +12,10 @@ import pytest
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.judge.claim_file import read_claim_file
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import power, sqrt, symbol
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.judge import judge_file

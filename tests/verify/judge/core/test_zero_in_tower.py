@@ -6,10 +6,10 @@ from fractions import Fraction
 
 import pytest
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, number, power, sqrt, symbol
 from gainproof.verify.judge.exact.limits import Limits, Undecided
-from gainproof.verify.judge.exact.place import Box
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 
 x, y = symbol("x"), symbol("y")
