@@ -3,8 +3,8 @@
     python tests/campaigns/kernel_ulp.py [--points N] [--jobs N] [--state FILE] [--only TEXT]
 
 For every family, argument and format the points are log-uniform over the domain of the bounds
-(half as many again near the upper end of a gain's domain), and log-uniform over 1e-6..1e6 for the
-tracking index. Truth is a ball round the Riccati solution. The state file is written every few
+(for a gain half of them, the others in their distance from its upper end), and log-uniform over
+1e-6..1e6 for the tracking index. Truth is a ball round the Riccati solution. The state file is written every few
 chunks; a campaign that was interrupted goes on from it as long as the kernels are the same, and
 one that is complete prints its table at once. Status 1 when a measured error exceeds its bound.
 """
@@ -74,7 +74,7 @@ def points_of(task: Task) -> list[float]:
         return [float(round(x)) for x in log_uniform(max(low, 1), high, CHUNK, seed)]
     if task.argument == "tracking_index":
         return log_uniform(low, high, CHUNK, seed)
-    return log_uniform(low, high, CHUNK, seed) + near_supremum(high, CHUNK // 2, seed)
+    return log_uniform(low, high, CHUNK // 2, seed) + near_supremum(high, CHUNK // 2, seed)
 
 
 def run(task: Task) -> dict[str, tuple[float, float, int]]:
