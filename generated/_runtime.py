@@ -59,20 +59,46 @@ def evaluate(
     shape = np.broadcast_shapes(*(x.shape for x in inputs))
     flat = [_flat(x, shape) for x in inputs]
     kind = inputs[0].dtype
-    if out is None:
-        results = [np.empty(shape, kind) for _ in kernel.outputs]
-    else:
-        results = _checked(kernel, out, shape, kind)
-        for domain, x, whole in zip(kernel.inputs, flat, inputs, strict=True):
-            for start in range(0, x.size, SIZE):
-                _guard(kernel, domain, x[start : start + SIZE], start, whole, shape)
-        if any(_overlap(y, x) for y in results for x in flat):
-            flat = [x.copy() for x in flat]
     with np.errstate(all="ignore"):
+        if out is None:
+            results = [np.empty(shape, kind) for _ in kernel.outputs]
+        else:
+            results = _checked(kernel, out, shape, kind)
+            for domain, x, whole in zip(kernel.inputs, flat, inputs, strict=True):
+                for start in range(0, x.size, SIZE):
+                    _guard(kernel, domain, x[start : start + SIZE], start, whole, shape)
+            if any(_overlap(y, x) for y in results for x in flat):
+                flat = [x.copy() for x in flat]
         _run(kernel, flat, results, inputs, out is None)
     if out is None and shape == ():
         return tuple(y[()] for y in results)
     return tuple(results)
+
+
+def mask_of(condition: NDArray[np.bool_], single: bool) -> NDArray[Any]:
+    """All bits set where the condition holds, as integers as wide as the numbers."""
+    kind = np.int32 if single else np.int64
+    mask: NDArray[Any] = np.negative(condition.view(np.int8), dtype=kind)
+    return mask
+
+
+def choose(mask: NDArray[Any], x: Array | float, y: Array | float, out: Array) -> Array:
+    """x where the mask is set, else y: bit by bit, since a masked copy waits for every branch.
+
+    `out` may be x or y, or both may be numbers.
+    """
+    if x is y:
+        np.copyto(out, x)
+        return out
+    kind = mask.dtype
+    bits = out.view(kind)
+    first, second = (np.asarray(each, out.dtype).view(kind) for each in (x, y))
+    if out is y:
+        mask, first, second = ~mask, second, first
+    np.bitwise_xor(first, second, out=bits)
+    np.bitwise_and(bits, mask, out=bits)
+    np.bitwise_xor(bits, second, out=bits)
+    return out
 
 
 def _run(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from gainproof.generated._runtime import Domain, Signature, evaluate
+from gainproof.generated._runtime import Domain, Signature, choose, evaluate, mask_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -1023,17 +1023,13 @@ def _closed_loop_poles_block(
     t46 = np.divide(t21, t45, out=w2)
     t47 = np.multiply(t46, t21, out=w2)
     t49 = np.negative(t45, out=w0)
-    mask = np.less(tracking_index, 12.0)
-    np.copyto(first_real, t49)
-    np.putmask(first_real, mask, t39)
+    mask = mask_of(np.less(tracking_index, 12.0), single)
+    choose(mask, t39, t49, out=first_real)
     t51 = np.negative(t47, out=w2)
-    np.copyto(second_real, t51)
-    np.putmask(second_real, mask, t39)
-    np.copyto(first_imaginary, 0.0)
-    np.putmask(first_imaginary, mask, t43)
+    choose(mask, t39, t51, out=second_real)
+    choose(mask, t43, 0.0, out=first_imaginary)
     t54 = np.negative(t43, out=w1)
-    np.copyto(second_imaginary, 0.0)
-    np.putmask(second_imaginary, mask, t54)
+    choose(mask, t54, 0.0, out=second_imaginary)
 
 
 _CLOSED_LOOP_POLES = Signature(

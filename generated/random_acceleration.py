@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from gainproof.generated._runtime import Domain, Signature, evaluate
+from gainproof.generated._runtime import Domain, Signature, choose, evaluate, mask_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -879,7 +879,7 @@ def closed_loop_poles(
 
 
 def _closed_loop_poles_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], single: bool
 ) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
@@ -914,17 +914,13 @@ def _closed_loop_poles_block(
     t31 = np.divide(t12, t30, out=w2)
     t32 = np.multiply(t31, t12, out=w2)
     t34 = np.negative(t30, out=w0)
-    mask = np.less(tracking_index, 8.0)
-    np.copyto(first_real, t34)
-    np.putmask(first_real, mask, t25)
+    mask = mask_of(np.less(tracking_index, 8.0), single)
+    choose(mask, t25, t34, out=first_real)
     t36 = np.negative(t32, out=w2)
-    np.copyto(second_real, t36)
-    np.putmask(second_real, mask, t25)
-    np.copyto(first_imaginary, 0.0)
-    np.putmask(first_imaginary, mask, t28)
-    np.negative(t28, out=second_imaginary)
-    mask_ = np.greater_equal(tracking_index, 8.0)
-    np.putmask(second_imaginary, mask_, 0.0)
+    choose(mask, t25, t36, out=second_real)
+    choose(mask, t28, 0.0, out=first_imaginary)
+    t39 = np.negative(t28, out=second_imaginary)
+    choose(mask, t39, 0.0, out=second_imaginary)
 
 
 _CLOSED_LOOP_POLES = Signature(
