@@ -4,9 +4,10 @@
 
 For every family, argument and format the points are log-uniform over the domain of the bounds
 (for a gain half of them, the others in their distance from its upper end), and log-uniform over
-1e-6..1e6 for the tracking index. Truth is a ball round the Riccati solution. The state file is written every few
-chunks; a campaign that was interrupted goes on from it as long as the kernels are the same, and
-one that is complete prints its table at once. Status 1 when a measured error exceeds its bound.
+1e-6..1e6 for the tracking index. Truth is a ball round the Riccati solution. The state file is
+written every few chunks; a campaign that was interrupted goes on from it as long as the kernels
+are the same, and one that is complete prints its table at once. Status 1 when a measured error
+exceeds its bound.
 """
 
 from __future__ import annotations
