@@ -63,10 +63,10 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -146,10 +146,10 @@ def gain_derivatives(
         * 2^-52 (float64), 13.07 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -250,10 +250,10 @@ def gains_with_derivatives(
         13.04 * 2^-52 (float64), 13.04 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -346,10 +346,10 @@ def predictor_gains(
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -430,10 +430,10 @@ def predictor_gain_derivatives(
         tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -531,10 +531,10 @@ def predicted_covariance(
         tracking_index <= 1.181098330382244e154 (float64) and 4.1033358e-26 <= tracking_index <=
         1.6249736e19 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -633,10 +633,10 @@ def predicted_covariance_derivatives(
         tracking_index <= 6.974966330158624e307 (float64) and 1e-45 <= tracking_index <=
         1.3202697e38 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -747,10 +747,10 @@ def updated_covariance(
         <= 2.4954742419024312e154 (float64) and 4.1033358e-26 <= tracking_index <= 3.4333126e19
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -845,10 +845,10 @@ def updated_covariance_derivatives(
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -943,6 +943,7 @@ def closed_loop_poles(
     """Poles of the filter: a complex pair or two real numbers.
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
+        all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52
         p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
         m = p/2 + h + s, sigma = p m/2
 
@@ -963,10 +964,10 @@ def closed_loop_poles(
         most 8.00 * 2^-52 (float64), 8.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1066,10 +1067,10 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
         2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999 (float64)
         and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1133,10 +1134,10 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
         2.28 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
         (float64) and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1198,10 +1199,10 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
         2^-23 (float32), proved for 2.2250738585072014e-308 <= beta <= 1.2679491924311226 (float64)
         and 1.1754944e-38 <= beta <= 1.2679491 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1271,10 +1272,10 @@ def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Alpha
         proved for 5e-324 <= beta <= 1.2679491924311226 (float64) and 1e-45 <= beta <= 1.2679491
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.

@@ -39,10 +39,10 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None) -> Gains:
         proved for 0.0 <= sample_number <= 9007199254740992.0 (float64) and 0.0 <= sample_number <=
         9.007199e15 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -99,10 +99,10 @@ def updated_covariance(
         (float64), 1.01 * 2^-23 (float32), proved for 0.0 <= sample_number <= 9007199254740992.0
         (float64) and 0.0 <= sample_number <= 9.007199e15 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -159,10 +159,10 @@ def predicted_covariance(
         2^-52 (float64), 0.51 * 2^-23 (float32), proved for 1.0 <= sample_number <=
         9007199254740992.0 (float64) and 1.0 <= sample_number <= 9.007199e15 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.

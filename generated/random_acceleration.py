@@ -63,10 +63,10 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -140,10 +140,10 @@ def gain_derivatives(
         2^-52 (float64), 8.93 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -233,10 +233,10 @@ def gains_with_derivatives(
         * 2^-52 (float64), 8.97 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -318,10 +318,10 @@ def predictor_gains(
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -396,10 +396,10 @@ def predictor_gain_derivatives(
         tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
         2.6087635e19 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -486,10 +486,10 @@ def predicted_covariance(
         tracking_index <= 1.34078079299425e154 (float64) and 4.1033358e-26 <= tracking_index <=
         1.8446673e19 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -578,10 +578,10 @@ def predicted_covariance_derivatives(
         tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -676,10 +676,10 @@ def updated_covariance(
         <= 8.988465674311451e307 (float64) and 4.1033358e-26 <= tracking_index <= 1.7013988e38
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -764,10 +764,10 @@ def updated_covariance_derivatives(
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -845,6 +845,7 @@ def closed_loop_poles(
     """Poles of the filter: a complex pair or two real numbers.
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
+        all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52
         p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
         m = p/2 + h + s, sigma = p m/2
 
@@ -865,10 +866,10 @@ def closed_loop_poles(
         most 5.03 * 2^-52 (float64), 5.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <= 1.8446744e19 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -957,10 +958,10 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
         2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999 (float64)
         and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1022,10 +1023,10 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
         2.15 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
         (float64) and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1085,10 +1086,10 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
         2^-23 (float32), proved for 2.2250738585072014e-308 <= beta <= 1.9999999999999998 (float64)
         and 1.1754944e-38 <= beta <= 1.9999999 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1150,10 +1151,10 @@ def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Alpha
         proved for 5e-324 <= beta <= 1.9999999999999998 (float64) and 1e-45 <= beta <= 1.9999999
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.

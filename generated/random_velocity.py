@@ -63,10 +63,10 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -145,10 +145,10 @@ def gain_derivatives(
         * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -246,10 +246,10 @@ def gains_with_derivatives(
         12.36 * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -339,10 +339,10 @@ def predictor_gains(
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -422,10 +422,10 @@ def predictor_gain_derivatives(
         tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -520,10 +520,10 @@ def predicted_covariance(
         tracking_index <= 9.480751908109109e153 (float64) and 4.1033358e-26 <= tracking_index <=
         1.3043767e19 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -613,10 +613,10 @@ def predicted_covariance_derivatives(
         tracking_index <= 4.4942328371557264e307 (float64) and 1e-45 <= tracking_index <=
         8.506994e37 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -719,10 +719,10 @@ def updated_covariance(
         <= 1.3407807929942502e154 (float64) and 4.1033358e-26 <= tracking_index <= 1.8446673e19
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -809,10 +809,10 @@ def updated_covariance_derivatives(
         tracking_index <= 8.988465674311453e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -899,6 +899,7 @@ def closed_loop_poles(
     """Poles of the filter: a complex pair or two real numbers.
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
+        all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52
         p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
         m = p/2 + h + s, sigma = p m/2
 
@@ -919,10 +920,10 @@ def closed_loop_poles(
         most 4.45 * 2^-52 (float64), 4.42 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -994,10 +995,10 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
         2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999 (float64)
         and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1060,10 +1061,10 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
         2.27 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
         (float64) and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1124,10 +1125,10 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
         2^-23 (float32), proved for 2.2250738585072014e-308 <= beta <= 0.9999999999999999 (float64)
         and 1.1754944e-38 <= beta <= 0.99999994 (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.
@@ -1190,10 +1191,10 @@ def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Alpha
         proved for 5e-324 <= beta <= 0.9999999999999999 (float64) and 1e-45 <= beta <= 0.99999994
         (float32).
 
-    Outside an output's range its true value is no normal number: it comes as 0, a subnormal number
-    or infinity, never as NaN. Numbers and arrays are taken, arrays of any shape; inputs are
-    broadcast. float64 and float32 stay what they are, integers become float64. `out`: a tuple of
-    arrays to fill.
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
 
     ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
     input that is no real number of these types.

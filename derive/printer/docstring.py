@@ -48,7 +48,8 @@ def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
         [line for given in kernel.inputs for line in _input(given)],
         [line for row in range(len(kernel.outputs)) for line in _output(kernel, bounds, row)],
         _wrap(
-            "Outside an output's range its true value is no normal number: it comes as 0, a "
+            "Outside an output's range, a few numbers next to its ends apart, its true value is no "
+            "normal number: it comes as 0, a "
             "subnormal number or infinity, never as NaN. Numbers and arrays are taken, arrays of "
             "any shape; inputs are broadcast. float64 and float32 stay what they are, integers "
             "become float64. `out`: a tuple of arrays to fill."

@@ -115,7 +115,10 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
         return (f"{c.spectrum.relation} = 0, Lambda^2 = beta^2/(1 - alpha)",)
     own = {
         "gains": ("alpha = 2 s/m, beta = 2 p/m",),
-        "closed_loop_poles": ("z^2 - (2 - alpha - beta) z + (1 - alpha) = 0",),
+        "closed_loop_poles": (
+            "z^2 - (2 - alpha - beta) z + (1 - alpha) = 0",
+            "all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52",
+        ),
         "gain_derivatives": (
             f"d alpha = (1 + {e} p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)",
         ),

@@ -19,12 +19,12 @@ Ball = Any  # flint.arb; python-flint ships no types
 
 def ball_outputs(graph: Graph, point: float, precision: int = 192) -> dict[str, Ball]:
     """Balls round the exact outputs of a one-argument graph at a float."""
-    ctx.prec = precision
-    values: list[Ball] = []
-    for operation, *operands in graph["nodes"]:
-        values.append(_value(operation, operands, values, point))
-    found = {name: values[number] for name, number in graph["outputs"].items()}
-    narrow = all(value.rel_accuracy_bits() > 80 or value == 0 for value in found.values())
+    with ctx.workprec(precision):
+        values: list[Ball] = []
+        for operation, *operands in graph["nodes"]:
+            values.append(_value(operation, operands, values, point))
+        found = {name: values[number] for name, number in graph["outputs"].items()}
+        narrow = all(value.rel_accuracy_bits() > 80 or value == 0 for value in found.values())
     if narrow or precision > 4000:
         return found
     return ball_outputs(graph, point, 2 * precision)
@@ -41,7 +41,11 @@ def _value(operation: str, operands: Sequence[Any], values: list[Ball], point: f
         chosen = [values[number] for number in rest]
         if name == "abs":
             return abs(chosen[0])
-        return chosen[2] if chosen[0] < chosen[1] else chosen[3]
+        if chosen[0] < chosen[1]:
+            return chosen[2]
+        if chosen[0] >= chosen[1]:
+            return chosen[3]
+        raise ArithmeticError(f"the branch at {point!r} is not decided at this precision")
     if operation == "pow":
         return values[operands[0]].sqrt()
     first, *rest = (values[number] for number in operands)
