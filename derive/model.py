@@ -92,11 +92,21 @@ def scale(model: Model) -> ScaledModel:
                 f"{sorted(map(str, matrix.free_symbols))}; check the units of the state"
             )
     ratio = sp.simplify(noise_at_zero_frequency(transition, noise, measurement))
+    if not _is_positive(ratio):
+        raise ModelError(
+            f"model {model.name}: a process noise that reaches the measured position with a "
+            f"positive strength is wanted, at zero frequency it is {ratio}"
+        )
     relative = (noise / ratio).applyfunc(sp.simplify)
     if relative.free_symbols or measured.free_symbols:
         raise ModelError(
             f"model {model.name}: the process noise should be one strength times a matrix of "
             f"numbers, the scaled noise is {relative}"
+        )
+    if not sp.ImmutableDenseMatrix(relative).is_positive_semidefinite or measured[0, 0] <= 0:
+        raise ModelError(
+            f"model {model.name}: covariances are wanted; the scaled process noise is "
+            f"{relative.tolist()}, the scaled measurement noise {measured.tolist()}"
         )
     return ScaledModel(
         model.name,
@@ -108,6 +118,11 @@ def scale(model: Model) -> ScaledModel:
         ratio,
         scales,
     )
+
+
+def _is_positive(ratio: sp.Expr) -> bool:
+    """Whether a product of powers of positive quantities has a positive number in front."""
+    return not ratio.has(sp.zoo, sp.nan) and bool(ratio.as_coeff_Mul()[0] > 0)
 
 
 def noise_at_zero_frequency(

@@ -1,9 +1,12 @@
 """Kernels that need NumPy only, printed from derivations with proved error bounds.
 
-- `continuous_white_acceleration`: Continuous white acceleration: steady state with measured position.
+- `continuous_white_acceleration`: Continuous white acceleration: steady state with measured
+  position.
 - `least_squares_line`: Least-squares line (growing memory): gains by sample number.
 - `least_squares_mean`: Least-squares mean (growing memory): gains by sample number.
 - `least_squares_parabola`: Least-squares parabola (growing memory): gains by sample number.
-- `random_acceleration`: Random acceleration (constant over each interval): steady state with measured position.
-- `random_velocity`: Random velocity (velocity random walk): steady state with measured position.
+- `random_acceleration`: Random acceleration (constant over each interval): steady state with
+  measured position.
+- `random_velocity`: Random velocity (velocity random walk): steady state with measured
+  position.
 """

@@ -13,7 +13,7 @@ import sympy as sp
 
 from gainproof.derive.algebra.limits import end_evidence
 from gainproof.derive.algebra.plain import fraction_data
-from gainproof.derive.algebra.positive import positive_form
+from gainproof.derive.algebra.positive import nonnegative_form
 from gainproof.derive.algebra.riccati import definite_evidence, riccati_evidence, stable_evidence
 from gainproof.derive.algebra.signs import divisors_shown, shown
 from gainproof.derive.algebra.tower import Tower
@@ -64,7 +64,8 @@ def _limit(step: Step, tower: Tower) -> Evidence:
 def _increasing_onto(step: Step, tower: Tower) -> Evidence:
     parts, ends = step.relation.parts, step.hint["ends"]
     return {
-        "derivative": shown(tower, step.hint["form"]),
+        # at a closed end of the domain the derivative may vanish
+        "derivative": fraction_data(nonnegative_form(tower, step.hint["form"])),
         "start": end_evidence(tower, ends["0"]),
         "end": end_evidence(tower, ends["infinity"]),
         "nonzero": divisors_shown(tower, parts["expression"]),
@@ -93,7 +94,7 @@ def _program(step: Step, tower: Tower) -> Evidence:
 
 
 def _root(tower: Tower, value: Any) -> dict[str, Any]:
-    return fraction_data(positive_form(tower, sp.sympify(value)))
+    return fraction_data(nonnegative_form(tower, sp.sympify(value)))
 
 
 _WRITERS: Mapping[str, Callable[[Step, Tower], Evidence]] = {

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from gainproof.derive.algebra.tower import Fraction, Poly, Tower, is_manifestly_positive
+from gainproof.derive.algebra.tower import (
+    Fraction,
+    Poly,
+    Tower,
+    is_manifestly_positive,
+    shift_closed,
+)
 
 
 class NoPlainSign(ArithmeticError):
@@ -24,6 +30,18 @@ def positive_form(tower: Tower, expression: Any) -> Fraction:
     if top[0] * bottom[0] < 0:
         raise NoPlainSign(f"negative in tower {tower.name}: {expression}")
     return tower.make(top[1].num * bottom[1].den, top[1].den * bottom[1].num)
+
+
+def nonnegative_form(tower: Tower, expression: Any) -> Fraction:
+    """A manifestly nonnegative fraction equal to the expression: it may vanish at a closed end.
+
+    Raises NoPlainSign when the search ends without one.
+    """
+    value = tower.fraction(expression)
+    plain = all(entry > 0 for entry in shift_closed(value.num, tower.parameters).values())
+    if plain and is_manifestly_positive(value.den, tower.parameters):
+        return value
+    return positive_form(tower, value)
 
 
 def is_positive_fraction(tower: Tower, value: Fraction) -> bool:

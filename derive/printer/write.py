@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -42,5 +43,6 @@ def _package(modules: Sequence[Module]) -> str:
         '"""Kernels that need NumPy only, printed from derivations with proved error bounds.',
         "",
     ]
-    lines += [f"- {line}" for line in sorted(listed)]
+    for line in sorted(listed):
+        lines += textwrap.wrap(f"- {line}", 96, subsequent_indent="  ")
     return "\n".join([*lines, '"""']) + "\n"

@@ -1,6 +1,6 @@
 """Towers for the two sides of the index at which the poles turn real.
 
-Below L1 = 8/(1 - e): Lambda = L1 x^2/(1 + x^2) with x > 0. Above: Lambda = L1 + g^2 with g > 0.
+Below L1 = 8/(1 - e): Lambda = L1 x^2/(1 + x^2) with x > 0. From L1 on: Lambda = L1 + g^2, g >= 0.
 Differences L1 - Lambda and Lambda - L1 are then positive by their looks.
 """
 
@@ -127,7 +127,8 @@ def real_tower(e: Fraction, n: Fraction) -> Tower:
     first = middle_size(basis) + poles.half_width(basis, BELOW, ABOVE)
     elements["first_pole"] = -first
     elements["second_pole"] = real("rest") / real("first_pole")
-    return Tower("real_poles", (Parameter("g"),), tuple(generators), elements)
+    parameter = Parameter("g", above=None, start="0")
+    return Tower("real_poles", (parameter,), tuple(generators), elements)
 
 
 def middle_size(x: Basis) -> sp.Expr:

@@ -110,8 +110,7 @@ def _real(c: Context, limit: sp.Rational) -> list[Step]:
     return [
         Step(
             "real-range",
-            "Above the turning index put Lambda = L1 + g^2; the border itself follows by "
-            "continuity.",
+            "From the turning index on put Lambda = L1 + g^2.",
             increasing_onto(INDEX, limit, "infinity", variable="g"),
             "Increasing in g, from L1 without bound.",
             tower=name,
@@ -130,10 +129,9 @@ def _real(c: Context, limit: sp.Rational) -> list[Step]:
         ),
         Step(
             "real-order",
-            "The first pole has the larger modulus.",
-            positive(SECOND - FIRST),
-            "Their distance is a positive root.",
+            "The first pole has the larger modulus; both meet where g = 0.",
+            equal(SECOND - FIRST, 2 * poles.half_width(c.basis, BELOW, ABOVE)),
+            "Their distance is a root without a minus sign.",
             tower=name,
-            hint={"form": 2 * poles.half_width(c.basis, BELOW, ABOVE)},
         ),
     ]

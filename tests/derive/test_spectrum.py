@@ -76,3 +76,18 @@ def test_a_noise_outside_the_method_is_named() -> None:
     noise = sigma**2 * sp.Matrix([[5 * step**2, 0], [0, 1]])
     with pytest.raises(ModelError, match=r"noise\(4\)/noise\(0\)"):
         context(_model(noise.tolist()))
+
+
+@pytest.mark.parametrize(
+    ("noise", "message"),
+    [
+        ([[0, 0], [0, -1]], "positive strength"),
+        ([[0, 0], [0, 0]], "positive strength"),
+        ([[1, 25], [25, 100]], "covariances are wanted"),
+    ],
+)
+def test_what_is_no_covariance_is_refused(noise: list[list[int]], message: str) -> None:
+    step, sigma = sp.symbols("sampling_interval sigma", real=True)
+    scale = sp.diag(step, 1)
+    with pytest.raises(ModelError, match=message):
+        context(_model((sigma**2 * scale * sp.Matrix(noise) * scale).tolist()))

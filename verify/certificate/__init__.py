@@ -1,4 +1,4 @@
-'''Certificates: proofs as data, decided exactly by a checker small enough to be read.
+"""Certificates: proofs as data, decided exactly by a checker small enough to be read.
 
 A certificate holds the model, the claims, and for each claim the numbers from which it can be
 decided: polynomials, cofactors, positive forms. It holds no conclusion. The checker forms
@@ -141,7 +141,7 @@ cited {"theorem": text, "reference": text}; {}
 model is {"name", "title", "transition", "process_noise", "measurement", "measurement_noise"}:
 rows of number texts in units T = R = 1; process_noise is Q0, symmetric; measurement_noise positive.
 All statements of a certificate that have a model have the same one.
-'''
+"""
 
 from __future__ import annotations
 

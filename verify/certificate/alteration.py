@@ -65,7 +65,8 @@ class Campaign:
         return list(alterations(self._original))
 
     def run(
-        self, chosen: Iterable[Alteration] | None = None,
+        self,
+        chosen: Iterable[Alteration] | None = None,
         progress: Callable[[int, int], None] | None = None,
     ) -> Tally:
         """Try the chosen alterations, or all; ``progress`` is told how many of how many."""
@@ -83,7 +84,7 @@ class Campaign:
         return Tally(**counts, accepted=tuple(accepted))
 
     def outcome(self, alteration: Alteration) -> str:
-        """"malformed", "refuted", "unexpected" or "accepted"."""
+        """ "malformed", "refuted", "unexpected" or "accepted"."""
         altered = schema.table(replaced(self._original, alteration.path, alteration.new), "")
         self._meter.reset()
         try:
@@ -109,13 +110,14 @@ class Campaign:
         elif part == "towers":
             entry = schema.table(altered["towers"], "towers")[str(place)]
             tower = read_tower(entry, self._meter, "tower")
-            document = replace(self._document,
-                               towers={**self._document.towers, str(place): tower})
+            document = replace(self._document, towers={**self._document.towers, str(place): tower})
             _decide(document, lambda s: s.tower == place)
         else:
             document = replace(self._document, programs=read_programs(altered["programs"]))
-            _decide(document, lambda s: s.kind == "program"
-                    and schema.table(s.claim, "")["program"] == place)
+            _decide(
+                document,
+                lambda s: s.kind == "program" and schema.table(s.claim, "")["program"] == place,
+            )
 
 
 def _decide(document: Document, affected: Callable[[Statement], bool]) -> None:

@@ -37,8 +37,11 @@ def alterations(certificate: Plain) -> Iterator[Alteration]:
     return _inside(certificate, (), None)
 
 
-def _inside(value: Plain, path: Path, polynomial: tuple[Path, list[Plain]] | None,
-            ) -> Iterator[Alteration]:
+def _inside(
+    value: Plain,
+    path: Path,
+    polynomial: tuple[Path, list[Plain]] | None,
+) -> Iterator[Alteration]:
     if path:
         yield Alteration(path, "deleted", None)
     if isinstance(value, dict):
@@ -54,24 +57,31 @@ def _inside(value: Plain, path: Path, polynomial: tuple[Path, list[Plain]] | Non
     elif _NUMBER.match(value):
         number_ = Fraction(value)
         for how, new in (
-            ("plus one", number_ + 1), ("sign", -number_),
+            ("plus one", number_ + 1),
+            ("sign", -number_),
             ("denominator", Fraction(number_.numerator, number_.denominator + 1)),
         ):
             if new != number_:
                 yield Alteration(path, how, str(new))
 
 
-def _integer(path: Path, how: str, new: int, polynomial: tuple[Path, list[Plain]] | None,
-             ) -> Alteration:
+def _integer(
+    path: Path,
+    how: str,
+    new: int,
+    polynomial: tuple[Path, list[Plain]] | None,
+) -> Alteration:
     """An altered integer; an exponent takes its term to where the order of terms wants it."""
     if polynomial is None:
         return Alteration(path, how, new)
     place, terms = polynomial
-    rest = path[len(place):]
+    rest = path[len(place) :]
     if len(rest) != 3:
         return Alteration(path, how, new)
-    altered = [replaced(term, rest[1:], new) if number == rest[0] else term
-               for number, term in enumerate(terms)]
+    altered = [
+        replaced(term, rest[1:], new) if number == rest[0] else term
+        for number, term in enumerate(terms)
+    ]
     exponents = [term[1] for term in altered if isinstance(term, list)]
     ordered = sorted(zip(exponents, altered, strict=True), key=lambda pair: str(pair[0]))
     ordered.sort(key=lambda pair: pair[0] if isinstance(pair[0], list) else [], reverse=True)
@@ -80,9 +90,13 @@ def _integer(path: Path, how: str, new: int, polynomial: tuple[Path, list[Plain]
 
 def _is_polynomial(value: list[Plain]) -> bool:
     return bool(value) and all(
-        isinstance(term, list) and len(term) == 2 and isinstance(term[0], str)
-        and isinstance(term[1], list) and all(isinstance(e, int) for e in term[1])
-        for term in value)
+        isinstance(term, list)
+        and len(term) == 2
+        and isinstance(term[0], str)
+        and isinstance(term[1], list)
+        and all(isinstance(e, int) for e in term[1])
+        for term in value
+    )
 
 
 def replaced(value: Plain, path: Path, new: Plain | None) -> Plain:
@@ -91,13 +105,17 @@ def replaced(value: Plain, path: Path, new: Plain | None) -> Plain:
     if isinstance(value, dict) and isinstance(step, str):
         if not rest and new is None:
             return {key: entry for key, entry in value.items() if key != step}
-        return {key: (_deeper(entry, rest, new) if key == step else entry)
-                for key, entry in value.items()}
+        return {
+            key: (_deeper(entry, rest, new) if key == step else entry)
+            for key, entry in value.items()
+        }
     if isinstance(value, list) and isinstance(step, int):
         if not rest and new is None:
-            return value[:step] + value[step + 1:]
-        return [_deeper(entry, rest, new) if number == step else entry
-                for number, entry in enumerate(value)]
+            return value[:step] + value[step + 1 :]
+        return [
+            _deeper(entry, rest, new) if number == step else entry
+            for number, entry in enumerate(value)
+        ]
     raise LookupError(f"there is no {step!r} here")
 
 

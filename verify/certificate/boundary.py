@@ -64,8 +64,10 @@ class Boundary:
         order, coefficient = self.lowest_terms(value)
         leading = self.constants.reduce(coefficient)
         if not (self.constants.positive(leading) or self.constants.positive(-leading)):
-            raise RejectedError("the limit is not determined: the coefficient of the lowest power "
-                                "is not shown to be nonzero at the boundary")
+            raise RejectedError(
+                "the limit is not determined: the coefficient of the lowest power "
+                "is not shown to be nonzero at the boundary"
+            )
         return order, leading
 
     def lowest_terms(self, value: Polynomial) -> tuple[int, Polynomial]:
@@ -76,11 +78,12 @@ class Boundary:
         for monomial, coefficient in value.coefficients():
             order = -monomial[0] if self.at_infinity else monomial[0]
             term = self.constants.ring.constant(coefficient)
-            for weight, exponent, root in zip(self.weights, monomial[1:], self.values,
-                                              strict=False):
+            for weight, exponent, root in zip(
+                self.weights, monomial[1:], self.values, strict=False
+            ):
                 order -= weight * exponent
                 if exponent:
-                    term = self.constants.reduce(term * root ** exponent)
+                    term = self.constants.reduce(term * root**exponent)
             previous = orders.get(order)
             orders[order] = term if previous is None else previous + term
         lowest = min(orders)
@@ -88,7 +91,10 @@ class Boundary:
 
 
 def read_boundary(
-    value: Plain, tower: Tower, at_infinity: bool, place: str,
+    value: Plain,
+    tower: Tower,
+    at_infinity: bool,
+    place: str,
 ) -> tuple[Boundary, Callable[[set[int]], None]]:
     """The evidence of a limit, checked; and a function that rejects unused constants.
 
@@ -102,22 +108,30 @@ def read_boundary(
     names = tuple(generator.symbol for generator in field.generators)
     weights = schema.record(fields["weights"], names, f"{place}.weights")
     lowest, highest = (0, _MAXIMUM_WEIGHT) if at_infinity else (-_MAXIMUM_WEIGHT, 0)
-    scaled = tuple(schema.integer(weights[n], lowest, highest, f"{place}.weights.{n}")
-                   for n in names)
+    scaled = tuple(
+        schema.integer(weights[n], lowest, highest, f"{place}.weights.{n}") for n in names
+    )
     constants = _read_constants(fields["constants"], field, f"{place}.constants")
     entries = schema.record(fields["boundary"], names, f"{place}.boundary")
     boundary = Boundary(field, at_infinity, scaled, constants, ())
     for index, generator_name in enumerate(names):
-        root = written.polynomial(entries[generator_name], constants.ring,
-                                  f"{place}.boundary.{generator_name}")
+        root = written.polynomial(
+            entries[generator_name], constants.ring, f"{place}.boundary.{generator_name}"
+        )
         boundary = _with_root(boundary, index, root, f"{place}.boundary.{generator_name}")
-    occurring = {i for i in range(constants.ring.size)
-                 if any(root.occurs(i) for root in boundary.values)
-                 or any(g.radicand.occurs(i) for g in constants.generators)}
+    occurring = {
+        i
+        for i in range(constants.ring.size)
+        if any(root.occurs(i) for root in boundary.values)
+        or any(g.radicand.occurs(i) for g in constants.generators)
+    }
 
     def finish(also_used: set[int]) -> None:
-        idle = {constants.generators[i].symbol
-                for i in range(constants.ring.size) if i not in occurring | also_used}
+        idle = {
+            constants.generators[i].symbol
+            for i in range(constants.ring.size)
+            if i not in occurring | also_used
+        }
         schema.unused(idle, "constants", f"{place}.constants")
 
     return boundary, finish
@@ -145,10 +159,12 @@ def _with_root(boundary: Boundary, index: int, root: Polynomial, place: str) -> 
     order, coefficient = boundary.lowest_terms(generator.radicand)
     order += generator.power * boundary.weights[index]
     if order < 0:
-        raise RejectedError(f"{place}: the weight is too small, the rescaled relation has a "
-                            "negative power of x")
+        raise RejectedError(
+            f"{place}: the weight is too small, the rescaled relation has a negative power of x"
+        )
     right = coefficient if order == 0 else constants.ring.constant(0)
-    if not constants.is_zero(root ** generator.power - right):
+    if not constants.is_zero(root**generator.power - right):
         raise RejectedError(f"{place}: not a root of the rescaled relation at the boundary")
-    return Boundary(field, boundary.at_infinity, boundary.weights, constants,
-                    (*boundary.values, root))
+    return Boundary(
+        field, boundary.at_infinity, boundary.weights, constants, (*boundary.values, root)
+    )

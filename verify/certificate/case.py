@@ -52,16 +52,18 @@ class Case:
 
     def fraction(self, value: Plain, field: str) -> written.WrittenFraction:
         """A fraction of the evidence."""
-        fraction = written.read_fraction(value, self.tower.field.ring,
-                                         f"{self.place}.evidence.{field}")
+        fraction = written.read_fraction(
+            value, self.tower.field.ring, f"{self.place}.evidence.{field}"
+        )
         self.tower.mark(fraction.numerator)
         self.tower.mark(fraction.denominator)
         return fraction
 
     def polynomial(self, value: Plain, field: str) -> Polynomial:
         """A polynomial of the evidence."""
-        polynomial = written.polynomial(value, self.tower.field.ring,
-                                        f"{self.place}.evidence.{field}")
+        polynomial = written.polynomial(
+            value, self.tower.field.ring, f"{self.place}.evidence.{field}"
+        )
         self.tower.mark(polynomial)
         return polynomial
 

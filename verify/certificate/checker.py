@@ -40,7 +40,8 @@ def check(
         return CertificateReport(document.subject, False, f"not as expected: {disagreement}", ())
     results = tuple(
         decide(document, number, statement, expectation)
-        for number, statement in enumerate(document.statements))
+        for number, statement in enumerate(document.statements)
+    )
     reason = _reason(document, results)
     return CertificateReport(document.subject, not reason, reason, results)
 
@@ -52,8 +53,9 @@ def check_statement(certificate: Mapping[str, Any], statement_id: str) -> Statem
     except RejectedError as rejection:
         return StatementResult(statement_id, "", "rejected", str(rejection), 0.0)
     except Exception as error:  # noqa: BLE001 - as above
-        return StatementResult(statement_id, "", "rejected", f"malformed: {type(error).__name__}",
-                               0.0)
+        return StatementResult(
+            statement_id, "", "rejected", f"malformed: {type(error).__name__}", 0.0
+        )
     for number, statement in enumerate(document.statements):
         if statement.id == statement_id:
             return decide(document, number, statement, Expectation(None, None, None, None))
@@ -61,7 +63,10 @@ def check_statement(certificate: Mapping[str, Any], statement_id: str) -> Statem
 
 
 def decide(
-    document: Document, number: int, statement: Statement, expectation: Expectation,
+    document: Document,
+    number: int,
+    statement: Statement,
+    expectation: Expectation,
 ) -> StatementResult:
     """Compare one statement with what is expected, then decide it."""
     start = perf_counter()

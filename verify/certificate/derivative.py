@@ -26,8 +26,10 @@ def derivative(tower: Tower, value: Ratio, symbol: str, nonzero: Nonzero) -> Rat
         tower.used.add(symbol)
         return by_variable(value, position)
     if symbol not in tower.elements or len(field.parameters) != 1:
-        raise RejectedError(f"no derivative by {symbol!r}: a parameter is wanted, or an element of "
-                            "a tower with one parameter")
+        raise RejectedError(
+            f"no derivative by {symbol!r}: a parameter is wanted, or an element of "
+            "a tower with one parameter"
+        )
     return nonzero.quotient(by_variable(value, 0), by_variable(tower.value(symbol), 0))
 
 
@@ -56,10 +58,14 @@ def _rates(field: Field, position: int) -> list[Ratio]:
 
 def _along(field: Field, value: Polynomial, rates: list[Ratio]) -> Ratio:
     """The sum of the partial derivatives times the rates of the variables."""
-    return total(field, (
-        polynomial(field, value.partial(i)) * rate
-        for i, rate in enumerate(rates) if not rate.is_zero() and value.occurs(i)
-    ))
+    return total(
+        field,
+        (
+            polynomial(field, value.partial(i)) * rate
+            for i, rate in enumerate(rates)
+            if not rate.is_zero() and value.occurs(i)
+        ),
+    )
 
 
 def _more(value: Ratio, factor: Polynomial) -> dict[Polynomial, int]:

@@ -54,22 +54,33 @@ class Document:
 
     def decide(self, statement: Statement) -> str:
         """The status "proved", "cited" or "definition". Raises RejectedError otherwise."""
-        case = Case(statement.id, statement.claim, statement.evidence,
-                    self.towers[statement.tower], self.programs)
+        case = Case(
+            statement.id,
+            statement.claim,
+            statement.evidence,
+            self.towers[statement.tower],
+            self.programs,
+        )
         return KINDS[statement.kind](case)
 
     def require_coherent(self) -> None:
         """Reject two different models, and what no statement depends on."""
-        models = [(s.id, s.claim["model"]) for s in self.statements
-                  if isinstance(s.claim, dict) and "model" in s.claim]
+        models = [
+            (s.id, s.claim["model"])
+            for s in self.statements
+            if isinstance(s.claim, dict) and "model" in s.claim
+        ]
         for identifier, model in models:
             if model != models[0][1]:
                 raise RejectedError(f"{identifier}: another model than in {models[0][0]}")
         schema.unused(set(self.towers) - {s.tower for s in self.statements}, "towers", "towers")
         for name, tower in self.towers.items():
             schema.unused(tower.unused(), "names", f"towers.{name}")
-        named = [s.claim.get("program") for s in self.statements
-                 if s.kind == "program" and isinstance(s.claim, dict)]
+        named = [
+            s.claim.get("program")
+            for s in self.statements
+            if s.kind == "program" and isinstance(s.claim, dict)
+        ]
         schema.unused({n for n in self.programs if n not in named}, "programs", "programs")
 
 
@@ -100,8 +111,10 @@ def read_towers(value: Plain, meter: Meter) -> dict[str, Tower]:
     entries = schema.table(value, "towers")
     if len(entries) > _MAXIMUM_TOWERS:
         raise MalformedError(f"towers: more than {_MAXIMUM_TOWERS}")
-    return {schema.name(name, "towers"): read_tower(entry, meter, f"towers.{name}")
-            for name, entry in entries.items()}
+    return {
+        schema.name(name, "towers"): read_tower(entry, meter, f"towers.{name}")
+        for name, entry in entries.items()
+    }
 
 
 def read_programs(value: Plain) -> dict[str, Program]:

@@ -35,7 +35,8 @@ class Expectation:
         towers = schema.table(fields["towers"], "towers")
         if self.domain is not None:
             parameters: Plain = {
-                name: schema.table(tower, name)["parameters"] for name, tower in towers.items()}
+                name: schema.table(tower, name)["parameters"] for name, tower in towers.items()
+            }
             found = difference(parameters, self.domain, "domain")
             if found is not None:
                 return found
@@ -53,8 +54,12 @@ class Expectation:
         """The first disagreement with one statement, as a sentence."""
         if self.claims is not None:
             wanted = self.claims[number]
-            found: Plain = {"id": statement.id, "kind": statement.kind, "tower": statement.tower,
-                            "claim": statement.claim}
+            found: Plain = {
+                "id": statement.id,
+                "kind": statement.kind,
+                "tower": statement.tower,
+                "claim": statement.claim,
+            }
             disagreement = difference(found, wanted, "statement")
             if disagreement is not None:
                 return disagreement

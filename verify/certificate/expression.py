@@ -37,7 +37,10 @@ class Evaluation:
     """
 
     def __init__(
-        self, tower: Tower, nonzero: Nonzero, replaced: Mapping[int, Ratio] | None = None,
+        self,
+        tower: Tower,
+        nonzero: Nonzero,
+        replaced: Mapping[int, Ratio] | None = None,
         depth: int = 0,
     ) -> None:
         """``replaced`` gives the variables that have another value here, ``depth`` the nesting."""
@@ -109,8 +112,12 @@ class Evaluation:
                 return self.call(index, node, values)
             case MatrixNode(_, columns):
                 entries = [_scalar(values[a]) for a in arguments]
-                return Matrix(tuple(tuple(entries[start:start + columns])
-                                    for start in range(0, len(entries), columns)))
+                return Matrix(
+                    tuple(
+                        tuple(entries[start : start + columns])
+                        for start in range(0, len(entries), columns)
+                    )
+                )
             case DerivativeNode(symbol):
                 inner = values[arguments[0]]
                 if isinstance(inner, Matrix):

@@ -44,7 +44,10 @@ class Field:
     __slots__ = ("free", "generators", "parameters", "ring")
 
     def __init__(
-        self, ring: Ring, parameters: tuple[Parameter, ...], generators: tuple[Generator, ...],
+        self,
+        ring: Ring,
+        parameters: tuple[Parameter, ...],
+        generators: tuple[Generator, ...],
         free: tuple[str, ...],
     ) -> None:
         self.ring = ring
@@ -58,8 +61,11 @@ class Field:
 
     def variables(self) -> tuple[str, ...]:
         """The names of all variables in order."""
-        return (*(p.symbol for p in self.parameters), *(g.symbol for g in self.generators),
-                *self.free)
+        return (
+            *(p.symbol for p in self.parameters),
+            *(g.symbol for g in self.generators),
+            *self.free,
+        )
 
     def relation(self, generator_number: int) -> Polynomial:
         """``y^n - radicand``, which vanishes at every point of the field."""

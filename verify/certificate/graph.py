@@ -83,9 +83,7 @@ class AtNode:
     arguments: tuple[int, ...]
 
 
-Node: TypeAlias = (
-    Number | Symbol | Operation | Power | Call | MatrixNode | DerivativeNode | AtNode
-)
+Node: TypeAlias = Number | Symbol | Operation | Power | Call | MatrixNode | DerivativeNode | AtNode
 
 _ARITY = {"abs": 1, "select": 4}
 _FIXED = (("div", 2), ("neg", 1))
@@ -118,11 +116,13 @@ def read_graph(value: Plain, place: str) -> Graph:
     entries = schema.items(fields["nodes"], f"{place}.nodes")
     if len(entries) > MAXIMUM_NODES:
         raise MalformedError(f"{place}: more than {MAXIMUM_NODES} nodes")
-    nodes = tuple(_node(entry, number, f"{place}.nodes[{number}]")
-                  for number, entry in enumerate(entries))
+    nodes = tuple(
+        _node(entry, number, f"{place}.nodes[{number}]") for number, entry in enumerate(entries)
+    )
     outputs = {
-        schema.name(key, f"{place}.outputs"):
-            schema.integer(node, 0, len(nodes) - 1, f"{place}.outputs.{key}")
+        schema.name(key, f"{place}.outputs"): schema.integer(
+            node, 0, len(nodes) - 1, f"{place}.outputs.{key}"
+        )
         for key, node in schema.table(fields["outputs"], f"{place}.outputs").items()
     }
     graph = Graph(nodes, outputs)

@@ -27,8 +27,9 @@ class Matrix:
     def rebuilt(self, entries: list[Ratio]) -> Matrix:
         """A matrix of the same shape with these entries."""
         width = self.shape[1]
-        return Matrix(tuple(tuple(entries[start:start + width])
-                            for start in range(0, len(entries), width)))
+        return Matrix(
+            tuple(tuple(entries[start : start + width]) for start in range(0, len(entries), width))
+        )
 
     def plus(self, other: Matrix) -> Matrix:
         """The sum. Raises RejectedError if the shapes differ."""
@@ -42,11 +43,15 @@ class Matrix:
             raise RejectedError(f"matrices of shapes {self.shape} and {other.shape} multiplied")
         field = self.rows[0][0].field
         columns = list(zip(*other.rows, strict=True))
-        return Matrix(tuple(
-            tuple(total(field, (a * b for a, b in zip(row, column, strict=True)))
-                  for column in columns)
-            for row in self.rows
-        ))
+        return Matrix(
+            tuple(
+                tuple(
+                    total(field, (a * b for a, b in zip(row, column, strict=True)))
+                    for column in columns
+                )
+                for row in self.rows
+            )
+        )
 
     def scaled(self, factor: Ratio) -> Matrix:
         """Every entry times a factor."""
@@ -60,8 +65,9 @@ class Matrix:
 
 def identity(field: Field, size: int) -> Matrix:
     """The identity matrix."""
-    return Matrix(tuple(tuple(number(field, int(i == j)) for j in range(size))
-                        for i in range(size)))
+    return Matrix(
+        tuple(tuple(number(field, int(i == j)) for j in range(size)) for i in range(size))
+    )
 
 
 def determinant(rows: tuple[tuple[Ratio, ...], ...]) -> Ratio:
@@ -72,7 +78,7 @@ def determinant(rows: tuple[tuple[Ratio, ...], ...]) -> Ratio:
     for column, entry in enumerate(rows[0]):
         if entry.is_zero():
             continue
-        minor = tuple(row[:column] + row[column + 1:] for row in rows[1:])
+        minor = tuple(row[:column] + row[column + 1 :] for row in rows[1:])
         term = entry * determinant(minor)
         result = result - term if column % 2 else result + term
     return result

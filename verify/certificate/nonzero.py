@@ -48,8 +48,10 @@ class Nonzero:
             equal = self._match(divisor)
             if equal is not None:
                 return dividend.over(equal)
-        raise RejectedError("a divisor is not shown to be nonzero: it is not manifestly positive "
-                            "or negative, and no fraction listed under 'nonzero' equals it")
+        raise RejectedError(
+            "a divisor is not shown to be nonzero: it is not manifestly positive "
+            "or negative, and no fraction listed under 'nonzero' equals it"
+        )
 
     def finish(self, place: str) -> None:
         """Reject listed fractions that no division needed."""
@@ -74,10 +76,13 @@ def read_nonzero(value: Plain, field: Field, place: str) -> Nonzero:
     entries = schema.items(value, place)
     if len(entries) > _MAXIMUM_LISTED:
         raise RejectedError(f"{place}: more than {_MAXIMUM_LISTED} fractions")
-    return Nonzero(field, tuple(
-        read_fraction(entry, field.ring, f"{place}[{number}]").positive(field)
-        for number, entry in enumerate(entries)
-    ))
+    return Nonzero(
+        field,
+        tuple(
+            read_fraction(entry, field.ring, f"{place}[{number}]").positive(field)
+            for number, entry in enumerate(entries)
+        ),
+    )
 
 
 def by_free_symbols(field: Field, polynomial: Polynomial) -> Mapping[Monomial, Polynomial]:
@@ -87,5 +92,7 @@ def by_free_symbols(field: Field, polynomial: Polynomial) -> Mapping[Monomial, P
     for monomial, coefficient in polynomial.terms.items():
         inner = monomial[:first] + (0,) * (len(monomial) - first)
         parts.setdefault(monomial[first:], {})[inner] = coefficient
-    return {free: field.ring.normal(part, polynomial.denominator)
-            for free, part in sorted(parts.items())}
+    return {
+        free: field.ring.normal(part, polynomial.denominator)
+        for free, part in sorted(parts.items())
+    }

@@ -53,8 +53,10 @@ def _copy(value: object, depth: int, remaining: list[int]) -> Plain:
                 raise MalformedError(f"a key of type {type(key).__name__} where text is wanted")
             copied[_text(key)] = _copy(item, depth - 1, remaining)
         return copied
-    raise MalformedError(f"a value of type {type(value).__name__}: only text, integers, lists and "
-                        "records are allowed")
+    raise MalformedError(
+        f"a value of type {type(value).__name__}: only text, integers, lists and "
+        "records are allowed"
+    )
 
 
 def _text(value: str) -> str:

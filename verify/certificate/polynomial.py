@@ -54,8 +54,9 @@ class Ring:
             common = common // gcd(common, denominator) * denominator
             if common.bit_length() > MAXIMUM_COEFFICIENT_BITS:
                 raise RejectedError("the common denominator of a polynomial is beyond every need")
-        return self.normal({m: c.numerator * (common // c.denominator)
-                            for m, c in terms.items()}, common)
+        return self.normal(
+            {m: c.numerator * (common // c.denominator) for m, c in terms.items()}, common
+        )
 
     def normal(self, terms: dict[Monomial, int], denominator: int) -> Polynomial:
         """Bring integer terms over a positive denominator to lowest terms, within the limits."""
@@ -88,8 +89,11 @@ class Polynomial:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Polynomial):
             return NotImplemented
-        return (self.ring is other.ring and self.denominator == other.denominator
-                and self.terms == other.terms)
+        return (
+            self.ring is other.ring
+            and self.denominator == other.denominator
+            and self.terms == other.terms
+        )
 
     def __hash__(self) -> int:
         self.ring.meter.spend(len(self.terms))
@@ -159,7 +163,7 @@ class Polynomial:
         """The coefficients of the powers of one variable, itself removed."""
         parts: dict[int, dict[Monomial, int]] = {}
         for monomial, coefficient in self.terms.items():
-            rest = (*monomial[:position], 0, *monomial[position + 1:])
+            rest = (*monomial[:position], 0, *monomial[position + 1 :])
             parts.setdefault(monomial[position], {})[rest] = coefficient
         return {e: self.ring.normal(part, self.denominator) for e, part in parts.items()}
 
@@ -176,8 +180,9 @@ class Polynomial:
     def partial(self, position: int) -> Polynomial:
         """The partial derivative by one variable."""
         lowered = {
-            (*m[:position], m[position] - 1, *m[position + 1:]): c * m[position]
-            for m, c in self.terms.items() if m[position]
+            (*m[:position], m[position] - 1, *m[position + 1 :]): c * m[position]
+            for m, c in self.terms.items()
+            if m[position]
         }
         return self.ring.normal(lowered, self.denominator)
 

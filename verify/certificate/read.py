@@ -21,8 +21,12 @@ def read_certificate(source: bytes | Path) -> dict[str, Any]:
     if len(content) > _MAXIMUM_BYTES:
         raise MalformedError(f"more than {_MAXIMUM_BYTES} bytes")
     try:
-        value = json.loads(content.decode("utf-8"), object_pairs_hook=_unique,
-                           parse_float=_refuse, parse_constant=_refuse)
+        value = json.loads(
+            content.decode("utf-8"),
+            object_pairs_hook=_unique,
+            parse_float=_refuse,
+            parse_constant=_refuse,
+        )
     except (ValueError, RecursionError) as error:
         raise MalformedError(f"not readable as JSON: {type(error).__name__}") from None
     if not isinstance(value, dict):

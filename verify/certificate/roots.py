@@ -29,7 +29,7 @@ def known_root(value: Ratio, degree: int) -> Ratio | None:
 def _perfect(field: Field, value: Ratio, degree: int) -> Ratio | None:
     if len(value.numerator.terms) != 1:
         return None
-    (monomial, coefficient), = value.numerator.coefficients()
+    ((monomial, coefficient),) = value.numerator.coefficients()
     scale = rational_root(coefficient, degree)
     if scale is None or any(e % degree for e in monomial):
         return None
@@ -50,7 +50,7 @@ def rational_root(value: Fraction, degree: int) -> Fraction | None:
         return None
     above = integer_root(value.numerator, degree)
     below = integer_root(value.denominator, degree)
-    if above ** degree != value.numerator or below ** degree != value.denominator:
+    if above**degree != value.numerator or below**degree != value.denominator:
         return None
     return Fraction(above, below)
 
@@ -60,7 +60,7 @@ def integer_root(value: int, degree: int) -> int:
     low, high = 0, 1 << (value.bit_length() // degree + 1)
     while high - low > 1:
         middle = (low + high) // 2
-        if middle ** degree <= value:
+        if middle**degree <= value:
             low = middle
         else:
             high = middle

@@ -29,7 +29,10 @@ class Tower:
     __slots__ = ("_positions", "elements", "field", "used", "written")
 
     def __init__(
-        self, field: Field, elements: Mapping[str, Ratio], used: set[str],
+        self,
+        field: Field,
+        elements: Mapping[str, Ratio],
+        used: set[str],
         written: Mapping[str, WrittenFraction] | None = None,
     ) -> None:
         self.field = field
@@ -73,12 +76,16 @@ class Tower:
                 raise RejectedError(f"the free symbol {name!r} already has a meaning")
         old = self.field
         ring = Ring(old.ring.size + len(names), old.ring.meter)
-        generators = tuple(Generator(g.symbol, g.power, lifted(g.radicand, ring))
-                           for g in old.generators)
+        generators = tuple(
+            Generator(g.symbol, g.power, lifted(g.radicand, ring)) for g in old.generators
+        )
         field = Field(ring, old.parameters, generators, names)
         elements = {
-            name: Ratio(field, lifted(value.numerator, ring),
-                        {lifted(f, ring): m for f, m in value.factors.items()})
+            name: Ratio(
+                field,
+                lifted(value.numerator, ring),
+                {lifted(f, ring): m for f, m in value.factors.items()},
+            )
             for name, value in self.elements.items()
         }
         return Tower(field, elements, self.used)
@@ -97,8 +104,10 @@ def lifted(value: Polynomial, ring: Ring) -> Polynomial:
 def read_tower(value: Plain, meter: Meter, place: str) -> Tower:
     """A tower, each radicand and denominator shown manifestly positive, each name new."""
     fields = schema.record(value, ("parameters", "generators", "elements"), place)
-    parameters = tuple(_parameter(entry, f"{place}.parameters[{i}]") for i, entry in
-                       enumerate(schema.items(fields["parameters"], f"{place}.parameters")))
+    parameters = tuple(
+        _parameter(entry, f"{place}.parameters[{i}]")
+        for i, entry in enumerate(schema.items(fields["parameters"], f"{place}.parameters"))
+    )
     entries = schema.items(fields["generators"], f"{place}.generators")
     elements = schema.table(fields["elements"], f"{place}.elements")
     if len(parameters) + len(entries) > MAXIMUM_VARIABLES or len(elements) > MAXIMUM_ELEMENTS:
@@ -106,8 +115,7 @@ def read_tower(value: Plain, meter: Meter, place: str) -> Tower:
     ring = Ring(len(parameters) + len(entries), meter)
     field = Field(ring, parameters, (), ())
     for number, entry in enumerate(entries):
-        field = field.with_generator(
-            read_generator(entry, field, f"{place}.generators[{number}]"))
+        field = field.with_generator(read_generator(entry, field, f"{place}.generators[{number}]"))
     names = [*field.variables(), *elements]
     for number, name in enumerate(names):
         schema.name(name, f"{place}.elements")
@@ -133,8 +141,11 @@ def read_generator(value: Plain, field: Field, place: str) -> Generator:
     for position in range(len(field.parameters) + len(field.generators), field.ring.size):
         if radicand.occurs(position):
             raise RejectedError(f"{place}.radicand: only earlier variables may occur")
-    return Generator(schema.name(fields["symbol"], f"{place}.symbol"),
-                     schema.integer(fields["power"], 2, MAXIMUM_ROOT, f"{place}.power"), radicand)
+    return Generator(
+        schema.name(fields["symbol"], f"{place}.symbol"),
+        schema.integer(fields["power"], 2, MAXIMUM_ROOT, f"{place}.power"),
+        radicand,
+    )
 
 
 def _parameter(value: Plain, place: str) -> Parameter:
@@ -144,5 +155,3 @@ def _parameter(value: Plain, place: str) -> Parameter:
     if bound == "above" and lower != Fraction(0):
         raise RejectedError(f"{place}.above: only '0' is possible")
     return Parameter(schema.name(fields["symbol"], f"{place}.symbol"), lower, bound == "from")
-
-

@@ -41,8 +41,9 @@ def require_end(tower: Tower, name: str, at_infinity: bool) -> None:
     reached = degree > 0 and lowest >= 0 if at_infinity else lowest > 0 and degree >= 0
     if not reached:
         end = "infinity" if at_infinity else "0"
-        raise RejectedError(f"{name!r} is not shown to tend to {end} with the parameter, and only "
-                            "then")
+        raise RejectedError(
+            f"{name!r} is not shown to tend to {end} with the parameter, and only then"
+        )
 
 
 def require_increasing_bijection(tower: Tower, name: str) -> None:
@@ -60,8 +61,9 @@ def _orders(field: Field, value: Polynomial) -> tuple[int, int]:
     """Lowest order and degree in the distance of the parameter from its lower end."""
     for index in range(len(field.generators)):
         if value.occurs(field.position(index)) and not _is_constant(field, index):
-            raise RejectedError("the variable of a limit holds a generator that depends on the "
-                                "parameter")
+            raise RejectedError(
+                "the variable of a limit holds a generator that depends on the parameter"
+            )
     exponents = [monomial[0] for monomial in field.shifted(value).terms]
     return min(exponents), max(exponents)
 
@@ -69,4 +71,5 @@ def _orders(field: Field, value: Polynomial) -> tuple[int, int]:
 def _is_constant(field: Field, index: int) -> bool:
     radicand = field.generators[index].radicand
     return not radicand.occurs(0) and all(
-        _is_constant(field, i) for i in range(index) if radicand.occurs(field.position(i)))
+        _is_constant(field, i) for i in range(index) if radicand.occurs(field.position(i))
+    )

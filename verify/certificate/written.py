@@ -78,5 +78,8 @@ class WrittenFraction:
 def read_fraction(value: Plain, ring: Ring, place: str) -> WrittenFraction:
     """A fraction: {"num": polynomial, "den": polynomial}."""
     fields = schema.record(value, ("num", "den"), place)
-    return WrittenFraction(polynomial(fields["num"], ring, f"{place}.num"),
-                           polynomial(fields["den"], ring, f"{place}.den"), place)
+    return WrittenFraction(
+        polynomial(fields["num"], ring, f"{place}.num"),
+        polynomial(fields["den"], ring, f"{place}.den"),
+        place,
+    )

@@ -15,8 +15,13 @@ _NUMBERS = ("0", "1", "-1", "2", "-2", "1/2", "-1/2", "3", "1/4", "4", "8")
 
 def places(value: Any) -> list[Place]:
     """Every place inside a value."""
-    entries = (list(value.items()) if isinstance(value, dict)
-               else list(enumerate(value)) if isinstance(value, list) else [])
+    entries = (
+        list(value.items())
+        if isinstance(value, dict)
+        else list(enumerate(value))
+        if isinstance(value, list)
+        else []
+    )
     found: list[Place] = []
     for key, entry in entries:
         found.append((value, key))

@@ -31,35 +31,38 @@ def _points(truth: Truth, generator: random.Random, points: int) -> list[Data]:
 def _equal(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
     for place in _points(truth, generator, points):
         place |= {name: mp.mpf(generator.uniform(-3, 3)) for name in claim["free"]}
-        if not agree(truth.value(claim["left"], place), truth.value(claim["right"], place),
-                     mp.mpf(10)**-15):
+        if not agree(
+            truth.value(claim["left"], place), truth.value(claim["right"], place), mp.mpf(10) ** -15
+        ):
             return False
     return True
 
 
 def _positive(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
-    return all(truth.value(claim["expression"], place) > 0
-               for place in _points(truth, generator, points))
+    return all(
+        truth.value(claim["expression"], place) > 0 for place in _points(truth, generator, points)
+    )
 
 
 def _same_sign(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
-    return all(mp.sign(truth.value(claim["left"], place))
-               == mp.sign(truth.value(claim["right"], place))
-               for place in _points(truth, generator, points))
+    return all(
+        mp.sign(truth.value(claim["left"], place)) == mp.sign(truth.value(claim["right"], place))
+        for place in _points(truth, generator, points)
+    )
 
 
 def _tends(truth: Truth, expression: Data, wanted: Any, at_infinity: bool) -> bool:
     """Close to the limit, at two distances from the end."""
-    parameter, = truth.tower["parameters"]
+    (parameter,) = truth.tower["parameters"]
     lower = mp.mpf(parameter.get("from", "0"))
     seen = []
     for power in (6, 9):
-        distance = mp.mpf(10)**(power if at_infinity else -power)
+        distance = mp.mpf(10) ** (power if at_infinity else -power)
         seen.append(truth.value(expression, {parameter["symbol"]: lower + distance}))
     if wanted == "infinity":
         return bool(seen[1] > seen[0] > 100)
     target = truth.value(wanted, {parameter["symbol"]: lower + 1})
-    return agree(seen[1], target, mp.mpf(10)**-4)
+    return agree(seen[1], target, mp.mpf(10) ** -4)
 
 
 def _limit(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
@@ -67,8 +70,9 @@ def _limit(_: Data, claim: Data, truth: Truth, generator: random.Random, points:
     at_infinity = claim["point"] == "infinity"
     ends = {"nodes": [["symbol", claim["variable"]]], "outputs": {"value": 0}}
     zero = {"nodes": [["number", "0"]], "outputs": {"value": 0}}
-    return (_tends(truth, ends, "infinity" if at_infinity else zero, at_infinity)
-            and _tends(truth, claim["expression"], claim["value"], at_infinity))
+    return _tends(truth, ends, "infinity" if at_infinity else zero, at_infinity) and _tends(
+        truth, claim["expression"], claim["value"], at_infinity
+    )
 
 
 def _increasing(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
@@ -76,10 +80,12 @@ def _increasing(_: Data, claim: Data, truth: Truth, generator: random.Random, po
     places = sorted(_points(truth, generator, points + 2), key=lambda place: place[symbol])
     values = [truth.value(claim["expression"], place) for place in places]
     variable = [truth.names(place)[claim["variable"]] for place in places]
-    ordered = all(a < b for found in (values, variable)
-                  for a, b in pairwise(found))
-    return (ordered and _tends(truth, claim["expression"], claim["from"], False)
-            and _tends(truth, claim["expression"], claim["to"], True))
+    ordered = all(a < b for found in (values, variable) for a, b in pairwise(found))
+    return (
+        ordered
+        and _tends(truth, claim["expression"], claim["from"], False)
+        and _tends(truth, claim["expression"], claim["to"], True)
+    )
 
 
 def _matrix(rows: Any, names: Data | None = None) -> Any:
@@ -95,18 +101,20 @@ def _matrix(rows: Any, names: Data | None = None) -> Any:
 def _riccati(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
     step, noise, seen, measured = (
         _matrix(claim["model"][field])
-        for field in ("transition", "process_noise", "measurement", "measurement_noise"))
+        for field in ("transition", "process_noise", "measurement", "measurement_noise")
+    )
     for place in _points(truth, generator, points):
         names = truth.names(place)
         before, after = _matrix(claim["predicted"], names), _matrix(claim["updated"], names)
         gain = _matrix([[name] for name in claim["gain"]], names)
         variance = (seen * before * seen.T + measured)[0]
-        tolerance = mp.mpf(10)**-20 * (1 + mp.mnorm(before))
-        if not (variance > 0
-                and agree(gain, before * seen.T / variance, tolerance)
-                and agree(after, before - gain * seen * before, tolerance)
-                and agree(before, step * after * step.T + names[claim["index"]]**2 * noise,
-                          tolerance)):
+        tolerance = mp.mpf(10) ** -20 * (1 + mp.mnorm(before))
+        if not (
+            variance > 0
+            and agree(gain, before * seen.T / variance, tolerance)
+            and agree(after, before - gain * seen * before, tolerance)
+            and agree(before, step * after * step.T + names[claim["index"]] ** 2 * noise, tolerance)
+        ):
             return False
     return True
 
@@ -131,17 +139,24 @@ def _definite(_: Data, claim: Data, truth: Truth, generator: random.Random, poin
     return True
 
 
-def _program(certificate: Data, claim: Data, truth: Truth, generator: random.Random, points: int,
-             ) -> bool:
+def _program(
+    certificate: Data,
+    claim: Data,
+    truth: Truth,
+    generator: random.Random,
+    points: int,
+) -> bool:
     program = certificate["programs"][claim["program"]]
     for place in _points(truth, generator, points):
         names = truth.names(place)
-        inputs = {symbol: names[meaning] if isinstance(meaning, str)
-                  else truth.value(meaning, place) for symbol, meaning in program["inputs"].items()}
+        inputs = {
+            symbol: names[meaning] if isinstance(meaning, str) else truth.value(meaning, place)
+            for symbol, meaning in program["inputs"].items()
+        }
         kernel = Truth({"parameters": [], "generators": [], "elements": {}})
         for output, expression in claim["outputs"].items():
             found = kernel.value(program["graph"], inputs, output)
-            if not agree(found, truth.value(expression, place), mp.mpf(10)**-20):
+            if not agree(found, truth.value(expression, place), mp.mpf(10) ** -20):
                 return False
     return True
 
@@ -163,8 +178,16 @@ def _nothing(*_: Any) -> bool:
 
 
 _KINDS: dict[str, Any] = {
-    "equal": _equal, "positive": _positive, "same_sign": _same_sign, "limit": _limit,
-    "increasing_onto": _increasing, "riccati": _riccati, "stable": _stable,
-    "positive_definite": _definite, "program": _program, "sum": _sum, "definition": _nothing,
+    "equal": _equal,
+    "positive": _positive,
+    "same_sign": _same_sign,
+    "limit": _limit,
+    "increasing_onto": _increasing,
+    "riccati": _riccati,
+    "stable": _stable,
+    "positive_definite": _definite,
+    "program": _program,
+    "sum": _sum,
+    "definition": _nothing,
     "cited": _nothing,
 }

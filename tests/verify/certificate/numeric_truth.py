@@ -16,7 +16,7 @@ Data = dict[str, Any]
 Values = Mapping[str, Any]
 
 DIGITS = 60
-NEAR = mp.mpf(10)**-25
+NEAR = mp.mpf(10) ** -25
 
 
 def _number(text: str) -> Any:
@@ -25,8 +25,10 @@ def _number(text: str) -> Any:
 
 
 def _polynomial(terms: list[Any], values: list[Any]) -> Any:
-    return mp.fsum(_number(c) * mp.fprod(v**e for v, e in zip(values, exponents, strict=False))
-                   for c, exponents in terms)
+    return mp.fsum(
+        _number(c) * mp.fprod(v**e for v, e in zip(values, exponents, strict=False))
+        for c, exponents in terms
+    )
 
 
 class Names(dict[str, Any]):
@@ -52,7 +54,7 @@ def point(tower: Data, generator: random.Random, size: float = 2.0) -> dict[str,
     """A random point of the parameters' domain."""
     found = {}
     for parameter in tower["parameters"]:
-        distance = mp.mpf(10)**generator.uniform(-size, size)
+        distance = mp.mpf(10) ** generator.uniform(-size, size)
         found[parameter["symbol"]] = _number(parameter.get("from", "0")) + distance
     return found
 
@@ -103,8 +105,9 @@ class Truth:
             return at(rest[3]) if at(rest[1]) < at(rest[2]) else at(rest[4])
         if kind == "matrix":
             rows, columns, *entries = rest
-            return mp.matrix([[at(entries[i * columns + j]) for j in range(columns)]
-                              for i in range(rows)])
+            return mp.matrix(
+                [[at(entries[i * columns + j]) for j in range(columns)] for i in range(rows)]
+            )
         if kind == "at":
             moved = {**place, rest[1]: at(rest[2])}
             return self._node(nodes, rest[0], moved, self.names(moved))
@@ -114,13 +117,13 @@ class Truth:
         above, _, below = exponent.partition("/")
         if below:
             assert base >= -NEAR, "a root of a negative number"
-            return mp.root(abs(base), int(below))**int(above)
-        return base**int(above)
+            return mp.root(abs(base), int(below)) ** int(above)
+        return base ** int(above)
 
     def _derivative(self, nodes: list[Any], index: int, symbol: str, place: Values) -> Any:
         """By the parameter, or by a name of a tower with one parameter (central difference)."""
         variable = symbol if symbol in place else next(iter(place))
-        step = mp.mpf(10)**-20 * max(1, abs(place[variable]))
+        step = mp.mpf(10) ** -20 * max(1, abs(place[variable]))
 
         def slope(function: Callable[[Values], Any]) -> Any:
             up, down = ({**place, variable: place[variable] + sign * step} for sign in (1, -1))
@@ -136,5 +139,6 @@ def agree(left: Any, right: Any, tolerance: Any = NEAR) -> bool:
         if not (isinstance(left, mp.matrix) and isinstance(right, mp.matrix)):
             return False
         return (left.rows, left.cols) == (right.rows, right.cols) and all(
-            agree(a, b, tolerance) for a, b in zip(list(left), list(right), strict=True))
+            agree(a, b, tolerance) for a, b in zip(list(left), list(right), strict=True)
+        )
     return bool(abs(left - right) <= tolerance * (1 + abs(left) + abs(right)))

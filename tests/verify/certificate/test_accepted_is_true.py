@@ -21,8 +21,16 @@ def mutated(certificate: Data, seed: int) -> Data:
     altered = deepcopy(certificate)
     entry = generator.choice(altered["statements"])
     altered["statements"] = [entry]
-    part = generator.choice((entry, entry, entry["claim"], entry["claim"], altered["programs"],
-                             altered["towers"][entry["tower"]]))
+    part = generator.choice(
+        (
+            entry,
+            entry,
+            entry["claim"],
+            entry["claim"],
+            altered["programs"],
+            altered["towers"][entry["tower"]],
+        )
+    )
     for _ in range(generator.choice((1, 1, 2, 3))):
         if part:
             mutate(part, certificate, generator)

@@ -44,17 +44,22 @@ def test_shortcuts_agree_with_the_full_check(acceleration: Data) -> None:
     campaign = Campaign(acceleration)
     for alteration in random.Random(2).sample(campaign.alterations(), 60):
         altered: Any = replaced(acceleration, alteration.path, alteration.new)
-        assert check(altered).accepted == (campaign.outcome(alteration)
-                                           in ("accepted", "unexpected"))
+        assert check(altered).accepted == (
+            campaign.outcome(alteration) in ("accepted", "unexpected")
+        )
 
 
 def test_every_part_is_altered(memory: Data) -> None:
     """Each leaf number at least twice, each field and entry deleted once."""
     found = Campaign(memory).alterations()
     deleted = {a.path for a in found if a.how == "deleted"}
-    for path in (("towers",), ("towers", "samples", "parameters", 0, "from"),
-                 ("statements", 3, "evidence"), ("programs", "root", "graph", "nodes", 3, 2),
-                 ("statements", 0, "claim", "summand", "nodes", 0)):
+    for path in (
+        ("towers",),
+        ("towers", "samples", "parameters", 0, "from"),
+        ("statements", 3, "evidence"),
+        ("programs", "root", "graph", "nodes", 3, 2),
+        ("statements", 0, "claim", "summand", "nodes", 0),
+    ):
         assert path in deleted
     numbers = [a for a in found if a.path == ("programs", "root", "graph", "nodes", 3, 2)]
     assert {a.how for a in numbers} == {"deleted", "plus one", "sign", "denominator"}
@@ -80,9 +85,15 @@ def test_original_is_left_alone(memory: Data) -> None:
 
 def test_an_idle_number_would_be_found(memory: Data) -> None:
     """A number that nothing depends on: the reference of a citation."""
-    memory["statements"].append({
-        "id": "1995", "kind": "cited", "tower": "branch", "evidence": {},
-        "claim": {"theorem": "A theorem.", "reference": "1995"}})
+    memory["statements"].append(
+        {
+            "id": "1995",
+            "kind": "cited",
+            "tower": "branch",
+            "evidence": {},
+            "claim": {"theorem": "A theorem.", "reference": "1995"},
+        }
+    )
     campaign = Campaign(memory)
     alteration = Alteration(("statements", 7, "claim", "reference"), "plus one", "1996")
     assert alteration in campaign.alterations()

@@ -28,8 +28,10 @@ def test_tuples_and_lists_are_the_same(acceleration: Data) -> None:
 
 def test_tower_is_main_unless_given(acceleration: Data, memory: Data) -> None:
     for certificate, accepted in ((acceleration, True), (memory, False)):
-        claims = [{k: v for k, v in claim.items() if k != "tower"}
-                  for claim in expectations(certificate)["claims"]]
+        claims = [
+            {k: v for k, v in claim.items() if k != "tower"}
+            for claim in expectations(certificate)["claims"]
+        ]
         assert check(certificate, claims=claims).accepted == accepted
 
 
@@ -79,9 +81,16 @@ def test_another_tower(memory: Data) -> None:
     assert "statement.tower" in check(memory, **expected).reason
 
 
-@pytest.mark.parametrize("claims", [
-    [{}], [3], 3, [{"id": "a", "kind": "b", "claim": {}, "evidence": {}}], [{"id": 1.0}],
-])
+@pytest.mark.parametrize(
+    "claims",
+    [
+        [{}],
+        [3],
+        3,
+        [{"id": "a", "kind": "b", "claim": {}, "evidence": {}}],
+        [{"id": 1.0}],
+    ],
+)
 def test_malformed_expectations(acceleration: Data, claims: Any) -> None:
     report = check(acceleration, claims=claims)
     assert not report.accepted

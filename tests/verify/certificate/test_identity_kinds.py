@@ -26,9 +26,12 @@ def _added(certificate: Data, kind: str, claim: Data, evidence: Data) -> str:
 
 
 def _equal(certificate: Data, left: Any, right: Any, free: Any = (), nonzero: Any = ()) -> str:
-    return _added(certificate, "equal",
-                  {"left": graph(left), "right": graph(right), "free": list(free)},
-                  {"nonzero": list(nonzero)})
+    return _added(
+        certificate,
+        "equal",
+        {"left": graph(left), "right": graph(right), "free": list(free)},
+        {"nonzero": list(nonzero)},
+    )
 
 
 def test_false_identity(acceleration: Data) -> None:
@@ -38,8 +41,9 @@ def test_false_identity(acceleration: Data) -> None:
 
 @pytest.mark.parametrize("numerator", [0, 2, -1])
 def test_listed_fraction_must_equal_the_divisor(acceleration: Data, numerator: int) -> None:
-    reply = changed(acceleration, "quotient", "evidence.nonzero.0",
-                    fraction(numerator, SIGMA**2, P))
+    reply = changed(
+        acceleration, "quotient", "evidence.nonzero.0", fraction(numerator, SIGMA**2, P)
+    )
     assert "positive" in reply or "not shown to be nonzero" in reply
 
 
@@ -56,7 +60,7 @@ def test_divisor_without_evidence(acceleration: Data) -> None:
 
 def test_negative_of_a_divisor_is_enough(acceleration: Data) -> None:
     listed = fraction(1, SIGMA**2, P)
-    assert _equal(acceleration, 1 / (alpha - 1), -sigma**2, nonzero=[listed]) == ""
+    assert _equal(acceleration, 1 / (alpha - 1), -(sigma**2), nonzero=[listed]) == ""
 
 
 @pytest.mark.parametrize("divisor", [p - 1, p - p, s**2 - (p**2 + 8) / 4, 2 * s - 3 * p, f - f])
@@ -100,20 +104,32 @@ def test_free_symbols_have_no_sign(acceleration: Data) -> None:
 
 
 def test_root_of_a_free_square_is_not_known(acceleration: Data) -> None:
-    assert "not known" in _equal(acceleration, sp.Pow(sp.Pow(f, 2, evaluate=False),
-                                                      sp.Rational(1, 2), evaluate=False),
-                                 f, ["f"])
+    assert "not known" in _equal(
+        acceleration,
+        sp.Pow(sp.Pow(f, 2, evaluate=False), sp.Rational(1, 2), evaluate=False),
+        f,
+        ["f"],
+    )
 
 
 def test_root_of_a_square_may_be_negative(memory: Data) -> None:
     """sqrt(k^2) = k is wrong where k may be negative."""
     k = sp.Symbol("k")
-    claim = {"left": {"nodes": [["symbol", "k"], ["pow", 0, "2"], ["pow", 1, "1/2"]],
-                      "outputs": {"value": 2}}, "right": graph(k), "free": []}
+    claim = {
+        "left": {
+            "nodes": [["symbol", "k"], ["pow", 0, "2"], ["pow", 1, "1/2"]],
+            "outputs": {"value": 2},
+        },
+        "right": graph(k),
+        "free": [],
+    }
     memory["statements"] = [written("x", "equal", claim, {"nonzero": []}, "samples")]
     assert reason(memory, "x") == ""
     memory["towers"]["samples"] = {
-        "parameters": [{"symbol": "k", "from": "-1"}], "generators": [], "elements": {}}
+        "parameters": [{"symbol": "k", "from": "-1"}],
+        "generators": [],
+        "elements": {},
+    }
     assert "not known" in reason(memory, "x")
 
 
@@ -127,11 +143,18 @@ def test_matrix_entry(acceleration: Data) -> None:
     assert "entry 2" in _equal(acceleration, sp.Matrix([[p, p]]), sp.Matrix([[p, s]]))
 
 
-@pytest.mark.parametrize("value", [
-    fraction(2, SIGMA**2, P), fraction(1, SIGMA, P), fraction(-1, SIGMA**2, P),
-    fraction(4 - 2 * p * s + p**2, 4 * SIGMA, P), fraction(0, 1, P), fraction(1, p - 1, P),
-    fraction(1, 0, P),
-])
+@pytest.mark.parametrize(
+    "value",
+    [
+        fraction(2, SIGMA**2, P),
+        fraction(1, SIGMA, P),
+        fraction(-1, SIGMA**2, P),
+        fraction(4 - 2 * p * s + p**2, 4 * SIGMA, P),
+        fraction(0, 1, P),
+        fraction(1, p - 1, P),
+        fraction(1, 0, P),
+    ],
+)
 def test_positive_evidence(acceleration: Data, value: Data) -> None:
     assert changed(acceleration, "updated", "evidence.value", value)
 
@@ -145,13 +168,25 @@ def test_positive_only_on_a_smaller_domain(memory: Data) -> None:
     """k - 1/2 is positive from k = 1 on, and not from k = 0 on; 2k - 2 vanishes at k = 1."""
     k = sp.Symbol("k")
     for expression, above in ((k - sp.Rational(1, 2), True), (2 * k - 2, False)):
-        memory["statements"] = [written(
-            "x", "positive", {"expression": graph(expression)},
-            {"value": fraction(expression, 1, [k]), "nonzero": []}, "samples")]
+        memory["statements"] = [
+            written(
+                "x",
+                "positive",
+                {"expression": graph(expression)},
+                {"value": fraction(expression, 1, [k]), "nonzero": []},
+                "samples",
+            )
+        ]
         assert (reason(memory, "x") == "") == above
-    memory["statements"] = [written(
-        "x", "positive", {"expression": graph(k - sp.Rational(1, 2))},
-        {"value": fraction(k - sp.Rational(1, 2), 1, [k]), "nonzero": []}, "samples")]
+    memory["statements"] = [
+        written(
+            "x",
+            "positive",
+            {"expression": graph(k - sp.Rational(1, 2))},
+            {"value": fraction(k - sp.Rational(1, 2), 1, [k]), "nonzero": []},
+            "samples",
+        )
+    ]
     memory["towers"]["samples"]["parameters"][0]["from"] = "0"
     assert "not manifestly positive" in reason(memory, "x")
 

@@ -17,87 +17,117 @@ SIGMA = (p**2 + 4 + 2 * p * s) / 4
 P = [p, s]
 HALF_AT_INFINITY: Data = {"weights": {"s": 1}, "constants": [], "boundary": {"s": [["1/2", []]]}}
 ROOT_TWO_AT_ZERO: Data = {
-    "weights": {"s": 0}, "constants": [{"symbol": "c", "power": 2, "radicand": [["2", [0]]]}],
-    "boundary": {"s": [["1", [1]]]}}
+    "weights": {"s": 0},
+    "constants": [{"symbol": "c", "power": 2, "radicand": [["2", [0]]]}],
+    "boundary": {"s": [["1", [1]]]},
+}
 
 
-def _limit(certificate: Data, expression: Any, point: str, value: Any,
-           variable: str = "tracking_index") -> str:
+def _limit(
+    certificate: Data, expression: Any, point: str, value: Any, variable: str = "tracking_index"
+) -> str:
     evidence = ROOT_TWO_AT_ZERO if point == "0" else HALF_AT_INFINITY
-    claim = {"expression": graph(expression), "variable": variable, "point": point,
-             "value": value if isinstance(value, str) else graph(value)}
-    certificate = {**certificate,
-                   "statements": [written("x", "limit", claim, {**evidence, "nonzero": []})]}
+    claim = {
+        "expression": graph(expression),
+        "variable": variable,
+        "point": point,
+        "value": value if isinstance(value, str) else graph(value),
+    }
+    certificate = {
+        **certificate,
+        "statements": [written("x", "limit", claim, {**evidence, "nonzero": []})],
+    }
     return reason(certificate, "x")
 
 
-@pytest.mark.parametrize(("expression", "point", "value"), [
-    (beta, "infinity", sp.Integer(2)), (alpha, "infinity", sp.Integer(1)),
-    (alpha, "0", sp.Integer(0)), (alpha / p, "0", sp.sqrt(2)), (beta / alpha**2, "0",
-                                                               sp.Rational(1, 2)),
-    (1 / sigma, "infinity", sp.Integer(0)), (sigma, "infinity", "infinity"),
-    (1 / p, "0", "infinity"), (p - p, "0", sp.Integer(0)), (-beta, "infinity", sp.Integer(-2)),
-])
+@pytest.mark.parametrize(
+    ("expression", "point", "value"),
+    [
+        (beta, "infinity", sp.Integer(2)),
+        (alpha, "infinity", sp.Integer(1)),
+        (alpha, "0", sp.Integer(0)),
+        (alpha / p, "0", sp.sqrt(2)),
+        (beta / alpha**2, "0", sp.Rational(1, 2)),
+        (1 / sigma, "infinity", sp.Integer(0)),
+        (sigma, "infinity", "infinity"),
+        (1 / p, "0", "infinity"),
+        (p - p, "0", sp.Integer(0)),
+        (-beta, "infinity", sp.Integer(-2)),
+    ],
+)
 def test_true_limits(acceleration: Data, expression: Any, point: str, value: Any) -> None:
     assert _limit(acceleration, expression, point, value) == ""
 
 
-@pytest.mark.parametrize(("expression", "point", "value", "why"), [
-    (beta, "infinity", sp.Integer(1), "another"),
-    (beta, "infinity", sp.Integer(0), "another"),
-    (beta, "infinity", "infinity", "finite"),
-    (beta, "0", sp.Integer(2), "another"),
-    (alpha / p, "0", -sp.sqrt(2), "another"),
-    (alpha / p, "0", sp.sqrt(3), "not known"),
-    (sigma, "infinity", sp.Integer(1), "infinity"),
-    (-sigma, "infinity", "infinity", "not plus infinity"),
-    (-1 / p, "0", "infinity", "not plus infinity"),
-    (s - p / 2, "infinity", sp.Integer(0), "not determined"),
-    (1 - alpha, "infinity", sp.Integer(0), "not determined"),
-    (alpha, "minus infinity", sp.Integer(0), "is wanted"),
-    (alpha, "infinity", sp.Symbol("alpha"), "stands in the value"),
-    (alpha, "0", sp.Symbol("c"), "stands in the value"),
-])
+@pytest.mark.parametrize(
+    ("expression", "point", "value", "why"),
+    [
+        (beta, "infinity", sp.Integer(1), "another"),
+        (beta, "infinity", sp.Integer(0), "another"),
+        (beta, "infinity", "infinity", "finite"),
+        (beta, "0", sp.Integer(2), "another"),
+        (alpha / p, "0", -sp.sqrt(2), "another"),
+        (alpha / p, "0", sp.sqrt(3), "not known"),
+        (sigma, "infinity", sp.Integer(1), "infinity"),
+        (-sigma, "infinity", "infinity", "not plus infinity"),
+        (-1 / p, "0", "infinity", "not plus infinity"),
+        (s - p / 2, "infinity", sp.Integer(0), "not determined"),
+        (1 - alpha, "infinity", sp.Integer(0), "not determined"),
+        (alpha, "minus infinity", sp.Integer(0), "is wanted"),
+        (alpha, "infinity", sp.Symbol("alpha"), "stands in the value"),
+        (alpha, "0", sp.Symbol("c"), "stands in the value"),
+    ],
+)
 def test_false_or_undetermined_limits(
-    acceleration: Data, expression: Any, point: str, value: Any, why: str,
+    acceleration: Data,
+    expression: Any,
+    point: str,
+    value: Any,
+    why: str,
 ) -> None:
     assert why in _limit(acceleration, expression, point, value)
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("evidence.boundary.s", [["-1", [1]]], "nonnegative"),
-    ("evidence.boundary.s", [["1", [0]]], "not a root"),
-    ("evidence.boundary.s", [], "not a root"),
-    ("evidence.boundary.s", [["2", [1]]], "not a root"),
-    ("evidence.boundary", {}, "missing"),
-    ("evidence.boundary", {"s": [["1", [1]]], "p": []}, "not known"),
-    ("evidence.constants.0.radicand", [["3", [0]]], "not a root"),
-    ("evidence.constants.0.radicand", [["-2", [0]]], "not manifestly positive"),
-    ("evidence.constants.0.radicand", [["2", [1]]], "earlier"),
-    ("evidence.constants.0.power", 3, "not a root"),
-    ("evidence.constants.0.symbol", "s", "twice"),
-    ("evidence.constants", [], "exponents"),
-    ("evidence.weights.s", -1, "negative power"),
-    ("evidence.weights.s", 1, "from -64 to 0"),
-    ("evidence.weights", {}, "missing"),
-    ("evidence.weights.s", True, "bool"),
-    ("claim.variable", "sigma", "parameter"),
-    ("claim.variable", "s", "neither"),
-    ("claim.variable", "nothing", "neither"),
-    ("claim.variable", "beta", "generator that depends"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("evidence.boundary.s", [["-1", [1]]], "nonnegative"),
+        ("evidence.boundary.s", [["1", [0]]], "not a root"),
+        ("evidence.boundary.s", [], "not a root"),
+        ("evidence.boundary.s", [["2", [1]]], "not a root"),
+        ("evidence.boundary", {}, "missing"),
+        ("evidence.boundary", {"s": [["1", [1]]], "p": []}, "not known"),
+        ("evidence.constants.0.radicand", [["3", [0]]], "not a root"),
+        ("evidence.constants.0.radicand", [["-2", [0]]], "not manifestly positive"),
+        ("evidence.constants.0.radicand", [["2", [1]]], "earlier"),
+        ("evidence.constants.0.power", 3, "not a root"),
+        ("evidence.constants.0.symbol", "s", "twice"),
+        ("evidence.constants", [], "exponents"),
+        ("evidence.weights.s", -1, "negative power"),
+        ("evidence.weights.s", 1, "from -64 to 0"),
+        ("evidence.weights", {}, "missing"),
+        ("evidence.weights.s", True, "bool"),
+        ("claim.variable", "sigma", "parameter"),
+        ("claim.variable", "s", "neither"),
+        ("claim.variable", "nothing", "neither"),
+        ("claim.variable", "beta", "generator that depends"),
+    ],
+)
 def test_evidence_at_zero(acceleration: Data, path: str, new: Any, why: str) -> None:
     assert why in changed(acceleration, "start", path, new)
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("evidence.weights.s", 0, "negative power"),
-    ("evidence.weights.s", 2, "not a root"),
-    ("evidence.weights.s", -1, "from 0"),
-    ("evidence.boundary.s", [["-1/2", []]], "nonnegative"),
-    ("evidence.boundary.s", [["1/3", []]], "not a root"),
-    ("evidence.constants", ROOT_TWO_AT_ZERO["constants"], "exponents"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("evidence.weights.s", 0, "negative power"),
+        ("evidence.weights.s", 2, "not a root"),
+        ("evidence.weights.s", -1, "from 0"),
+        ("evidence.boundary.s", [["-1/2", []]], "nonnegative"),
+        ("evidence.boundary.s", [["1/3", []]], "not a root"),
+        ("evidence.constants", ROOT_TWO_AT_ZERO["constants"], "exponents"),
+    ],
+)
 def test_evidence_at_infinity(acceleration: Data, path: str, new: Any, why: str) -> None:
     assert why in changed(acceleration, "end", path, new)
 
@@ -141,27 +171,32 @@ def test_a_parameter_from_one_does_not_reach_zero(memory: Data) -> None:
 def test_limits_want_one_parameter(memory: Data) -> None:
     memory["towers"]["samples"] = {
         "parameters": [{"symbol": "k", "from": "1"}, {"symbol": "n", "from": "1"}],
-        "generators": [], "elements": {}}
+        "generators": [],
+        "elements": {},
+    }
     statement(memory, "tail")["claim"]["expression"] = graph(sp.Symbol("k"))
     assert "one parameter" in reason(memory, "tail")
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("evidence.derivative", fraction(2, SIGMA**2 * p * s, P), "does not equal"),
-    ("evidence.derivative", fraction(-1, SIGMA**2 * p * s, P), "not manifestly positive"),
-    ("evidence.derivative", fraction(1, SIGMA * p * s, P), "does not equal"),
-    ("evidence.start", HALF_AT_INFINITY, "from -64 to 0"),
-    ("evidence.end", ROOT_TWO_AT_ZERO, "negative power"),
-    ("evidence.end.boundary.s", [["1", []]], "not a root"),
-    ("claim.from", graph(sp.Rational(1, 2)), "another"),
-    ("claim.to", graph(2), "another"),
-    ("claim.to", "infinity", "finite"),
-    ("claim.from", "infinity", "finite"),
-    ("claim.variable", "p", "does not equal"),
-    ("claim.variable", "sigma", "generator"),
-    ("claim.expression", graph(-alpha), "does not equal"),
-    ("claim.expression", graph(beta), "does not equal"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("evidence.derivative", fraction(2, SIGMA**2 * p * s, P), "does not equal"),
+        ("evidence.derivative", fraction(-1, SIGMA**2 * p * s, P), "not manifestly positive"),
+        ("evidence.derivative", fraction(1, SIGMA * p * s, P), "does not equal"),
+        ("evidence.start", HALF_AT_INFINITY, "from -64 to 0"),
+        ("evidence.end", ROOT_TWO_AT_ZERO, "negative power"),
+        ("evidence.end.boundary.s", [["1", []]], "not a root"),
+        ("claim.from", graph(sp.Rational(1, 2)), "another"),
+        ("claim.to", graph(2), "another"),
+        ("claim.to", "infinity", "finite"),
+        ("claim.from", "infinity", "finite"),
+        ("claim.variable", "p", "does not equal"),
+        ("claim.variable", "sigma", "generator"),
+        ("claim.expression", graph(-alpha), "does not equal"),
+        ("claim.expression", graph(beta), "does not equal"),
+    ],
+)
 def test_increasing(acceleration: Data, path: str, new: Any, why: str) -> None:
     assert why in changed(acceleration, "monotone", path, new)
 
@@ -187,8 +222,8 @@ def test_a_slope_that_vanishes_inside(memory: Data) -> None:
     """(g - 1)^3 increases, but its derivative shows no plain sign; g^3 from 0 does."""
     g = sp.Symbol("g")
     onto = statement(memory, "onto")
-    onto["claim"] |= {"expression": graph((g - 1)**3), "from": graph(-1)}
-    onto["evidence"]["derivative"] = fraction(3 * (g - 1)**2, 1, [g])
+    onto["claim"] |= {"expression": graph((g - 1) ** 3), "from": graph(-1)}
+    onto["evidence"]["derivative"] = fraction(3 * (g - 1) ** 2, 1, [g])
     assert "not manifestly positive inside" in reason(memory, "onto")
     onto["claim"] |= {"expression": graph(g**3), "from": graph(0)}
     onto["evidence"]["derivative"] = fraction(3 * g**2, 1, [g])
@@ -200,8 +235,23 @@ def test_lower_end_other_than_zero(memory: Data) -> None:
     k = sp.Symbol("k")
     nothing: Data = {"weights": {}, "constants": [], "boundary": {}}
     for start, accepted in ((1, True), (0, False)):
-        memory["statements"] = [written("x", "increasing_onto", {
-            "expression": graph(k**2), "variable": "k", "from": graph(start), "to": "infinity"},
-            {"derivative": fraction(2 * k, 1, [k]), "start": nothing, "end": nothing,
-             "nonzero": []}, "samples")]
+        memory["statements"] = [
+            written(
+                "x",
+                "increasing_onto",
+                {
+                    "expression": graph(k**2),
+                    "variable": "k",
+                    "from": graph(start),
+                    "to": "infinity",
+                },
+                {
+                    "derivative": fraction(2 * k, 1, [k]),
+                    "start": nothing,
+                    "end": nothing,
+                    "nonzero": [],
+                },
+                "samples",
+            )
+        ]
         assert (reason(memory, "x") == "") == accepted

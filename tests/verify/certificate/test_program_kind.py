@@ -15,31 +15,40 @@ p, s, g = sp.symbols("p s g")
 P = [p, s]
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("evidence.roots.1", fraction(-p, 1, P), "nonnegative"),
-    ("evidence.roots.1", fraction(2 * p, 1, P), "not a root"),
-    ("evidence.roots.8", fraction(s, 1, P), "not a root"),
-    ("evidence.roots.8", fraction(0, 1, P), "not a root"),
-    ("evidence.roots", {}, "no root"),
-    ("evidence.branches", {"1": "then"}, "no branches"),
-    ("evidence.branches", {"99": "then"}, "no branches"),
-    ("evidence.gaps", {"1": fraction(p, 1, P)}, "not used"),
-    ("claim.program", "nothing", "not in the certificate"),
-    ("claim.outputs.alpha", graph(sp.Symbol("beta")), "does not equal"),
-    ("claim.outputs", {}, "no output"),
-    ("claim.outputs", {"gamma": graph(1)}, "no output 'gamma'"),
-    ("claim.outputs.alpha", graph(sp.Matrix([[p, p]])), "matrix"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("evidence.roots.1", fraction(-p, 1, P), "nonnegative"),
+        ("evidence.roots.1", fraction(2 * p, 1, P), "not a root"),
+        ("evidence.roots.8", fraction(s, 1, P), "not a root"),
+        ("evidence.roots.8", fraction(0, 1, P), "not a root"),
+        ("evidence.roots", {}, "no root"),
+        ("evidence.branches", {"1": "then"}, "no branches"),
+        ("evidence.branches", {"99": "then"}, "no branches"),
+        ("evidence.gaps", {"1": fraction(p, 1, P)}, "not used"),
+        ("claim.program", "nothing", "not in the certificate"),
+        ("claim.outputs.alpha", graph(sp.Symbol("beta")), "does not equal"),
+        ("claim.outputs", {}, "no output"),
+        ("claim.outputs", {"gamma": graph(1)}, "no output 'gamma'"),
+        ("claim.outputs.alpha", graph(sp.Matrix([[p, p]])), "matrix"),
+    ],
+)
 def test_kernel(acceleration: Data, path: str, new: Any, why: str) -> None:
     assert why in changed(acceleration, "kernel", path, new)
 
 
 def test_roots_of_nodes_that_are_none(acceleration: Data) -> None:
     roots = statement(acceleration, "kernel")["evidence"]["roots"]
-    for key, why in (("7", "not used"), ("01", "not a node number"), ("-1", "not a node number"),
-                     ("1 ", "not a node number"), ("9" * 5, "not used")):
-        assert why in changed(acceleration, "kernel", "evidence.roots",
-                              {**roots, key: fraction(p, 1, P)})
+    for key, why in (
+        ("7", "not used"),
+        ("01", "not a node number"),
+        ("-1", "not a node number"),
+        ("1 ", "not a node number"),
+        ("9" * 5, "not used"),
+    ):
+        assert why in changed(
+            acceleration, "kernel", "evidence.roots", {**roots, key: fraction(p, 1, P)}
+        )
 
 
 @pytest.mark.parametrize("node", range(17))
@@ -47,8 +56,11 @@ def test_every_node_of_a_kernel_counts(acceleration: Data, node: int) -> None:
     nodes = acceleration["programs"]["gains"]["graph"]["nodes"]
     kind = nodes[node][0]
     other: Any = {
-        "symbol": ["symbol", "beta"], "number": ["number", "3"], "pow": ["pow", 0, "1/3"],
-        "div": ["mul", *nodes[node][1:]], "mul": ["add", *nodes[node][1:]],
+        "symbol": ["symbol", "beta"],
+        "number": ["number", "3"],
+        "pow": ["pow", 0, "1/3"],
+        "div": ["mul", *nodes[node][1:]],
+        "mul": ["add", *nodes[node][1:]],
         "add": ["mul", *nodes[node][1:]],
     }[kind]
     nodes[node] = other
@@ -74,8 +86,10 @@ def test_inputs(acceleration: Data) -> None:
 def test_kernel_cannot_see_the_tower(acceleration: Data) -> None:
     """A symbol of the graph is an input, even when the tower has that name too."""
     program = acceleration["programs"]["gains"]
-    program["graph"] = {"nodes": [["symbol", "alpha"], ["symbol", "beta"]],
-                        "outputs": {"alpha": 0, "beta": 1}}
+    program["graph"] = {
+        "nodes": [["symbol", "alpha"], ["symbol", "beta"]],
+        "outputs": {"alpha": 0, "beta": 1},
+    }
     program["inputs"] = {"alpha": "beta", "beta": "alpha"}
     statement(acceleration, "kernel")["evidence"]["roots"] = {}
     assert "does not equal" in reason(acceleration, "kernel")
@@ -87,21 +101,24 @@ def test_kernel_does_not_differentiate(acceleration: Data) -> None:
     assert "differentiate" in refused(acceleration)
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("evidence.branches.5", "then", "positive"),
-    ("evidence.branches.5", "positive", "one of"),
-    ("evidence.branches.6", "negative", "gap"),
-    ("evidence.branches.6", "else", "one of"),
-    ("evidence.branches.6", 1, "one of"),
-    ("evidence.branches", {"6": "positive"}, "no branch"),
-    ("evidence.gaps.5", fraction(g, 1, [g]), "gap"),
-    ("evidence.gaps.5", fraction(-g**2, 1, [g]), "nonnegative"),
-    ("evidence.gaps.6", fraction(2 * g**2, 1, [g]), "gap"),
-    ("evidence.gaps", {}, "no branch or no gap"),
-    ("evidence.roots.3", fraction(-g, 1, [g]), "nonnegative"),
-    ("claim.outputs.low", graph(-1), "does not equal"),
-    ("claim.outputs.high", graph(-g**2), "does not equal"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("evidence.branches.5", "then", "positive"),
+        ("evidence.branches.5", "positive", "one of"),
+        ("evidence.branches.6", "negative", "gap"),
+        ("evidence.branches.6", "else", "one of"),
+        ("evidence.branches.6", 1, "one of"),
+        ("evidence.branches", {"6": "positive"}, "no branch"),
+        ("evidence.gaps.5", fraction(g, 1, [g]), "gap"),
+        ("evidence.gaps.5", fraction(-(g**2), 1, [g]), "nonnegative"),
+        ("evidence.gaps.6", fraction(2 * g**2, 1, [g]), "gap"),
+        ("evidence.gaps", {}, "no branch or no gap"),
+        ("evidence.roots.3", fraction(-g, 1, [g]), "nonnegative"),
+        ("claim.outputs.low", graph(-1), "does not equal"),
+        ("claim.outputs.high", graph(-(g**2)), "does not equal"),
+    ],
+)
 def test_branches(memory: Data, path: str, new: Any, why: str) -> None:
     assert why in changed(memory, "root", path, new)
 

@@ -17,25 +17,28 @@ SIGMA = (p**2 + 4 + 2 * p * s) / 4
 P = [p, s]
 
 
-@pytest.mark.parametrize(("field", "new"), [
-    ("process_noise", [["0", "0"], ["0", "1"]]),
-    ("process_noise", [["1/3", "1/2"], ["1/2", "1"]]),
-    ("process_noise", [["1/4", "1/2"], ["1/3", "1"]]),
-    ("process_noise", [["1/4", "-1/2"], ["-1/2", "1"]]),
-    ("transition", [["1", "0"], ["1", "1"]]),
-    ("transition", [["1", "1"], ["0", "2"]]),
-    ("measurement", [["0", "1"]]),
-    ("measurement", [["1", "0"], ["0", "1"]]),
-    ("measurement", [["2", "0"]]),
-    ("measurement_noise", [["2"]]),
-    ("measurement_noise", [["0"]]),
-    ("measurement_noise", [["-1"]]),
-    ("measurement_noise", [["1.0"]]),
-    ("transition", [["1"]]),
-    ("transition", []),
-    ("transition", [[]]),
-    ("transition", [["1", "1"], ["0"]]),
-])
+@pytest.mark.parametrize(
+    ("field", "new"),
+    [
+        ("process_noise", [["0", "0"], ["0", "1"]]),
+        ("process_noise", [["1/3", "1/2"], ["1/2", "1"]]),
+        ("process_noise", [["1/4", "1/2"], ["1/3", "1"]]),
+        ("process_noise", [["1/4", "-1/2"], ["-1/2", "1"]]),
+        ("transition", [["1", "0"], ["1", "1"]]),
+        ("transition", [["1", "1"], ["0", "2"]]),
+        ("measurement", [["0", "1"]]),
+        ("measurement", [["1", "0"], ["0", "1"]]),
+        ("measurement", [["2", "0"]]),
+        ("measurement_noise", [["2"]]),
+        ("measurement_noise", [["0"]]),
+        ("measurement_noise", [["-1"]]),
+        ("measurement_noise", [["1.0"]]),
+        ("transition", [["1"]]),
+        ("transition", []),
+        ("transition", [[]]),
+        ("transition", [["1", "1"], ["0"]]),
+    ],
+)
 def test_another_model(acceleration: Data, field: str, new: Any) -> None:
     assert changed(acceleration, "steady_state", f"claim.model.{field}", new)
     if field in ("transition", "measurement"):
@@ -50,33 +53,36 @@ def test_every_cofactor_counts(acceleration: Data) -> None:
             assert "combination" in changed(acceleration, "steady_state", path, "7/3")
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("evidence.cofactors.1,1", [], "polynomials wanted"),
-    ("evidence.cofactors.1,1.0", [], "combination"),
-    ("evidence.cofactors.2,2", [[], []], "polynomials wanted"),
-    ("evidence.cofactors", {}, "missing"),
-    ("evidence.denominator", [], "not manifestly positive"),
-    ("evidence.denominator", [["-1", [0, 0]]], "not manifestly positive"),
-    ("evidence.denominator", [["2", [0, 0]]], "named element"),
-    ("evidence.denominator", [["1", [1, 0]], ["-1", [0, 0]]], "not manifestly positive"),
-    ("evidence.numerators.0.1", [], "not symmetric"),
-    ("evidence.numerators.0", [], "rows of 2"),
-    ("evidence.numerators", [], "rows of 2"),
-    ("evidence.numerators.0.0", [["-3", [0, 0]]], "variance"),
-    ("claim.gain", ["beta", "alpha"], "gain 1"),
-    ("claim.gain", ["alpha"], "other sizes"),
-    ("claim.gain", ["alpha", "alpha"], "gain 2"),
-    ("claim.gain", ["alpha", "nothing"], "neither"),
-    ("claim.gain", [], "names are wanted"),
-    ("claim.updated", [["alpha", "beta"], ["beta", "m22"]], "updated 2,2"),
-    ("claim.predicted", [["m11", "m12"], ["m12", "x22"]], "predicted 2,2"),
-    ("claim.predicted", [["m11", "m12"], ["m11", "m22"]], "not symmetric"),
-    ("claim.predicted", [["m11", "m12"]], "square"),
-    ("claim.predicted", [], "square"),
-    ("claim.index", "p", "combination"),
-    ("claim.index", "alpha", "combination"),
-    ("claim.index", "sigma", "combination"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("evidence.cofactors.1,1", [], "polynomials wanted"),
+        ("evidence.cofactors.1,1.0", [], "combination"),
+        ("evidence.cofactors.2,2", [[], []], "polynomials wanted"),
+        ("evidence.cofactors", {}, "missing"),
+        ("evidence.denominator", [], "not manifestly positive"),
+        ("evidence.denominator", [["-1", [0, 0]]], "not manifestly positive"),
+        ("evidence.denominator", [["2", [0, 0]]], "named element"),
+        ("evidence.denominator", [["1", [1, 0]], ["-1", [0, 0]]], "not manifestly positive"),
+        ("evidence.numerators.0.1", [], "not symmetric"),
+        ("evidence.numerators.0", [], "rows of 2"),
+        ("evidence.numerators", [], "rows of 2"),
+        ("evidence.numerators.0.0", [["-3", [0, 0]]], "variance"),
+        ("claim.gain", ["beta", "alpha"], "gain 1"),
+        ("claim.gain", ["alpha"], "other sizes"),
+        ("claim.gain", ["alpha", "alpha"], "gain 2"),
+        ("claim.gain", ["alpha", "nothing"], "neither"),
+        ("claim.gain", [], "names are wanted"),
+        ("claim.updated", [["alpha", "beta"], ["beta", "m22"]], "updated 2,2"),
+        ("claim.predicted", [["m11", "m12"], ["m12", "x22"]], "predicted 2,2"),
+        ("claim.predicted", [["m11", "m12"], ["m11", "m22"]], "not symmetric"),
+        ("claim.predicted", [["m11", "m12"]], "square"),
+        ("claim.predicted", [], "square"),
+        ("claim.index", "p", "combination"),
+        ("claim.index", "alpha", "combination"),
+        ("claim.index", "sigma", "combination"),
+    ],
+)
 def test_riccati(acceleration: Data, path: str, new: Any, why: str) -> None:
     assert why in changed(acceleration, "steady_state", path, new)
 
@@ -122,16 +128,19 @@ def test_generator_changed(acceleration: Data) -> None:
     assert reason(acceleration, "steady_state")
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("evidence.values.0", fraction(p, SIGMA, P), "another"),
-    ("evidence.values.1", fraction(SIGMA**2 - 1, SIGMA**2, P), "another"),
-    ("evidence.values.2", fraction(4 * p * s, SIGMA, P), "another"),
-    ("evidence.values.3", fraction(-p**3 * s, SIGMA**2, P), "positive"),
-    ("evidence.values.3", fraction(p**3 * s, p - 1, P), "positive"),
-    ("evidence.values", [], "4 values"),
-    ("claim.gain", ["m11", "m12"], "another"),
-    ("claim.gain", ["alpha"], "2 gains"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("evidence.values.0", fraction(p, SIGMA, P), "another"),
+        ("evidence.values.1", fraction(SIGMA**2 - 1, SIGMA**2, P), "another"),
+        ("evidence.values.2", fraction(4 * p * s, SIGMA, P), "another"),
+        ("evidence.values.3", fraction(-(p**3) * s, SIGMA**2, P), "positive"),
+        ("evidence.values.3", fraction(p**3 * s, p - 1, P), "positive"),
+        ("evidence.values", [], "4 values"),
+        ("claim.gain", ["m11", "m12"], "another"),
+        ("claim.gain", ["alpha"], "2 gains"),
+    ],
+)
 def test_stable(acceleration: Data, path: str, new: Any, why: str) -> None:
     assert why in changed(acceleration, "loop", path, new)
 
@@ -148,20 +157,27 @@ def test_unstable_loop(acceleration: Data) -> None:
     elements["zero"] = fraction(0, 1, P)
     entry = statement(acceleration, "loop")
     entry["claim"]["gain"] = ["zero", "zero"]
-    entry["evidence"]["values"] = [fraction(0, 1, P), fraction(2, 1, P), fraction(0, 1, P),
-                                   fraction(0, 1, P)]
+    entry["evidence"]["values"] = [
+        fraction(0, 1, P),
+        fraction(2, 1, P),
+        fraction(0, 1, P),
+        fraction(0, 1, P),
+    ]
     assert "not manifestly positive" in reason(acceleration, "loop")
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("evidence.minors.0", fraction(p * s, 1, P), "another"),
-    ("evidence.minors.1", fraction(-p**4 * SIGMA, 1, P), "positive"),
-    ("evidence.minors", [], "2 minors"),
-    ("claim.matrix", [["alpha", "beta"], ["beta", "m22"]], "another"),
-    ("claim.matrix", [["m11", "m12"], ["m11", "m22"]], "not symmetric"),
-    ("claim.matrix", [["m11"]], "1 minors"),
-    ("claim.matrix", [["m11", "m12"], ["m12"]], "square"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("evidence.minors.0", fraction(p * s, 1, P), "another"),
+        ("evidence.minors.1", fraction(-(p**4) * SIGMA, 1, P), "positive"),
+        ("evidence.minors", [], "2 minors"),
+        ("claim.matrix", [["alpha", "beta"], ["beta", "m22"]], "another"),
+        ("claim.matrix", [["m11", "m12"], ["m11", "m22"]], "not symmetric"),
+        ("claim.matrix", [["m11"]], "1 minors"),
+        ("claim.matrix", [["m11", "m12"], ["m12"]], "square"),
+    ],
+)
 def test_definite(acceleration: Data, path: str, new: Any, why: str) -> None:
     assert why in changed(acceleration, "definite", path, new)
 

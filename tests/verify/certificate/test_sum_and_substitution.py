@@ -14,23 +14,26 @@ Data = dict[str, Any]
 p, s, j, k = sp.symbols("p s j k")
 
 
-@pytest.mark.parametrize(("path", "new", "why"), [
-    ("claim.closed", graph(k * (k + 1) * (2 * k + 1) / 6 + 1), "at the start"),
-    ("claim.closed", graph(k * (k + 1) / 2), "grow"),
-    ("claim.summand", graph(j), "grow"),
-    ("claim.summand", graph(j**2 + 0 * k + k), "upper limit occurs"),
-    ("claim.start", "0", ""),
-    ("claim.start", "2", "integer start"),
-    ("claim.start", "1/2", "integer start"),
-    ("claim.upper", "j", "parameter"),
-    ("claim.upper", "a", "parameter"),
-    ("claim.index", "k", "already has a meaning"),
-    ("claim.index", "a", "already has a meaning"),
-    ("claim.index", "i", "neither"),
-    ("claim.closed", graph(1 / (k + 1)), "polynomial"),
-    ("claim.summand", graph(sp.Symbol("a")), "polynomial"),
-    ("evidence", {"nonzero": []}, "not known"),
-])
+@pytest.mark.parametrize(
+    ("path", "new", "why"),
+    [
+        ("claim.closed", graph(k * (k + 1) * (2 * k + 1) / 6 + 1), "at the start"),
+        ("claim.closed", graph(k * (k + 1) / 2), "grow"),
+        ("claim.summand", graph(j), "grow"),
+        ("claim.summand", graph(j**2 + 0 * k + k), "upper limit occurs"),
+        ("claim.start", "0", ""),
+        ("claim.start", "2", "integer start"),
+        ("claim.start", "1/2", "integer start"),
+        ("claim.upper", "j", "parameter"),
+        ("claim.upper", "a", "parameter"),
+        ("claim.index", "k", "already has a meaning"),
+        ("claim.index", "a", "already has a meaning"),
+        ("claim.index", "i", "neither"),
+        ("claim.closed", graph(1 / (k + 1)), "polynomial"),
+        ("claim.summand", graph(sp.Symbol("a")), "polynomial"),
+        ("evidence", {"nonzero": []}, "not known"),
+    ],
+)
 def test_sum(memory: Data, path: str, new: Any, why: str) -> None:
     found = changed(memory, "squares", path, new)
     assert (why in found) if why else found == ""
@@ -51,12 +54,27 @@ def test_sum_from_below_the_start(memory: Data) -> None:
 
 
 def test_sum_with_an_open_parameter(acceleration: Data) -> None:
-    acceleration["statements"] = [{
-        "id": "x", "kind": "sum", "tower": "main", "evidence": {}, "claim": {
-            "index": "j", "start": "0", "upper": "p", "summand": graph(j), "closed": graph(p)}}]
+    acceleration["statements"] = [
+        {
+            "id": "x",
+            "kind": "sum",
+            "tower": "main",
+            "evidence": {},
+            "claim": {
+                "index": "j",
+                "start": "0",
+                "upper": "p",
+                "summand": graph(j),
+                "closed": graph(p),
+            },
+        }
+    ]
     assert "without generators" in reason(acceleration, "x")
     acceleration["towers"]["main"] = {
-        "parameters": [{"symbol": "p", "above": "0"}], "generators": [], "elements": {}}
+        "parameters": [{"symbol": "p", "above": "0"}],
+        "generators": [],
+        "elements": {},
+    }
     assert "integer start" in reason(acceleration, "x")
 
 
@@ -73,8 +91,11 @@ def _at(inner: list[Any], new: list[Any], right: Any) -> Data:
     shifted = [[n[0], *(a + len(inner) if isinstance(a, int) else a for a in n[1:])] for n in new]
     nodes = [*inner, *shifted]
     nodes.append(["at", len(inner) - 1, "k", len(nodes) - 1])
-    return {"left": {"nodes": nodes, "outputs": {"value": len(nodes) - 1}}, "right": graph(right),
-            "free": []}
+    return {
+        "left": {"nodes": nodes, "outputs": {"value": len(nodes) - 1}},
+        "right": graph(right),
+        "free": [],
+    }
 
 
 BACK = [["symbol", "k"], ["number", "-1"], ["add", 0, 1]]
@@ -101,10 +122,21 @@ def test_substitution_where_a_divisor_vanishes(memory: Data) -> None:
 
 def test_nested_substitution(memory: Data) -> None:
     """at(at(k^2, k := k + 1), k := 2 k) is (2 k + 1)^2."""
-    nodes: list[Any] = [["symbol", "k"], ["pow", 0, "2"], ["number", "1"], ["add", 0, 2],
-                        ["at", 1, "k", 3], ["number", "2"], ["mul", 0, 5], ["at", 4, "k", 6]]
-    claim = {"left": {"nodes": nodes, "outputs": {"value": 7}}, "right": graph((2 * k + 1)**2),
-             "free": []}
+    nodes: list[Any] = [
+        ["symbol", "k"],
+        ["pow", 0, "2"],
+        ["number", "1"],
+        ["add", 0, 2],
+        ["at", 1, "k", 3],
+        ["number", "2"],
+        ["mul", 0, 5],
+        ["at", 4, "k", 6],
+    ]
+    claim = {
+        "left": {"nodes": nodes, "outputs": {"value": 7}},
+        "right": graph((2 * k + 1) ** 2),
+        "free": [],
+    }
     assert changed(memory, "first", "claim", claim) == ""
     claim["right"] = graph(4 * k**2 + 1)
     assert changed(memory, "first", "claim", claim)
@@ -112,8 +144,14 @@ def test_nested_substitution(memory: Data) -> None:
 
 def test_simultaneous_substitution(memory: Data) -> None:
     """k and f exchanged: what was put in is not replaced again."""
-    nodes: list[Any] = [["symbol", "k"], ["symbol", "f"], ["neg", 1], ["add", 0, 2],
-                        ["at", 3, "k", 1], ["at", 4, "f", 0]]
+    nodes: list[Any] = [
+        ["symbol", "k"],
+        ["symbol", "f"],
+        ["neg", 1],
+        ["add", 0, 2],
+        ["at", 3, "k", 1],
+        ["at", 4, "f", 0],
+    ]
     claim = {"left": {"nodes": nodes, "outputs": {"value": 5}}, "right": graph(0), "free": ["f"]}
     assert changed(memory, "first", "claim", claim) == ""
     claim["right"] = graph(sp.Symbol("f") - k)

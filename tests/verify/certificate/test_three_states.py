@@ -25,17 +25,22 @@ Data = dict[str, Any]
 x = sp.Symbol("x")
 STEP = sp.Matrix([[1, 1, sp.Rational(1, 2)], [0, 1, 1], [0, 0, 1]])
 MODEL: Data = {
-    "name": "acceleration-increments", "title": "Acceleration increments, three states",
+    "name": "acceleration-increments",
+    "title": "Acceleration increments, three states",
     "transition": [["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1"]],
     "process_noise": [["0", "0", "0"], ["0", "0", "0"], ["0", "0", "1"]],
-    "measurement": [["1", "0", "0"]], "measurement_noise": [["1"]],
+    "measurement": [["1", "0", "0"]],
+    "measurement_noise": [["1"]],
 }
 small = st.fractions(-2, 2, max_denominator=4)
 
 
 @settings(deadline=None, max_examples=30)
-@given(st.integers(1, 4).flatmap(
-    lambda n: st.lists(st.lists(small, min_size=n, max_size=n), min_size=n, max_size=n)))
+@given(
+    st.integers(1, 4).flatmap(
+        lambda n: st.lists(st.lists(small, min_size=n, max_size=n), min_size=n, max_size=n)
+    )
+)
 def test_characteristic_polynomial(rows: list[list[Fraction]]) -> None:
     field = Field(Ring(0, Meter()), (), (), ())
     entries = tuple(tuple(number(field, value) for value in row) for row in rows)
@@ -64,18 +69,31 @@ def _rows(gain: list[Fraction]) -> list[Fraction]:
 @settings(deadline=None, max_examples=60)
 @given(st.lists(st.fractions(Fraction(1, 20), 1, max_denominator=20), min_size=3, max_size=3))
 def test_stable_exactly_if_inside_the_circle(gain: list[Fraction]) -> None:
-    elements = {f"k{i}": fraction(sp.Rational(g.numerator, g.denominator), 1, [x])
-                for i, g in enumerate(gain)}
+    elements = {
+        f"k{i}": fraction(sp.Rational(g.numerator, g.denominator), 1, [x])
+        for i, g in enumerate(gain)
+    }
     values = [fraction(sp.Rational(v.numerator, v.denominator), 1, [x]) for v in _rows(gain)]
     certificate = {
-        "format": "gainproof certificate 1", "subject": "gains", "programs": {},
-        "towers": {"main": {"parameters": [{"symbol": "x", "above": "0"}], "generators": [],
-                            "elements": elements}},
-        "statements": [statement("loop", "stable", {"model": MODEL, "gain": ["k0", "k1", "k2"]},
-                                 {"values": values})],
+        "format": "gainproof certificate 1",
+        "subject": "gains",
+        "programs": {},
+        "towers": {
+            "main": {
+                "parameters": [{"symbol": "x", "above": "0"}],
+                "generators": [],
+                "elements": elements,
+            }
+        },
+        "statements": [
+            statement(
+                "loop", "stable", {"model": MODEL, "gain": ["k0", "k1", "k2"]}, {"values": values}
+            )
+        ],
     }
     loop = np.array(STEP.tolist(), dtype=float) @ (
-        np.eye(3) - np.outer([float(g) for g in gain], [1.0, 0.0, 0.0]))
+        np.eye(3) - np.outer([float(g) for g in gain], [1.0, 0.0, 0.0])
+    )
     radius = float(max(abs(np.linalg.eigvals(loop))))
     if abs(radius - 1) > 1e-6:
         accepted = check_statement(certificate, "loop").status == "proved"
@@ -85,15 +103,20 @@ def test_stable_exactly_if_inside_the_circle(gain: list[Fraction]) -> None:
 def _steady_state() -> Data:
     """w = 1/(1 + x), alpha = 1 - w^2, beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w)."""
     w = 1 / (1 + x)
-    gain = sp.Matrix([1 - w**2, 2 * (1 - w)**2, 2 * (1 - w)**3 / (1 + w)])
-    index = sp.cancel(2 * (1 - w)**3 / (w * (1 + w)))
+    gain = sp.Matrix([1 - w**2, 2 * (1 - w) ** 2, 2 * (1 - w) ** 3 / (1 + w)])
+    index = sp.cancel(2 * (1 - w) ** 3 / (w * (1 + w)))
     noise = sp.diag(0, 0, index**2)
     names = sp.symbols("m:6")
-    predicted = sp.Matrix([[names[0], names[1], names[2]], [names[1], names[3], names[4]],
-                           [names[2], names[4], names[5]]])
+    predicted = sp.Matrix(
+        [
+            [names[0], names[1], names[2]],
+            [names[1], names[3], names[4]],
+            [names[2], names[4], names[5]],
+        ]
+    )
     updated = (sp.eye(3) - gain * sp.Matrix([[1, 0, 0]])) * predicted
     equations = list(predicted - STEP * updated * STEP.T - noise)
-    solution, = sp.linsolve([*equations, names[0] * w**2 - gain[0]], names)
+    (solution,) = sp.linsolve([*equations, names[0] * w**2 - gain[0]], names)
     m = predicted.subs(dict(zip(names, solution, strict=True))).applyfunc(sp.cancel)
     below = sp.lcm([sp.denom(entry) for entry in m])
     above = (m * below).applyfunc(sp.cancel)
@@ -111,16 +134,34 @@ def _steady_state() -> Data:
         return [[f"{letter}{min(i, j)}{max(i, j)}" for j in range(3)] for i in range(3)]
 
     return {
-        "format": "gainproof certificate 1", "subject": "three", "programs": {},
-        "towers": {"main": {"parameters": [{"symbol": "x", "above": "0"}], "generators": [],
-                            "elements": written}},
-        "statements": [statement(
-            "steady", "riccati",
-            {"model": MODEL, "predicted": square("m"), "updated": square("x"),
-             "gain": ["k0", "k1", "k2"], "index": "tracking_index"},
-            {"denominator": poly(below, [x]),
-             "numerators": [[poly(above[i, j], [x]) for j in range(3)] for i in range(3)],
-             "cofactors": {f"{i + 1},{j + 1}": [] for i in range(3) for j in range(i, 3)}})],
+        "format": "gainproof certificate 1",
+        "subject": "three",
+        "programs": {},
+        "towers": {
+            "main": {
+                "parameters": [{"symbol": "x", "above": "0"}],
+                "generators": [],
+                "elements": written,
+            }
+        },
+        "statements": [
+            statement(
+                "steady",
+                "riccati",
+                {
+                    "model": MODEL,
+                    "predicted": square("m"),
+                    "updated": square("x"),
+                    "gain": ["k0", "k1", "k2"],
+                    "index": "tracking_index",
+                },
+                {
+                    "denominator": poly(below, [x]),
+                    "numerators": [[poly(above[i, j], [x]) for j in range(3)] for i in range(3)],
+                    "cofactors": {f"{i + 1},{j + 1}": [] for i in range(3) for j in range(i, 3)},
+                },
+            )
+        ],
     }
 
 
@@ -140,18 +181,25 @@ def test_rational_index_is_checked(steady: Data, change: str) -> None:
     elements = tower["elements"]
     claim = steady["statements"][0]["claim"]
     if change == "noise":
-        model = {**MODEL, "process_noise": [["1/4", "1/2", "1/2"], ["1/2", "1", "1"],
-                                            ["1/2", "1", "1"]]}
+        model = {
+            **MODEL,
+            "process_noise": [["1/4", "1/2", "1/2"], ["1/2", "1", "1"], ["1/2", "1", "1"]],
+        }
         claim = {**claim, "model": model}
     elif change == "index":
         index = {**elements["tracking_index"], "den": poly(x + 1, [x])}
         elements = {**elements, "tracking_index": index}
     else:
-        index = {key: [[c[0] + "0", c[1]] for c in terms] if key == "num" else terms
-                 for key, terms in elements["tracking_index"].items()}
+        index = {
+            key: [[c[0] + "0", c[1]] for c in terms] if key == "num" else terms
+            for key, terms in elements["tracking_index"].items()
+        }
         elements = {**elements, "tracking_index": index}
-    altered = {**steady, "towers": {"main": {**tower, "elements": elements}},
-               "statements": [{**steady["statements"][0], "claim": claim}]}
+    altered = {
+        **steady,
+        "towers": {"main": {**tower, "elements": elements}},
+        "statements": [{**steady["statements"][0], "claim": claim}],
+    }
     assert "combination" in check_statement(altered, "steady").reason
 
 
@@ -160,7 +208,7 @@ def test_the_steady_state_by_iteration(steady: Data) -> None:
     del steady
     place = mp.mpf("0.7")
     w = 1 / (1 + place)
-    index = 2 * (1 - w)**3 / (w * (1 + w))
+    index = 2 * (1 - w) ** 3 / (w * (1 + w))
     step = np.array(STEP.tolist(), dtype=float)
     covariance = np.eye(3)
     for _ in range(500):
@@ -168,7 +216,6 @@ def test_the_steady_state_by_iteration(steady: Data) -> None:
         covariance = step @ (covariance - gain @ covariance[:1]) @ step.T
         covariance[2, 2] += float(index) ** 2
     gain = covariance[:, 0] / (covariance[0, 0] + 1)
-    assert np.allclose(gain, [float(1 - w**2), float(2 * (1 - w)**2),
-                              float(2 * (1 - w)**3 / (1 + w))])
-
-
+    assert np.allclose(
+        gain, [float(1 - w**2), float(2 * (1 - w) ** 2), float(2 * (1 - w) ** 3 / (1 + w))]
+    )

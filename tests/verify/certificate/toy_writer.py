@@ -57,11 +57,14 @@ class Nodes:
         if expression.is_Pow:
             return self.put("pow", self.add(expression.base), text(expression.exp))
         if isinstance(expression, sp.Derivative):
-            return self.put("derivative", self.add(expression.expr),
-                            expression.variables[0].name)
+            return self.put("derivative", self.add(expression.expr), expression.variables[0].name)
         if isinstance(expression, sp.Subs):
-            return self.put("at", self.add(expression.expr), expression.variables[0].name,
-                            self.add(expression.point[0]))
+            return self.put(
+                "at",
+                self.add(expression.expr),
+                expression.variables[0].name,
+                self.add(expression.point[0]),
+            )
         name = {sp.Add: "add", sp.Mul: "mul"}[expression.func]
         return self.put(name, *map(self.add, expression.args))
 
@@ -80,12 +83,18 @@ def cofactors(residual: Any, relation: Any, generator: Any, variables: list[Any]
 
 
 def riccati_evidence(
-    model: Data, below: Any, above: Any, noise: Any, relation: Any, variables: list[Any],
+    model: Data,
+    below: Any,
+    above: Any,
+    noise: Any,
+    relation: Any,
+    variables: list[Any],
 ) -> Data:
     """The evidence of a riccati statement over a tower with one generator (the last variable)."""
     transition, process, measurement, measured = (
         sp.Matrix([[sp.Rational(x) for x in row] for row in model[field]])
-        for field in ("transition", "process_noise", "measurement", "measurement_noise"))
+        for field in ("transition", "process_noise", "measurement", "measurement_noise")
+    )
     column = above * measurement.T
     variance = (measurement * column)[0] + measured[0] * below
     residual = variance * (transition * above * transition.T - above + below * noise * process)
@@ -94,9 +103,11 @@ def riccati_evidence(
     return {
         "denominator": poly(below, variables),
         "numerators": [[poly(above[i, j], variables) for j in range(size)] for i in range(size)],
-        "cofactors": {f"{i + 1},{j + 1}": cofactors(residual[i, j], relation, variables[-1],
-                                                    variables)
-                      for i in range(size) for j in range(i, size)},
+        "cofactors": {
+            f"{i + 1},{j + 1}": cofactors(residual[i, j], relation, variables[-1], variables)
+            for i in range(size)
+            for j in range(i, size)
+        },
     }
 
 
@@ -108,8 +119,10 @@ def statement(identifier: str, kind: str, claim: Data, evidence: Data, tower: st
 def expectations(certificate: Data) -> Data:
     """What a caller who wants exactly this certificate's claims would expect."""
     return {
-        "claims": [{key: s[key] for key in ("id", "kind", "tower", "claim")}
-                   for s in certificate["statements"]],
+        "claims": [
+            {key: s[key] for key in ("id", "kind", "tower", "claim")}
+            for s in certificate["statements"]
+        ],
         "domain": {name: tower["parameters"] for name, tower in certificate["towers"].items()},
         "programs": certificate["programs"],
     }

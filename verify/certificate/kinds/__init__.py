@@ -19,17 +19,19 @@ from gainproof.verify.certificate.kinds.stability import stable
 from gainproof.verify.certificate.kinds.stated import cited, definition
 from gainproof.verify.certificate.kinds.sums import finite_sum
 
-KINDS: Mapping[str, Callable[[Case], str]] = MappingProxyType({
-    "equal": equal,
-    "positive": positive,
-    "same_sign": same_sign,
-    "limit": limit,
-    "increasing_onto": increasing_onto,
-    "riccati": riccati,
-    "stable": stable,
-    "positive_definite": positive_definite,
-    "program": program,
-    "sum": finite_sum,
-    "definition": definition,
-    "cited": cited,
-})
+KINDS: Mapping[str, Callable[[Case], str]] = MappingProxyType(
+    {
+        "equal": equal,
+        "positive": positive,
+        "same_sign": same_sign,
+        "limit": limit,
+        "increasing_onto": increasing_onto,
+        "riccati": riccati,
+        "stable": stable,
+        "positive_definite": positive_definite,
+        "program": program,
+        "sum": finite_sum,
+        "definition": definition,
+        "cited": cited,
+    }
+)

@@ -22,7 +22,7 @@ def positive_definite(case: Case) -> str:
         raise RejectedError(f"{len(matrix)} minors wanted, {len(listed)} found")
     for number, entry in enumerate(listed):
         stated = case.fraction(entry, f"minors[{number}]").positive(case.tower.field)
-        corner = tuple(tuple(row[:number + 1]) for row in matrix[:number + 1])
+        corner = tuple(tuple(row[: number + 1]) for row in matrix[: number + 1])
         if not determinant(corner).equals(stated):
             raise RejectedError(f"minors[{number}]: the leading minor is another one")
     return "proved"

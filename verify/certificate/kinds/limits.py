@@ -66,7 +66,12 @@ def increasing_onto(case: Case) -> str:
 
 
 def _require_limit(
-    case: Case, value: Ratio, evidence: Plain, stated: Plain, at_infinity: bool, field: str,
+    case: Case,
+    value: Ratio,
+    evidence: Plain,
+    stated: Plain,
+    at_infinity: bool,
+    field: str,
 ) -> None:
     """Reject unless ``value`` tends to what the claim states at this end of the domain."""
     place = f"{case.place}.evidence"
@@ -82,8 +87,13 @@ def _require_limit(
         raise RejectedError("the limit is infinity")
     if not found.equals(wanted):
         raise RejectedError("the limit is another one")
-    finish({i for i in range(boundary.constants.ring.size) if wanted.numerator.occurs(i)
-            or any(factor.occurs(i) for factor in wanted.factors)})
+    finish(
+        {
+            i
+            for i in range(boundary.constants.ring.size)
+            if wanted.numerator.occurs(i) or any(factor.occurs(i) for factor in wanted.factors)
+        }
+    )
 
 
 def _constant(case: Case, stated: Plain, constants: Field, field: str) -> Ratio:

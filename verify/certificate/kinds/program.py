@@ -17,7 +17,8 @@ from gainproof.verify.certificate.tower import Tower
 from gainproof.verify.certificate.written import WrittenFraction
 
 _CHOICES: Mapping[str, tuple[str, ...]] = {
-    "select": ("then", "else"), "abs": ("positive", "negative"),
+    "select": ("then", "else"),
+    "abs": ("positive", "negative"),
 }
 
 
@@ -60,8 +61,12 @@ class _Run(Evaluation):
     """Evaluates a kernel: inputs stand for elements, roots and branches come with evidence."""
 
     def __init__(
-        self, case: Case, nonzero: Nonzero, kernel: Program,
-        roots: Mapping[int, WrittenFraction], branches: Mapping[int, str],
+        self,
+        case: Case,
+        nonzero: Nonzero,
+        kernel: Program,
+        roots: Mapping[int, WrittenFraction],
+        branches: Mapping[int, str],
         gaps: Mapping[int, WrittenFraction],
     ) -> None:
         super().__init__(case.tower, nonzero)
@@ -74,8 +79,11 @@ class _Run(Evaluation):
 
     def skipped(self, graph: Graph) -> Mapping[int, int]:
         del graph
-        return {index: 3 if choice == "then" else 2
-                for index, choice in self._branches.items() if choice in ("then", "else")}
+        return {
+            index: 3 if choice == "then" else 2
+            for index, choice in self._branches.items()
+            if choice in ("then", "else")
+        }
 
     def symbol(self, name: str) -> Ratio:
         if name not in self._inputs:
@@ -110,9 +118,11 @@ class _Run(Evaluation):
 
     def finish(self) -> None:
         """Reject evidence for nodes that were not evaluated."""
-        for listed, visited, what in ((self._roots, self._rooted, "roots"),
-                                      (self._branches, self._decided, "branches"),
-                                      (self._gaps, self._decided, "gaps")):
+        for listed, visited, what in (
+            (self._roots, self._rooted, "roots"),
+            (self._branches, self._decided, "branches"),
+            (self._gaps, self._decided, "gaps"),
+        ):
             schema.unused({str(i) for i in listed if i not in visited}, "nodes", what)
 
     def _scalar(self, values: Mapping[int, Value], index: int) -> Ratio:
@@ -127,7 +137,9 @@ class _Run(Evaluation):
 
 
 def _input_values(
-    tower: Tower, evaluation: Evaluation, kernel: Program,
+    tower: Tower,
+    evaluation: Evaluation,
+    kernel: Program,
 ) -> dict[str, Ratio]:
     return {
         name: tower.value(meaning) if isinstance(meaning, str) else evaluation.scalar(meaning)
@@ -137,8 +149,10 @@ def _input_values(
 
 def _fractions(case: Case, value: Plain, field: str) -> dict[int, WrittenFraction]:
     place = f"{case.place}.evidence.{field}"
-    return {schema.index(key, place): case.fraction(entry, f"{field}.{key}")
-            for key, entry in schema.table(value, place).items()}
+    return {
+        schema.index(key, place): case.fraction(entry, f"{field}.{key}")
+        for key, entry in schema.table(value, place).items()
+    }
 
 
 def _branches(case: Case, value: Plain, graph: Graph) -> dict[int, str]:

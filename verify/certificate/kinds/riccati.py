@@ -41,8 +41,10 @@ def riccati(case: Case) -> str:
     above = _numerators(case, evidence["numerators"], size)
     if not field.positive(below):
         raise RejectedError("the denominator is not manifestly positive")
-    column = [_sum(field, (above[i][k].times(model.measurement[k]) for k in range(size)))
-              for i in range(size)]
+    column = [
+        _sum(field, (above[i][k].times(model.measurement[k]) for k in range(size)))
+        for i in range(size)
+    ]
     variance = _sum(field, (column[k].times(model.measurement[k]) for k in range(size)))
     variance = variance + below.times(model.measurement_noise)
     if not field.positive(variance):
@@ -62,7 +64,11 @@ def riccati(case: Case) -> str:
 
 
 def _residual(
-    field: Field, model: Model, above: _Square, column: list[Polynomial], variance: Polynomial,
+    field: Field,
+    model: Model,
+    above: _Square,
+    column: list[Polynomial],
+    variance: Polynomial,
     scales: tuple[Polynomial, Polynomial],
 ) -> _Square:
     """``D^2 (s (F A F' - A) - F a a' F') + s d N^2 Q0``, not reduced.
@@ -74,19 +80,27 @@ def _residual(
     outer = [[first * second for second in column] for first in column]
     moved_outer = _transformed(field, model, outer)
     outside, noise = scales[0], variance * scales[1]
-    return [[
-        outside * (variance * (moved[i][j] - above[i][j]) - moved_outer[i][j])
-        + noise.times(model.process_noise[i][j])
-        for j in range(size)] for i in range(size)]
+    return [
+        [
+            outside * (variance * (moved[i][j] - above[i][j]) - moved_outer[i][j])
+            + noise.times(model.process_noise[i][j])
+            for j in range(size)
+        ]
+        for i in range(size)
+    ]
 
 
 def _transformed(field: Field, model: Model, square: _Square) -> _Square:
     """``F square F'``."""
     steps, size = model.transition, model.size
-    half = [[_sum(field, (square[k][j].times(steps[i][k]) for k in range(size)))
-             for j in range(size)] for i in range(size)]
-    return [[_sum(field, (half[i][k].times(steps[j][k]) for k in range(size)))
-             for j in range(size)] for i in range(size)]
+    half = [
+        [_sum(field, (square[k][j].times(steps[i][k]) for k in range(size))) for j in range(size)]
+        for i in range(size)
+    ]
+    return [
+        [_sum(field, (half[i][k].times(steps[j][k]) for k in range(size))) for j in range(size)]
+        for i in range(size)
+    ]
 
 
 def _check_cofactors(case: Case, value: Plain, residual: _Square) -> None:
@@ -101,12 +115,17 @@ def _check_cofactors(case: Case, value: Plain, residual: _Square) -> None:
         listed = schema.items(entries[key], f"{case.place}.evidence.cofactors.{key}")
         if len(listed) != len(relations):
             raise RejectedError(f"cofactors {key}: {len(relations)} polynomials wanted")
-        combination = _sum(field, (
-            case.polynomial(cofactor, f"cofactors.{key}") * relation
-            for cofactor, relation in zip(listed, relations, strict=True)))
+        combination = _sum(
+            field,
+            (
+                case.polynomial(cofactor, f"cofactors.{key}") * relation
+                for cofactor, relation in zip(listed, relations, strict=True)
+            ),
+        )
         if combination != residual[i][j]:
-            raise RejectedError(f"the residual {key} is not the stated combination of the "
-                                "generators' relations")
+            raise RejectedError(
+                f"the residual {key} is not the stated combination of the generators' relations"
+            )
 
 
 def _index(case: Case, value: Plain) -> tuple[Polynomial, Polynomial]:
@@ -120,9 +139,13 @@ def _index(case: Case, value: Plain) -> tuple[Polynomial, Polynomial]:
 
 
 def _numerators(case: Case, value: Plain, size: int) -> _Square:
-    rows = [[case.polynomial(entry, "numerators") for entry in
-             schema.items(row, f"{case.place}.evidence.numerators")]
-            for row in schema.items(value, f"{case.place}.evidence.numerators")]
+    rows = [
+        [
+            case.polynomial(entry, "numerators")
+            for entry in schema.items(row, f"{case.place}.evidence.numerators")
+        ]
+        for row in schema.items(value, f"{case.place}.evidence.numerators")
+    ]
     if len(rows) != size or any(len(row) != size for row in rows):
         raise RejectedError(f"numerators: {size} rows of {size} wanted")
     if any(rows[i][j] != rows[j][i] for i in range(size) for j in range(i)):

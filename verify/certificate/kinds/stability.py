@@ -43,9 +43,22 @@ def _closed_loop(model: Model, gain: list[Ratio]) -> Matrix:
     """``F (I - K H)``."""
     field = gain[0].field
     size = model.size
-    inner = [[number(field, int(i == j)) - gain[i] * number(field, model.measurement[j])
-              for j in range(size)] for i in range(size)]
-    return Matrix(tuple(
-        tuple(total(field, (inner[k][j] * number(field, model.transition[i][k])
-                            for k in range(size))) for j in range(size))
-        for i in range(size)))
+    inner = [
+        [
+            number(field, int(i == j)) - gain[i] * number(field, model.measurement[j])
+            for j in range(size)
+        ]
+        for i in range(size)
+    ]
+    return Matrix(
+        tuple(
+            tuple(
+                total(
+                    field,
+                    (inner[k][j] * number(field, model.transition[i][k]) for k in range(size)),
+                )
+                for j in range(size)
+            )
+            for i in range(size)
+        )
+    )

@@ -53,5 +53,3 @@ def _polynomial(case: Case, value: Plain, field: str) -> Polynomial:
     if result.factors:
         raise RejectedError(f"{case.place}.claim.{field}: a polynomial is wanted")
     return result.numerator
-
-
