@@ -21,8 +21,8 @@ def _ratio_text(number: Fraction) -> str:
 
 def _high_text(c: Context) -> str:
     if c.e == 0:
-        return "H = 4"
-    return "H^2 = 16 + Lambda^2" if c.e == 1 else f"H^2 = 16 + ({c.e}) Lambda^2"
+        return "eta = 4"
+    return "eta^2 = 16 + Lambda^2" if c.e == 1 else f"eta^2 = 16 + ({c.e}) Lambda^2"
 
 
 def gain_steps(c: Context) -> list[Step]:
@@ -41,28 +41,29 @@ def gain_steps(c: Context) -> list[Step]:
         ),
         Step(
             "variance",
-            "The constant coefficient at v^2 gives the innovation variance sigma^2.",
+            "Spectral factorisation: v^2 + q noise(v) = sigma^2 c(z) c(1/z), with sigma^2 the "
+            "innovation variance. Its coefficient at v^2 gives sigma^2.",
             equal(DEVIATION**2, c.spectrum.variance),
-            "Compare coefficients of v^2 in the factorisation.",
+            "Compare coefficients of v^2 on both sides.",
         ),
         Step(
             "velocity-gain",
             "At z = 1, where v = 0, the factorisation ties the velocity gain to the index.",
             equal(DEVIATION * BETA, INDEX),
-            "The positive square root of q noise(0) = S c(1)^2.",
+            "The positive square root of q noise(0) = sigma^2 c(1)^2, with q = Lambda^2.",
         ),
         Step(
             "other-end",
             "At z = -1, where v = 4, it gives an equation for sigma alone.",
             equal(index_equation(c.spectrum), high),
-            f"The positive square root of 16 + q noise(4) = S c(-1)^2, with {_high_text(c)}.",
+            f"The positive square root of 16 + q noise(4) = sigma^2 c(-1)^2, with {_high_text(c)}.",
         ),
         Step(
             "deviation",
             "Its root above 1 is sigma; s is a root of positive terms only.",
             equal(DEVIATION, (ROOT**2 + high + 2 * ROOT * ROOT_S) / 4),
-            "The quadratic sigma + 1/sigma = (Lambda + H)/2, with 4 s^2 = "
-            f"{_ratio_text(1 + c.e)} + 2 H and {_high_text(c)}.",
+            "The quadratic sigma + 1/sigma = (Lambda + eta)/2, with 4 s^2 = "
+            f"{_ratio_text(1 + c.e)} + 2 eta and {_high_text(c)}.",
         ),
         Step(
             "roots",

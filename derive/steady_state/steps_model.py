@@ -58,7 +58,7 @@ def model_steps(c: Context) -> list[Step]:
         ),
         Step(
             "closed-loop",
-            "With the gain K = (alpha, beta) the poles of the filter are the roots of c(z).",
+            "With the gain K = (alpha, beta) the poles of the filter are the roots of this c(z).",
             equal(
                 (Z * sp.eye(2) - closed_loop_matrix(c.model)).det(),
                 c.spectrum.closed_loop,

@@ -44,7 +44,7 @@ def pole_steps(c: Context) -> list[Step]:
             "discriminant",
             f"The poles are complex below Lambda = {limit}, double there and real above.",
             same_sign(DISCRIMINANT, INDEX - limit),
-            "The discriminant of c(z) is a positive multiple of Lambda - L1.",
+            f"The discriminant of c(z) is a positive multiple of Lambda - {limit}.",
             hint={
                 "form": (1 - rational(c.e)) ** 2
                 * (INDEX + limit)
@@ -86,9 +86,9 @@ def _complex(c: Context, limit: sp.Rational) -> list[Step]:
     return [
         Step(
             "complex-range",
-            "Below the turning index put Lambda = L1 x^2/(1 + x^2).",
+            f"Below the turning index put Lambda = {limit} x^2/(1 + x^2).",
             increasing_onto(INDEX, sp.Integer(0), limit, variable="x"),
-            "Increasing in x, from 0 to L1.",
+            f"Increasing in x, from 0 to {limit}.",
             tower=name,
             hint={"form": 2 * limit * X / SIDE**2, "ends": complex_ends(c.e)},
         ),
@@ -110,9 +110,9 @@ def _real(c: Context, limit: sp.Rational) -> list[Step]:
     return [
         Step(
             "real-range",
-            "From the turning index on put Lambda = L1 + g^2.",
+            f"From the turning index on put Lambda = {limit} + g^2.",
             increasing_onto(INDEX, limit, "infinity", variable="g"),
-            "Increasing in g, from L1 without bound.",
+            f"Increasing in g, from {limit} without bound.",
             tower=name,
             hint={"form": 2 * G, "ends": real_ends(c.e)},
         ),

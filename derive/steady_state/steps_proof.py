@@ -86,7 +86,7 @@ def proof_steps(c: Context) -> list[Step]:
                     "index": "tracking_index",
                 },
             ),
-            "Each residual is a combination of the relations H^2 = ... and s^2 = ...",
+            "Each residual is a combination of the relations that define eta and s.",
         ),
         Step(
             "stable",
@@ -128,7 +128,7 @@ def proof_steps(c: Context) -> list[Step]:
         ),
         Step(
             "rest",
-            "What the position gain leaves to 1 is one over the innovation variance S.",
+            "What the position gain leaves to 1 is one over the innovation variance.",
             equal(1 - ALPHA, real("rest")),
             "1 - alpha = 1/sigma^2.",
         ),
@@ -142,6 +142,6 @@ def proof_steps(c: Context) -> list[Step]:
             "noise-ratio",
             "The gains give back the index.",
             equal(INDEX**2, BETA**2 / (1 - ALPHA)),
-            "q noise(0) = S c(1)^2.",
+            "q noise(0) = sigma^2 c(1)^2, with q = Lambda^2.",
         ),
     ]

@@ -32,7 +32,7 @@ def derivative_steps(c: Context) -> list[Step]:
                 f"derivative-{label}",
                 f"How {words} changes with the index.",
                 equal(derivative, form),
-                "Differentiate p, H and s, then multiply by the conjugate.",
+                "Differentiate p, eta and s, then multiply by the conjugate.",
             ),
             Step(
                 f"increasing-{label}",
@@ -150,7 +150,7 @@ def end_steps(c: Context) -> list[Step]:
                     f"{words[point]}: the leading term of {name.replace('-', ' ')}"
                     + (", through 1 - alpha." if name == "alpha" and point != "0" else "."),
                     limit(expression, point, value),
-                    "Put the end values of H and s.",
+                    "Put the end values of eta and s.",
                     hint={"ends": c.ends},
                 )
             )

@@ -28,6 +28,8 @@ def read(file: Path) -> str:
     """The text of a claim file, within the judge's limit of size. Raises BadInputError."""
     from gainproof.verify.judge.claim_file import MOST_BYTES
 
+    if file.exists() and not file.is_file():
+        raise BadInputError(f"{places.shown(file)}: a regular file is wanted")
     try:
         with file.open("rb") as stream:
             content = stream.read(MOST_BYTES + 1)

@@ -38,7 +38,7 @@ def remarks(claim: Claim) -> list[str]:
     """What a reader has to know besides the verdict; nothing for a claim that is simply proved."""
     found = []
     if claim["domain"] and claim["verdict"] == "conditional":
-        found.append(f"holds for: {claim['domain']}")
+        found.append(f"holds {claim['domain']}")
     found += [f"{name}: {claim[name]}" for name in ("convention", "reading") if claim[name]]
     if claim["repair"]:
         repair = claim["repair"]
@@ -46,6 +46,7 @@ def remarks(claim: Claim) -> list[str]:
     found += [
         f"{entry['symbol']} = {entry['solution']}, fixed by {_ids(entry['consumed'])}"
         for entry in claim["undefined"]
+        if entry["solution"] is not None
     ]
     if claim["verdict"] not in {"proved", "definition"} and claim["reason"]:
         found.append(claim["reason"])

@@ -91,6 +91,8 @@ def read_claim_file(path: str | Path) -> ClaimFile:
     it.
     """
     name = str(path)
+    if Path(path).exists() and not Path(path).is_file():
+        raise ClaimFileError(name, "", "cannot be read: a regular file is wanted")
     try:
         with Path(path).open("rb") as stream:
             content = stream.read(MOST_BYTES + 1)

@@ -36,7 +36,8 @@ def bounded(
         box = found[name]
         if operator in (">", ">=") and name in fresh:
             fresh.discard(name)
-            box = replace(box, lower=None)
+            # but no sample comes before number 0
+            box = replace(box, lower=Fraction(0), lower_open=False)
         found[name] = _narrowed(box, operator, value)
     return found, tuple(left)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -196,7 +197,11 @@ def _increasing(where: Surroundings, claim: Mapping[str, Any]) -> Finding:
     along = where.value(variable)
     if along != symbol(name):
         slope = slope / differentiated(along, name)
-    rising = _settled(where, Statement((Rel(">", slope, number(0)),), needed=(expr,)), ())
+    # where the domain begins the slope may vanish: rising inside and continuous is enough
+    inside = {key: replace(box, lower_open=True) for key, box in where.boxes.items()}
+    rising = _settled(
+        replace(where, boxes=inside), Statement((Rel(">", slope, number(0)),), needed=(expr,)), ()
+    )
     if rising.verdict != "proved":
         return rising
     for point, value in ((Fraction(0), claim["from"]), ("infinity", claim["to"])):

@@ -136,6 +136,12 @@ class Scope:
         if node.name in self._open:
             raise Undecided(f"the definition of {node.name} uses itself")
         body = read_graph(self._defining(node.name, entry.definition).right)
+        # What binds a name inside the body would meet the argument's value instead of its name.
+        if any(part.kind in ("derivative", "at") or _is_sum(part) for part in walk(body)):
+            raise Undecided(f"the definition of {node.name} differentiates, substitutes or sums")
+        for name in entry.arguments:
+            if self._reaches(body, name, frozenset(), through_definitions_only=True):
+                raise Undecided(f"a definition inside {node.name} uses {name}, its argument")
         self._open.append(node.name)
         try:
             return self._resolved(body, dict(zip(entry.arguments, parts, strict=True)))
@@ -159,11 +165,34 @@ class Scope:
             others = symbols_of(parts[0]) - {index}
             if any(index in name for name in others):
                 raise Undecided("a sum over indexed symbols is not covered")
+            if self._reaches(parts[0], index, frozenset(), through_definitions_only=True):
+                raise Undecided(f"a sum over {index}, which a definition in it uses")
             return add(
                 *[substituted(parts[0], {index: number(n)}) for n in range(int(low), int(high) + 1)]
             )
 
         return rebuilt(expr, change)
+
+    def _reaches(
+        self, expr: Expr, name: str, seen: frozenset[str], *, through_definitions_only: bool
+    ) -> bool:
+        """Whether a name stands in an expression, or in a definition that it uses."""
+        for node in walk(expr):
+            if node.kind not in ("symbol", "call") or node.name in seen:
+                continue
+            if node.kind == "symbol" and node.name == name and not through_definitions_only:
+                return True
+            entry = self.setting.symbols.get(node.name)
+            if entry is None or entry.definition is None or name in entry.arguments:
+                continue
+            for reading in entry.definition.readings:
+                for relation in reading.relations:
+                    body = read_graph(relation.right)
+                    if self._reaches(
+                        body, name, seen | {node.name}, through_definitions_only=False
+                    ):
+                        return True
+        return False
 
     def _derivative(self, expr: Expr, token: str) -> Expr:
         """Total derivative: partial with respect to a base variable, else the quotient of two
@@ -202,6 +231,10 @@ class Scope:
                     entry.quantity, Box(lower=Fraction(0), lower_open=False, integer=True)
                 )
         return found
+
+
+def _is_sum(node: Expr) -> bool:
+    return node.kind == "call" and node.name == "sum"
 
 
 def free_name(token: str) -> str:

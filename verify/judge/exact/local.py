@@ -142,24 +142,32 @@ class Local:
                     return False
         return None
 
-    def sign(self, p: Poly) -> int:
+    def sign(self, p: Poly, *, strict: bool = True) -> int:
         """Sign on the place of an element that is not identically zero and does not change its sign
         there.
 
-        With free symbols all coefficients must have one sign and the symbols be positive. Raises
-        Undecided.
+        With free symbols all coefficients must have one sign, and the symbols be positive or stand
+        in even powers. An even power can vanish: `strict` wants a term without such powers, else
+        the sign only says that the element is nowhere of the other sign. Raises Undecided.
         """
         parts = grouped(self.reduce(p), self.tower.free_indices)
         signs = set()
+        vanishes = True
         for exponents, part in parts.items():
             if self._zero(part):
                 continue
+            vanishes &= any(
+                e and name not in self.tower.positive
+                for name, e in zip(self.tower.free, exponents, strict=True)
+            )
             for name, e in zip(self.tower.free, exponents, strict=True):
                 if e % 2 and name not in self.tower.positive:
                     raise Undecided(f"a sign that depends on {name}")
             signs.add(self._ball_sign(part))
         if len(signs) != 1:
             raise Undecided("a sign that depends on several parameters")
+        if strict and vanishes:
+            raise Undecided("a sign that is lost where a parameter is zero")
         return signs.pop()
 
     def _ball_sign(self, p: Poly) -> int:

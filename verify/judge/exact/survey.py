@@ -150,6 +150,9 @@ def _note_exclusions(work: Work, local: Local, rel: Rel) -> None:
         try:
             local.sign(check.poly)
         except Undecided:
+            index = work.tower.parameter_index
+            if index is not None and check.poly.degrees()[index] > 0 and work.box.stated:
+                raise Undecided("a divisor may vanish inside the stated domain") from None
             if any(work.boxes[name].stated for name in involved):
                 names = ", ".join(work.labels.get(n, n) for n in involved)
                 raise Undecided(f"a divisor may vanish for some values of {names}") from None
@@ -184,7 +187,8 @@ def _holds(work: Work, local: Local, rel: Rel, *, everywhere: bool) -> bool:
         return False
     if equal:
         return rel.operator in ("<=", ">=")
-    sign = local.sign(element.num) * local.sign(element.den)
+    above = local.sign(element.num, strict=rel.operator not in ("<=", ">="))
+    sign = above * local.sign(element.den)
     match rel.operator:
         case "<" | "<=":
             return sign < 0
