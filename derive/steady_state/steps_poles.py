@@ -12,8 +12,6 @@ from gainproof.derive.steady_state import poles
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX
 from gainproof.derive.steady_state.pole_towers import (
-    ABOVE,
-    BELOW,
     SIDE,
     G,
     X,
@@ -128,10 +126,10 @@ def _real(c: Context, limit: sp.Rational) -> list[Step]:
             tower=name,
         ),
         Step(
-            "real-order",
-            "The first pole has the larger modulus; both meet where g = 0.",
-            equal(SECOND - FIRST, 2 * poles.half_width(c.basis, BELOW, ABOVE)),
-            "Their distance is a root without a minus sign.",
+            "real-distance",
+            "The square of their distance is the discriminant: both meet at the turning index.",
+            equal((SECOND - FIRST) ** 2, DISCRIMINANT),
+            "(z1 + z2)^2 - 4 z1 z2.",
             tower=name,
         ),
     ]
