@@ -87,7 +87,7 @@ def _horner(number: Node, factor: sp.Poly, first: int) -> Node:
 def textbook_forms(f: Fit) -> dict[str, dict[str, sp.Expr]]:
     """The expressions that the kernels evaluate, over the sample number."""
     number = {K: real("sample_number")}
-    forms = {"gains": dict(zip(GAIN_NAMES, f.gain, strict=False))}
+    forms: dict[str, dict[str, sp.Expr]] = {"gains": dict(zip(GAIN_NAMES, f.gain, strict=False))}
     for kernel, matrix in (("updated", f.covariance), ("predicted", f.predicted)):
         names = entry_names(kernel, f.size)
         forms[f"{kernel}_covariance"] = {

@@ -62,7 +62,7 @@ def noise_numerator(model: ScaledModel) -> sp.MatMul:
 def in_v(expression: sp.Expr, degree: int) -> sp.Expr:
     """A Laurent polynomial that is symmetric under z -> 1/z, as a polynomial in v = 2 - z - 1/z."""
     unknown = sp.symbols(f"a0:{degree + 1}")
-    candidate = sum((entry * V**n for n, entry in enumerate(unknown)), sp.Integer(0))
+    candidate = sp.Add(*(entry * V**n for n, entry in enumerate(unknown)))
     difference = sp.expand((candidate.subs(V, 2 - Z - 1 / Z) - expression) * Z**degree)
     solution = sp.solve(sp.Poly(difference, Z).coeffs(), unknown, dict=True)
     if not solution:

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.derive.model import Model, ModelError
+from gainproof.derive.model import Model, ModelError, ScaledModel
 from gainproof.derive.quantity import MEASUREMENT_DEVIATION, METRE, SECOND
 from gainproof.derive.steady_state.context import context
 from gainproof.derive.steady_state.spectrum import V, factorise
@@ -25,9 +25,11 @@ RELATION_AT_ALPHA_ONE = {
 }
 
 
-def _scaled(name: str):  # type: ignore[no-untyped-def]  # a SymPy model; its type says nothing here
+def _scaled(name: str) -> ScaledModel:
     (entry,) = (entry for entry in CATALOGUE if entry.name == name)
-    return entry.build().model
+    model = entry.build().model
+    assert model is not None
+    return model
 
 
 @pytest.mark.parametrize("name", NOISE)
