@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.verify.certificate import check, check_statement
+from gainproof.verify.certificate import check
 
 UNDECIDABLE = {"definition", "cited"}
 
@@ -108,6 +108,7 @@ def test_every_step_is_proved(name: str) -> None:
     assert sum(result.status == "proved" for result in report.statements) >= 12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
 def test_an_altered_step_fails_and_only_it(name: str) -> None:
     certificate = _certificate(name)
@@ -118,10 +119,8 @@ def test_an_altered_step_fails_and_only_it(name: str) -> None:
         statements = list(certificate["statements"])
         statements[number] = _altered(statement)
         altered = {**certificate, "statements": statements}
-        assert check_statement(altered, statement["id"]).status == "rejected", statement["id"]
-        if number % 10 == 0:  # the whole certificate again, for one in ten
-            after = {result.id: result.status for result in check(altered).statements}
-            assert after == {**original, statement["id"]: "rejected"}, statement["id"]
+        after = {result.id: result.status for result in check(altered).statements}
+        assert after == {**original, statement["id"]: "rejected"}, statement["id"]
 
 
 @pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
