@@ -59,6 +59,14 @@ class FileText:
         position = bisect_left(numbers, start)
         return numbers[position] if position < len(numbers) else None
 
+    def line_in_table(self, key: str, start: int | None) -> int | None:
+        """The line of a key in the table of line `start`; None if it has no line of its own."""
+        number = self.line_of_key(key, start) if start is not None and key else None
+        if number is None or start is None:
+            return None
+        between = self._lines[start:number]
+        return None if any(line.startswith("[") for line in between) else number
+
     def line_of_identifier(self, value: str, start: int = 1) -> int | None:
         """The first line from `start` on that reads `id = "value"`, in either kind of quotes."""
         numbers = self._keys.get("id", [])

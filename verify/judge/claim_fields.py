@@ -1,41 +1,61 @@
-"""Fields of a TOML table taken one by one: each of its type, none missing, none left over."""
+"""Fields of a TOML table: each of its type, none missing, none that nobody knows."""
 
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gainproof.verify.judge.claim_errors import FileText
 
 MOST_TEXT = 4000
+SIMILARITY = 0.6
+"""How alike two names must be, from 0 to 1, for one to be suggested in place of the other."""
 
 
 class Fields:
-    """One table. `where` names it in messages, `line` is its place in the file if known."""
+    """One table with fields of the names `known`; another name is refused at once, so that a
+    misspelt key is reported rather than the one it was meant to be.
 
-    def __init__(self, text: FileText, where: str, table: object, line: int | None = None) -> None:
+    `where` names the table in messages, `line` is its place in the file if known.
+    """
+
+    def __init__(
+        self,
+        text: FileText,
+        where: str,
+        table: object,
+        known: Sequence[str],
+        line: int | None = None,
+    ) -> None:
         if not isinstance(table, Mapping):
             raise text.error(where, f"a table is wanted, not {kind_of(table)}", line)
         self.text = text
         self.where = where
         self.line = line
-        self._rest: dict[str, Any] = dict(table)
-        self._known: list[str] = []
+        self._table = table
+        for field in table:
+            if field not in known:
+                shown = field[:80]
+                raise self.fail(shown, f"this field is not known{nearest_hint(shown, known)}")
 
     def fail(self, field: str, problem: str) -> Exception:
         """The error to raise about `field`."""
         where = f"{self.where}.{field}" if field else self.where
-        return self.text.error(where, problem, self.line)
+        line = self.text.line_in_table(field, self.line) or self.line
+        return self.text.error(where, problem, line)
 
     def has(self, field: str) -> bool:
-        """Whether the field is there and not taken yet."""
-        return field in self._rest
+        """Whether the field is there."""
+        return field in self._table
+
+    def given(self) -> tuple[str, ...]:
+        """The fields that are there, in their order."""
+        return tuple(self._table)
 
     def take(self, field: str) -> Any:
         """The value as it is, or None."""
-        self._known.append(field)
-        return self._rest.pop(field, None)
+        return self._table.get(field)
 
     def text_or_none(self, field: str) -> str | None:
         """A text of reasonable length, or None where the field is missing."""
@@ -100,13 +120,6 @@ class Fields:
             raise self.fail(field, f"more than {most} texts, or one beyond {MOST_TEXT} characters")
         return tuple(value)
 
-    def finish(self) -> None:
-        """Refuses whatever was not taken."""
-        for field in self._rest:
-            shown = field[:80]
-            hint = nearest_hint(shown, self._known)
-            raise self.fail(shown, f"this field is not known{hint}")
-
     def _missing(self, field: str) -> Exception:
         return self.fail(field, "this field is missing")
 
@@ -121,7 +134,7 @@ def kind_of(value: object) -> str:
     return names.get(type(value), "a date or time")
 
 
-def nearest_hint(value: str, known: tuple[str, ...] | list[str]) -> str:
+def nearest_hint(value: str, known: Sequence[str]) -> str:
     """`; the nearest is ...`, or nothing."""
-    close = difflib.get_close_matches(value[:80], known, n=1, cutoff=0.5)
+    close = difflib.get_close_matches(value[:80], known, n=1, cutoff=SIMILARITY)
     return f"; the nearest is {close[0]}" if close else ""

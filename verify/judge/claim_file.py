@@ -12,6 +12,7 @@
     'T' = { quantity = "sampling_interval", meaning = "..." }   # of a model: `quantity_names`
     'a' = { unit = "m s^-2", domain = 'a > 0', meaning = "..." }   # free; or integer = true
     'f' = { definition = '\\frac{x}{T}', arguments = ["x"], meaning = "..." }
+    'P' = { unit = "m^2", shape = [2, 2], meaning = "..." }        # a matrix
     '\\lambda' = { undefined = true, meaning = "printed and never defined" }
 
     [settings.NAME]
@@ -19,7 +20,9 @@
     kind = "steady_state"      # or growing_memory, with degree = 1; or algebra, without a model
     model = "search"           # or a name of the catalogue, or the four matrices transition,
                                # process_noise, measurement, measurement_noise as rows of formulas
-    gain = "filter"            # or predictor, or search where the source does not say
+    gain = "filter"            # or predictor, or search where the source does not say: the form of
+                               # the quantities gain.1, gain.2, ...; see Setting for the other
+                               # conventions
 
     [settings.NAME.symbols]    # of this setting alone; none may repeat one of [symbols]
 
@@ -28,10 +31,10 @@
     place = "equation (16a)"
     kind = "identity"          # see CLAIM_KINDS
     setting = "NAME"
-    latex = '\\alpha = ...'     # as printed; or text = "..." for a claim in words
+    latex = '\\alpha = ...'     # as printed; or plain = "alpha = ...", or text = "..." in words
     domain = 'x > 0'           # where the formula does not print its own
     given = ['x = 1']          # hypotheses
-    about = ['\\alpha', 'x']    # for the kind `determines` only
+    about = ['\\alpha', 'x']    # see claim_kinds for the fields that belong to one kind
     note = "..."
 
 A claim file is untrusted input: nothing in it is evaluated, and its size and the number of its
@@ -70,6 +73,8 @@ MOST_DOTS = 200
 square.
 """
 MOST_AUTHORS = 50
+TABLES = ("format", "source", "symbols", "settings", "claims")
+SOURCE_FIELDS = ("key", "title", "authors", "publication", "year", "url", "doi", "note")
 
 __all__ = [
     "FORMAT",
@@ -115,7 +120,7 @@ def read_claim_text(text: str, path: str = "claims") -> ClaimFile:
     text = text.replace("\r\n", "\n")
     _refuse_characters(text, path)
     file_text = FileText(path, text)
-    document = Fields(file_text, "file", _parse(text, path))
+    document = Fields(file_text, "file", _parse(text, path), TABLES)
     version = document.required_text("format")
     if version != FORMAT:
         raise document.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")
@@ -125,7 +130,6 @@ def read_claim_text(text: str, path: str = "claims") -> ClaimFile:
     symbols = complete_symbols(file_text, declared)
     settings = read_settings(file_text, document.take("settings"), symbols)
     claims = read_claims(file_text, document.take("claims"), settings)
-    document.finish()
     return ClaimFile(path, source, symbols, settings, claims)
 
 
@@ -157,11 +161,11 @@ def _parse(text: str, path: str) -> Mapping[str, Any]:
 def _source(text: FileText, table: object) -> SourceRecord:
     if table is None:
         raise text.error("source", "this table is missing")
-    fields = Fields(text, "source", table, text.line_of_table("source"))
+    fields = Fields(text, "source", table, SOURCE_FIELDS, text.line_of_table("source"))
     authors = fields.texts("authors", MOST_AUTHORS)
     if not authors:
         raise fields.fail("authors", "at least one author is wanted")
-    record = SourceRecord(
+    return SourceRecord(
         key=fields.required_text("key"),
         title=fields.required_text("title"),
         authors=authors,
@@ -171,5 +175,3 @@ def _source(text: FileText, table: object) -> SourceRecord:
         doi=fields.text_or_none("doi"),
         note=fields.text_or_none("note"),
     )
-    fields.finish()
-    return record

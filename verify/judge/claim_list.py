@@ -6,26 +6,28 @@ from collections.abc import Mapping, Sequence
 
 from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields, nearest_hint
+from gainproof.verify.judge.claim_formulas import conditions_of, formula_of
+from gainproof.verify.judge.claim_kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
 from gainproof.verify.judge.claim_record import CLAIM_KINDS, Claim, Setting
-from gainproof.verify.judge.formula import Formula, Relation
-from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.reader import read_conditions, read_formula
+from gainproof.verify.judge.formula import Formula
 
 MOST_CLAIMS = 2000
 MOST_GIVEN = 20
-MOST_ABOUT = 20
 MOST_IDENTIFIER = 80
-WITHOUT_FORMULA = frozenset(("determines", "remark"))
-"""Kinds of claims that the source makes in words."""
-
-_OPERATORS = {
-    "identity": frozenset(("=",)),
-    "definition": frozenset(("=",)),
-    "recursion": frozenset(("=",)),
-    "inequality": frozenset(("<", "<=", ">", ">=", "!=")),
-    "limit": frozenset(("->", "=")),
-}
+FIELDS = (
+    "id",
+    "place",
+    "kind",
+    "setting",
+    "latex",
+    "plain",
+    "text",
+    "domain",
+    "given",
+    "note",
+    *dict.fromkeys(name for names in OWN_FIELDS.values() for name in names),
+)
+"""Fields of a claim."""
 
 
 def read_claims(
@@ -47,12 +49,15 @@ def read_claims(
             raise text.error(f"claims.{identifier}.id", problem, line)
         lines[identifier] = line
         start = line + 1
-        claims.append(_claim(Fields(text, f"claims.{identifier}", content, line), settings))
+        fields = Fields(text, f"claims.{identifier}", content, FIELDS, line)
+        claims.append(_claim(fields, settings))
     return tuple(claims)
 
 
 def _identifier(text: FileText, number: int, content: object) -> str:
-    fields = Fields(text, f"claims number {number}", content)
+    # with an id, the other fields are checked where the id can name the claim
+    known = (*content,) if isinstance(content, Mapping) and "id" in content else FIELDS
+    fields = Fields(text, f"claims number {number}", content, known)
     identifier = fields.required_text("id")
     allowed = identifier.isascii() and all(c.isalnum() or c in "-_.()" for c in identifier)
     if not allowed or len(identifier) > MOST_IDENTIFIER:
@@ -65,31 +70,30 @@ def _claim(fields: Fields, settings: Mapping[str, Setting]) -> Claim:
     identifier = fields.required_text("id")
     kind = fields.choice("kind", CLAIM_KINDS)
     setting = _setting(fields, settings)
-    latex = fields.text_or_none("latex")
+    domain = fields.text_or_none("domain")
     words = fields.text_or_none("text")
-    if latex is None and kind not in WITHOUT_FORMULA:
-        raise fields.fail("latex", f"this field is missing: a claim of kind {kind} is a formula")
-    if latex is None and words is None:
+    latex, plain, formula = _formula(fields, kind, setting)
+    if formula is None and words is None and kind in ("determines", "remark"):
         raise fields.fail("text", "this field is missing: a claim in words is paraphrased here")
-    domain_text = fields.text_or_none("domain")
     claim = Claim(
         id=identifier,
         place=fields.required_text("place"),
         kind=kind,
         setting=setting.name,
-        latex=latex or "",
-        formula=_formula(fields, "latex", latex, setting) if latex else None,
-        domain=_domain(fields, domain_text, setting),
-        domain_text=domain_text,
-        given=_given(fields, setting),
-        about=_about(fields, kind, setting),
+        latex=latex,
+        plain=plain,
+        formula=formula,
+        domain=conditions_of(fields, "domain", domain, setting.symbols),
+        domain_text=domain,
+        given=tuple(
+            formula_of(fields, "given", given, setting.symbols)
+            for given in fields.texts("given", MOST_GIVEN)
+        ),
         text=words,
         note=fields.text_or_none("note"),
         line=fields.line or 1,
     )
-    fields.finish()
-    _check_kind(fields, claim)
-    return claim
+    return with_own_fields(claim, fields, setting.symbols)
 
 
 def _setting(fields: Fields, settings: Mapping[str, Setting]) -> Setting:
@@ -100,60 +104,15 @@ def _setting(fields: Fields, settings: Mapping[str, Setting]) -> Setting:
     return settings[name]
 
 
-def _formula(fields: Fields, field: str, latex: str, setting: Setting) -> Formula:
-    try:
-        return read_formula(latex, setting.symbols)
-    except ReaderError as error:
-        where = f"{fields.where}.{field}"
-        raise fields.text.formula_error(where, latex, error, fields.line) from error
-
-
-def _domain(fields: Fields, domain: str | None, setting: Setting) -> tuple[Relation, ...]:
-    if domain is None:
-        return ()
-    try:
-        return read_conditions(domain, setting.symbols)
-    except ReaderError as error:
-        where = f"{fields.where}.domain"
-        raise fields.text.formula_error(where, domain, error, fields.line) from error
-
-
-def _given(fields: Fields, setting: Setting) -> tuple[Formula, ...]:
-    return tuple(
-        _formula(fields, "given", latex, setting) for latex in fields.texts("given", MOST_GIVEN)
-    )
-
-
-def _about(fields: Fields, kind: str, setting: Setting) -> tuple[str, ...]:
-    names: list[str] = []
-    for token in fields.texts("about", MOST_ABOUT):
-        try:
-            name = canonical_token(token)
-        except ReaderError as error:
-            raise fields.fail("about", f"not a symbol: {error.problem}") from error
-        if name not in setting.symbols:
-            hint = nearest_hint(name, list(setting.symbols))
-            raise fields.fail("about", f"the symbol {name} is not declared{hint}")
-        names.append(name)
-    if kind == "determines" and len(set(names)) < 2:
-        raise fields.fail("about", "two symbols or more are wanted, each of which fixes the rest")
-    if kind != "determines" and names:
-        raise fields.fail("about", f"a claim of kind {kind} does not take this field")
-    return tuple(names)
-
-
-def _check_kind(fields: Fields, claim: Claim) -> None:
-    """The relations of the formula must be such as the kind speaks of."""
-    if claim.formula is None:
-        return
-    reading = claim.formula.readings[0]
-    for relation in reading.relations:
-        wanted = _OPERATORS.get(claim.kind)
-        if wanted is not None and relation.operator not in wanted:
-            problem = f"a claim of kind {claim.kind} has no relation {relation.operator}"
-            raise fields.fail("latex", problem)
-    arrows = [relation for relation in reading.conditions if relation.operator == "->"]
-    if claim.kind == "limit" and len(arrows) != 1:
-        raise fields.fail("latex", "a limit says once where to, such as (k \\to \\infty)")
-    if claim.kind in ("implication", "equivalence") and not reading.conditions:
-        raise fields.fail("latex", f"a claim of kind {claim.kind} has two parts")
+def _formula(fields: Fields, kind: str, setting: Setting) -> tuple[str, str | None, Formula | None]:
+    """The formula as LaTeX, as plain text if it was typed so, and as read."""
+    latex, plain = fields.text_or_none("latex"), fields.text_or_none("plain")
+    if latex is not None and plain is not None:
+        raise fields.fail("plain", "a formula is written either as `latex` or as `plain`")
+    if latex is not None:
+        return latex, None, formula_of(fields, "latex", latex, setting.symbols)
+    if plain is not None:
+        raise fields.fail("plain", "formulas in plain text are not read yet")
+    if kind not in WITHOUT_FORMULA:
+        raise fields.fail("latex", f"this field is missing: a claim of kind {kind} is a formula")
+    return "", None, None

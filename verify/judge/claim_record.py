@@ -14,6 +14,11 @@ CLAIM_KINDS = (
     "definition",
     "recursion",
     "limit",
+    "asymptotics",
+    "value",
+    "monotone",
+    "location",
+    "steady_state",
     "implication",
     "equivalence",
     "determines",
@@ -25,12 +30,25 @@ CLAIM_KINDS = (
 * `definition`: nothing to decide but dimensions;
 * `recursion`: holds for every sample of the setting's filter, whose states are those of the batch;
 * `limit`: what the left side tends to where the one condition with an arrow says;
+* `asymptotics`: the left side equals the right one up to a term of the stated order, where the one
+  condition with an arrow says: `f = a x + O(x^2)`, or `f \\sim g`;
+* `value`: the number printed is the exact value, rounded to the digits shown;
+* `monotone`: the first of `about` grows or falls, as `trend` says, with the second;
+* `location`: the roots of `polynomial` in `variable`, or those that the formula lists, lie `where`;
+* `steady_state`: the formula is a fixed point of `recursion`, in which `previous` is the value
+  before;
 * `implication`: the relations printed first imply those of the trailing parenthesis (or of the
   right of an arrow);
 * `equivalence`: the same in both directions;
 * `determines`: each symbol of `about` fixes the others in this setting;
 * `remark`: a sentence without decidable content; its note says why.
 """
+
+TRENDS = ("increasing", "decreasing", "nondecreasing", "nonincreasing")
+"""How the subject of a claim of kind `monotone` changes; the first two are strict."""
+
+LOCATIONS = ("inside the unit circle", "left half plane", "real", "complex", "equal")
+"""Where the roots of a claim of kind `location` lie; `equal`: all in one place."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +85,8 @@ class SymbolEntry:
       `token = formula`); with `arguments` it is a function, called in graphs as `["call", latex,
       ...]`;
     * `undefined`: printed by the source and never defined by it.
+
+    `shape` is (rows, columns) for a matrix, None for a number.
     """
 
     latex: str
@@ -78,6 +98,7 @@ class SymbolEntry:
     definition: Formula | None = None
     arguments: tuple[str, ...] = ()
     integer: bool = False
+    shape: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True)
@@ -96,9 +117,19 @@ class Setting:
 
     `kind` is `steady_state` (`model` is a catalogue name, `search`, or None with `own_model`),
     `growing_memory` (least squares over all samples with a polynomial of `degree`), or `algebra`
-    (no model: identities that follow from the definitions). `gain` is `filter`, `predictor` or
-    `search` (the source does not say). `symbols` holds every symbol of the file with this setting's
-    own declarations put over the file's.
+    (no model: identities that follow from the definitions). `symbols` holds every symbol of the
+    file with this setting's own declarations put over the file's.
+
+    Conventions, each of which may be `search` where the source does not say; they act on the
+    quantities `gain.i` and `covariance.i.j` and on noise symbols, and on nothing else:
+
+    * `gain`: the gain is that of the `filter`, K, or of the `predictor`, F K;
+    * `third_gain`: `gain.3` is this number times T^2 times the gain of the acceleration;
+    * `power_of_T`: `gain.2` is this power of T times the gain of the velocity;
+    * `noise`: what the source calls noise is its `deviation`, its `variance`, or the `ratio` of
+      process noise to measurement noise;
+    * `index_origin`: the number of the first sample;
+    * `covariance`: `covariance.i.j` is that of the `predicted` or of the `updated` state.
     """
 
     name: str
@@ -109,6 +140,11 @@ class Setting:
     own_model: OwnModel | None = None
     degree: int | None = None
     gain: str = "search"
+    third_gain: str = "1"
+    power_of_T: str = "1"
+    noise: str = "deviation"
+    index_origin: str = "0"
+    covariance: str = "search"
     note: str | None = None
 
 
@@ -116,11 +152,16 @@ class Setting:
 class Claim:
     """One claim in the order of the source.
 
-    `formula` is None for a claim in words, which `text` paraphrases (`latex` is then empty);
-    `about` lists the symbols that a claim of kind `determines` speaks of. `domain` holds the
-    relations of the field `domain` (conditions printed in the formula itself stay with the
-    readings). `given` are relations taken as hypotheses. `line` is the line of the claim's id in
-    the file, 1 for the first.
+    `formula` is None for a claim in words, which `text` paraphrases (`latex` is then empty).
+    `plain` is the formula as typed where it was not given in LaTeX; `latex` is then printed from
+    it. `domain` holds the relations of the field `domain` (conditions printed in the formula itself
+    stay with the readings). `given` are relations taken as hypotheses. `line` is the line of the
+    claim's id in the file, 1 for the first.
+
+    The other fields belong to one kind or two (see CLAIM_KINDS). `about` lists the symbols that a
+    claim of kind `determines` speaks of; for `monotone` it holds the text of the expression whose
+    graph is `subject`, and the symbol with which it changes. `order` is that of the error in a
+    claim of kind `asymptotics`, if its formula does not say it.
     """
 
     id: str
@@ -136,6 +177,15 @@ class Claim:
     text: str | None = None
     note: str | None = None
     line: int = 1
+    plain: str | None = None
+    subject: Graph | None = None
+    trend: str | None = None
+    order: int | None = None
+    polynomial: Graph | None = None
+    variable: str | None = None
+    where: str | None = None
+    recursion: Formula | None = None
+    previous: str | None = None
 
 
 @dataclass(frozen=True)

@@ -6,18 +6,27 @@ from collections.abc import Mapping
 
 from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields
+from gainproof.verify.judge.claim_formulas import graph_in
 from gainproof.verify.judge.claim_record import OwnModel, Setting, SymbolEntry
 from gainproof.verify.judge.claim_symbols import complete_symbols, read_declarations
 from gainproof.verify.judge.formula import Graph
-from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.reader import read_expression
 
 MOST_SETTINGS = 100
 MOST_STATES = 12
 MOST_DEGREE = 8
 SETTING_KINDS = ("steady_state", "growing_memory", "algebra")
-GAIN_CONVENTIONS = ("filter", "predictor", "search")
+CONVENTIONS: Mapping[str, tuple[str, ...]] = {
+    "gain": ("filter", "predictor", "search"),
+    "third_gain": ("1", "1/2", "2", "search"),
+    "power_of_T": ("0", "1", "2", "search"),
+    "noise": ("deviation", "variance", "ratio", "search"),
+    "index_origin": ("0", "1", "search"),
+    "covariance": ("predicted", "updated", "search"),
+}
+"""What a source may mean by its symbols; `search` where it does not say."""
 _MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
+FIELDS = ("kind", "title", "model", "degree", "note", "symbols", *_MATRICES, *CONVENTIONS)
+"""Fields of a setting."""
 
 
 def read_settings(
@@ -35,18 +44,17 @@ def _setting(
     text: FileText, name: str, content: object, shared: Mapping[str, SymbolEntry]
 ) -> Setting:
     where = f"settings.{name[:80]}"
-    fields = Fields(text, where, content, text.line_of_table(where))
+    fields = Fields(text, where, content, FIELDS, text.line_of_table(where))
     kind = fields.choice("kind", SETTING_KINDS)
     title = fields.required_text("title")
     model = fields.text_or_none("model")
     degree = fields.whole_number("degree", 0, MOST_DEGREE)
-    gain = fields.choice("gain", GAIN_CONVENTIONS, default="search")
     note = fields.text_or_none("note")
     matrices = {matrix: fields.take(matrix) for matrix in _MATRICES}
     own_symbols = fields.take("symbols")
-    fields.finish()
     _check_kind(fields, kind, model, degree, matrices)
     symbols = _symbols(text, where, own_symbols, shared)
+    _check_gain(fields, symbols)
     return Setting(
         name=name,
         kind=kind,
@@ -55,9 +63,48 @@ def _setting(
         model=model,
         own_model=_own_model(fields, matrices, symbols),
         degree=degree,
-        gain=gain,
         note=note,
+        **_conventions(fields, symbols),
     )
+
+
+def _conventions(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> dict[str, str]:
+    """The conventions that the setting states, as texts; whole numbers may stand without quotes.
+
+    One that is not stated is not searched for either, unless a symbol depends on it.
+    """
+    quantities = {entry.quantity for entry in symbols.values() if entry.quantity}
+    found = {
+        name: CONVENTIONS[name][0]
+        for name in ("gain", "covariance")
+        if not any(quantity.startswith(f"{name}.") for quantity in quantities)
+    }
+    for name, choices in CONVENTIONS.items():
+        if not fields.has(name):
+            continue
+        value = fields.take(name)
+        if type(value) is int and str(value) in choices:
+            found[name] = str(value)
+        else:
+            found[name] = fields.choice(name, choices)
+    return found
+
+
+def _check_gain(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> None:
+    """A convention of gains says what `gain.i` is; beside names that say it themselves it would
+    have no effect, or contradict them.
+    """
+    said = fields.take("gain")
+    quantities = {entry.quantity: entry.latex for entry in symbols.values() if entry.quantity}
+    if said not in ("predictor", "search") or any(q.startswith("gain.") for q in quantities):
+        return
+    for quantity, token in quantities.items():
+        if quantity.startswith("filter_gain."):
+            problem = (
+                f"{said!r} does not reach {token}, declared as {quantity}, which is always the "
+                f"gain of the filter: declare it as {quantity.removeprefix('filter_')}"
+            )
+            raise fields.fail("gain", problem)
 
 
 def _check_kind(
@@ -125,16 +172,5 @@ def _matrix(
             raise fields.fail(name, problem)
         if len(row) != len(value[0]) or not all(isinstance(entry, str) for entry in row):
             raise fields.fail(name, problem)
-        rows.append(tuple(_entry(fields, name, entry, symbols) for entry in row))
+        rows.append(tuple(graph_in(fields, name, entry, symbols) for entry in row))
     return tuple(rows)
-
-
-def _entry(fields: Fields, name: str, entry: str, symbols: Mapping[str, SymbolEntry]) -> Graph:
-    try:
-        graph, *others = read_expression(entry, symbols)
-    except ReaderError as error:
-        where = f"{fields.where}.{name}"
-        raise fields.text.formula_error(where, entry, error, fields.line) from error
-    if others:
-        raise fields.fail(name, f"{entry[:80]!r} has two readings: write \\frac")
-    return graph

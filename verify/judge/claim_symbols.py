@@ -21,6 +21,19 @@ from gainproof.verify.judge.reader.reader import read_conditions, read_formula
 
 MOST_SYMBOLS = 500
 MOST_ARGUMENTS = 8
+MOST_SIZE = 12
+FIELDS = (
+    "meaning",
+    "quantity",
+    "definition",
+    "undefined",
+    "unit",
+    "domain",
+    "arguments",
+    "integer",
+    "shape",
+)
+"""Fields of a symbol."""
 RESERVED = frozenset(("infinity", "abs", "sum", "select", "and"))
 
 
@@ -51,7 +64,7 @@ def read_declarations(
         if name in found or name in RESERVED:
             problem = "is declared twice" if name in found else "is a reserved word"
             raise text.error(place, f"the symbol {name} {problem}", line)
-        found[name] = _declaration(Fields(text, place, content, line), name)
+        found[name] = _declaration(Fields(text, place, content, FIELDS, line), name)
     return found
 
 
@@ -75,7 +88,6 @@ def _declaration(fields: Fields, name: str) -> Declaration:
     unit_text, domain = fields.text_or_none("unit"), fields.text_or_none("domain")
     arguments = fields.texts("arguments", MOST_ARGUMENTS)
     integer = fields.flag("integer")
-    fields.finish()
     if arguments and role != "definition":
         raise fields.fail("arguments", "only a definition can have arguments")
     if role == "free" and unit_text is None:
@@ -91,8 +103,20 @@ def _declaration(fields: Fields, name: str) -> Declaration:
             for argument in arguments
         ),
         integer=integer or quantity == "sample_number",
+        shape=_shape(fields),
     )
     return Declaration(entry, fields.where, fields.line, definition, domain)
+
+
+def _shape(fields: Fields) -> tuple[int, int] | None:
+    value = fields.take("shape")
+    if value is None:
+        return None
+    whole = isinstance(value, list) and all(type(n) is int and 1 <= n <= MOST_SIZE for n in value)
+    if not whole or len(value) != 2:
+        problem = f"wanted [rows, columns], whole numbers from 1 to {MOST_SIZE}"
+        raise fields.fail("shape", problem)
+    return value[0], value[1]
 
 
 def _unit(fields: Fields, unit_text: str | None, quantity: str | None) -> Unit | None:

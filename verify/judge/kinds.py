@@ -24,6 +24,8 @@ from gainproof.verify.judge.setting.environment import SAMPLE
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 PLAIN = ("=", "!=", "<", "<=", ">", ">=")
+NOT_COVERED = ("asymptotics", "value", "monotone", "location", "steady_state")
+"""Kinds whose formula must not be taken for an identity."""
 
 
 def judge_reading(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -43,6 +45,8 @@ def judge_reading(claim: Claim, reading: Reading, scope: Scope) -> Finding:
 
 
 def _judged(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    if claim.kind in NOT_COVERED:
+        raise Undecided(f"claims of kind {claim.kind} are not covered")
     if any(r.operator == "->" for r in (*reading.relations, *reading.conditions)):
         return _limit(claim, reading, scope)
     relations = tuple(scope.relation(r) for r in reading.relations)

@@ -1,7 +1,9 @@
 """The quantities of a model that a claim file may name, with their units.
 
 Indices count from 1: `filter_gain.2` is the gain of the velocity. Gains are the dimensionless ones:
-the gain that multiplies the innovation in component i is `filter_gain.i` / T^(i-1). States are
+the gain that multiplies the innovation in component i is `filter_gain.i` / T^(i-1). `gain.i` and
+`covariance.i.j` are what the source calls its gain and its covariance; the conventions of the
+setting say which they are, and scale gains if it has to be. States are
 those of the filter of the setting: at sample k `predicted_state` uses samples 0 to k-1 and
 `updated_state` samples 0 to k; `previous_state` is the updated state of sample k-1. The index k of
 the first sample is 0.
@@ -19,6 +21,11 @@ from gainproof.verify.judge.claim_record import Unit
 _MOST_STATES = 3
 _ONE = Unit()
 _METRE = Unit(metre=Fraction(1))
+_COVARIANCES = {
+    "covariance": "covariance, by the conventions of the setting",
+    "predicted_covariance": "predicted covariance",
+    "updated_covariance": "updated covariance",
+}
 
 
 @dataclass(frozen=True)
@@ -57,6 +64,7 @@ def quantity_names() -> Mapping[str, QuantityName]:
     ]
     for i in range(1, _MOST_STATES + 1):
         found += [
+            QuantityName(f"gain.{i}", _ONE, f"gain {i}, by the conventions of the setting"),
             QuantityName(f"filter_gain.{i}", _ONE, f"component {i} of K, times T^{i - 1}"),
             QuantityName(f"predictor_gain.{i}", _ONE, f"component {i} of F K, times T^{i - 1}"),
             QuantityName(
@@ -70,10 +78,8 @@ def quantity_names() -> Mapping[str, QuantityName]:
             ),
         ]
         found += [
-            QuantityName(
-                f"{which}_covariance.{i}.{j}", _covariance(i, j), f"entry of the {which} covariance"
-            )
-            for which in ("predicted", "updated")
+            QuantityName(f"{which}.{i}.{j}", _covariance(i, j), f"entry of the {meaning}")
+            for which, meaning in _COVARIANCES.items()
             for j in range(1, _MOST_STATES + 1)
         ]
     return MappingProxyType({quantity.name: quantity for quantity in found})

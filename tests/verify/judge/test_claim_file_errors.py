@@ -68,22 +68,22 @@ def test_the_text_itself_is_read() -> None:
     [
         ('format = "gainproof claims 1"', "", "file.format", "missing"),
         ("claims 1", "claims 2", "file.format", "wanted"),
-        ("[source]", "[sources]", "source", "missing"),
+        ("[source]", "[sources]", "file.sources", "nearest is source"),
         ('key = "someone-2001"', "", "source.key", "missing"),
         ('key = "someone-2001"', "key = 1", "source.key", "a text is wanted, not a number"),
         ('key = "someone-2001"', 'key = ""', "source.key", "empty"),
-        ("title =", "titel =", "source.title", "missing"),
+        ("title =", "titel =", "source.titel", "nearest is title"),
         ('["A. Someone"]', "[]", "source.authors", "at least one"),
         ('["A. Someone"]', "[1]", "source.authors", "a list of texts"),
         ('publication = "J', 'year = true\npublication = "J', "source.year", "whole number"),
         ('publication = "J', 'year = 0\npublication = "J', "source.year", "outside"),
         ('publication = "J', 'yaer = 2001\npublication = "J', "source.yaer", "nearest is year"),
-        ("[settings.steady]", "[setting.steady]", "settings.steady.kind", "missing"),
+        ("[settings.steady]", "[setting.steady]", "file.setting", "nearest is settings"),
         ('quantity = "samp', 'quantiy = "samp', "symbols.T.quantiy", "nearest is quantity"),
         ("sampling_interval", "sampling_intervall", "symbols.T.quantity", "sampling_interval"),
         ('unit = "1", ', "", "symbols.a.unit", "needs a unit"),
         ('unit = "1"', 'unit = "kg"', "symbols.a.unit", "'kg' is no unit"),
-        ('unit = "1", meaning', 'unit = "1", meening', "symbols.a.meaning", "missing"),
+        ('unit = "1", meaning', 'unit = "1", meening', "symbols.a.meening", "nearest is meaning"),
         ('meaning = "any number"', 'meaning = ["x"]', "symbols.a.meaning", "not a list"),
         ('{ unit = "1", meaning = "any number" }', '"x"', "symbols.a", "a table is wanted"),
         ("definition = 'a", "quantity = 'tracking_index', definition = 'a", "symbols.b", "both"),
@@ -108,7 +108,7 @@ def test_the_text_itself_is_read() -> None:
         ('place = "equation (1)"', "", "claims.first.place", "missing"),
         ('place = "equation (1)"', "place = 1979-05-27", "claims.first.place", "date or time"),
         ("latex = '\\alpha = a'", "", "claims.first.latex", "missing"),
-        ("latex = '\\alpha = a'", "latx = 'a'", "claims.first.latex", "missing"),
+        ("latex = '\\alpha = a'", "latx = 'a'", "claims.first.latx", "nearest is latex"),
         ('id = "first"', 'id = "first"\nid2 = 1', "claims.first.id2", "not known"),
         ('id = "second"', 'id = "first"', "claims.first.id", "already that of the claim of line"),
         ('id = "first"', 'id = "fi rst"', "claims number 1.id", "letters, digits"),
@@ -136,7 +136,7 @@ def test_line_of_a_claim() -> None:
     error = refusal(
         'setting = "steady"\nlatex = \'\\alpha \\to', 'setting = "x"\nlatex = \'\\alpha \\to'
     )
-    assert error.line == TEXT.split("\n").index('id = "second"') + 1
+    assert error.line == TEXT.split("\n").index('id = "second"') + 4
     assert error.column is None
 
 

@@ -38,7 +38,7 @@ GAIN_FORMS = ("filter", "predictor")
 
 
 def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environment:
-    """The steady state of a model; with `predictor`, what a source calls its gain is F K."""
+    """The steady state of a model; with `predictor`, `gain.i` is F K, otherwise K."""
     state = solve(model)
     if model.get("measurement_noise") != [["1"]] and model.get("measurement_noise") != (("1",),):
         raise Undecided(
@@ -47,7 +47,8 @@ def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environ
     named = {"filter": state.filter_gain, "predictor": state.predictor_gain}
     quantities = _common()
     for i in range(2):
-        quantities[f"filter_gain.{i + 1}"] = named[gain_form][i]
+        quantities[f"gain.{i + 1}"] = named[gain_form][i]
+        quantities[f"filter_gain.{i + 1}"] = state.filter_gain[i]
         quantities[f"predictor_gain.{i + 1}"] = state.predictor_gain[i]
     quantities |= _covariances("predicted", state.predicted) | _covariances(
         "updated", state.updated
@@ -74,7 +75,8 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
     predicted = times(times(fit.transition, before), transposed(fit.transition))
     quantities = _common()
     for i in range(size):
-        quantities[f"filter_gain.{i + 1}"] = named[gain_form][i]
+        quantities[f"gain.{i + 1}"] = named[gain_form][i]
+        quantities[f"filter_gain.{i + 1}"] = fit.gain[i]
         quantities[f"predictor_gain.{i + 1}"] = predictor[i]
     quantities |= _covariances("predicted", predicted) | _covariances("updated", fit.updated)
     quantities["innovation_variance"] = (predicted[0][0] + 1) * power(SIGMA, 2)

@@ -42,8 +42,8 @@ publication = "nowhere"
 'k' = { quantity = "sample_number", meaning = "sample" }
 'T' = { quantity = "sampling_interval", meaning = "interval" }
 '\\Lambda' = { quantity = "tracking_index", meaning = "index" }
-'\\alpha' = { quantity = "filter_gain.1", meaning = "gain" }
-'\\beta' = { quantity = "filter_gain.2", meaning = "gain" }
+'\\alpha' = { quantity = "gain.1", meaning = "gain" }
+'\\beta' = { quantity = "gain.2", meaning = "gain" }
 '\\lambda' = { undefined = true, meaning = "never said" }
 """
 STEADY = "[settings.s]\ntitle = 's'\nkind = 'steady_state'\nmodel = '{}'\ngain = '{}'\n"

@@ -1,0 +1,160 @@
+"""Fields that belong to one kind of claim, and to conventions of a setting."""
+
+from __future__ import annotations
+
+import pytest
+
+from gainproof.verify.judge.claim_file import Claim, ClaimFileError, Setting, read_claim_text
+
+HEAD = r"""format = "gainproof claims 1"
+
+[source]
+key = "someone-2001"
+title = "Gains of a Filter"
+authors = ["A. Someone"]
+publication = "Journal of Filters"
+
+[settings.free]
+title = "numbers"
+kind = "algebra"
+
+[settings.free.symbols]
+'a' = { unit = "1", meaning = "any number" }
+'b' = { unit = "1", meaning = "another" }
+'z' = { unit = "1", meaning = "variable of a polynomial" }
+'p' = { unit = "m^2", meaning = "variance" }
+'p_k' = { unit = "m^2", meaning = "variance at sample k" }
+'p_{k-1}' = { unit = "m^2", meaning = "variance at sample k-1" }
+'A' = { unit = "1", shape = [2, 3], meaning = "a matrix" }
+
+"""
+STEADY = r"""
+[settings.steady]
+title = "two states"
+kind = "steady_state"
+model = "search"
+%s
+[settings.steady.symbols]
+'\alpha' = { quantity = "%s", meaning = "position gain" }
+"""
+LATEX = "latex = 'a = b'\n"
+
+
+def claim(kind: str, fields: str) -> Claim:
+    text = f'[[claims]]\nid = "1"\nplace = "p. 1"\nsetting = "free"\nkind = "{kind}"\n{fields}'
+    return read_claim_text(HEAD + text).claims[0]
+
+
+def setting(lines: str, quantity: str = "gain.1") -> Setting:
+    text = '[[claims]]\nid = "1"\nplace = "p"\nsetting = "free"\nkind = "identity"\n' + LATEX
+    return read_claim_text(HEAD + STEADY % (lines, quantity) + text, "own.toml").settings["steady"]
+
+
+def test_monotone() -> None:
+    found = claim("monotone", 'about = [\'\\frac{1}{a}\', "a"]\ntrend = "decreasing"')
+    assert found.about == ("\\frac{1}{a}", "a")
+    assert found.subject is not None
+    assert found.subject["nodes"][-1][0] == "div"
+    assert found.trend == "decreasing"
+
+
+def test_asymptotics() -> None:
+    found = claim("asymptotics", "latex = 'a = b \\quad (b \\to 0)'\norder = 2")
+    assert found.order == 2
+
+
+def test_value() -> None:
+    found = claim("value", "latex = 'a \\approx 0.382'")
+    assert found.formula is not None
+    assert found.formula.readings[0].relations[0].operator == "approx"
+
+
+def test_location() -> None:
+    found = claim(
+        "location", "polynomial = 'z^2 - a'\nvariable = 'z'\nwhere = 'inside the unit circle'"
+    )
+    assert found.polynomial is not None
+    assert (found.variable, found.where) == ("z", "inside the unit circle")
+
+
+def test_steady_state() -> None:
+    fields = "latex = 'p = a p'\nrecursion = 'p_k = b p_{k-1}'\nprevious = 'p_{k-1}'"
+    found = claim("steady_state", fields)
+    assert found.recursion is not None
+    assert found.previous == "p_{k-1}"
+
+
+def test_shape() -> None:
+    symbols = (
+        read_claim_text(
+            HEAD
+            + '[[claims]]\nid = "1"\nplace = "p"\nsetting = "free"\nkind = "identity"\n'
+            + LATEX
+        )
+        .settings["free"]
+        .symbols
+    )
+    assert symbols["A"].shape == (2, 3)
+    assert symbols["a"].shape is None
+
+
+@pytest.mark.parametrize(
+    ("kind", "fields", "where", "problem"),
+    [
+        ("identity", LATEX + "trend = 'increasing'", "trend", "does not take"),
+        ("monotone", "about = ['a']\ntrend = 'increasing'", "about", "with which"),
+        ("monotone", "about = ['a', 'c']\ntrend = 'increasing'", "about", "not declared"),
+        ("monotone", "about = ['a +', 'b']\ntrend = 'increasing'", "about", ""),
+        ("monotone", "about = ['a', 'b']\ntrend = 'up'", "trend", "none of increasing"),
+        ("monotone", "about = ['a', 'b']", "trend", "missing"),
+        ("asymptotics", LATEX, "latex", "where to"),
+        ("asymptotics", LATEX + "order = -1", "order", "outside"),
+        ("value", "latex = 'a \\approx b'", "latex", "number on one side"),
+        ("value", "latex = 'a < 0.3'", "latex", "no relation <"),
+        ("location", "where = 'real'", "polynomial", "wanted"),
+        ("location", "polynomial = 'z^2'\nwhere = 'real'", "variable", "together"),
+        ("location", "polynomial = 'z^2'\nvariable = 'z'", "where", "missing"),
+        ("location", LATEX + "where = 'far away'", "where", "none of"),
+        ("steady_state", LATEX + "previous = 'a'", "recursion", "missing"),
+        ("steady_state", LATEX + "recursion = 'a = b'", "previous", "missing"),
+        ("steady_state", LATEX + "recursion = 'a < b'\nprevious = 'a'", "recursion", "one equ"),
+        ("steady_state", LATEX + "recursion = 'a = b'\nprevious = 'c'", "previous", "declared"),
+        ("determines", "about = ['a', 'b']", "text", "missing"),
+        ("identity", LATEX + "plain = 'a = b'", "plain", "either"),
+    ],
+)
+def test_fields_of_kinds_refused(kind: str, fields: str, where: str, problem: str) -> None:
+    with pytest.raises(ClaimFileError) as caught:
+        claim(kind, fields)
+    assert caught.value.where == f"claims.1.{where}"
+    assert problem in caught.value.problem
+
+
+@pytest.mark.parametrize("shape", ["[2]", "[0, 1]", "[2, true]", "[2, 99]", "'2x2'", "[1.0, 1]"])
+def test_shapes_refused(shape: str) -> None:
+    with pytest.raises(ClaimFileError, match="whole numbers"):
+        read_claim_text(HEAD.replace("[2, 3]", shape))
+
+
+def test_conventions() -> None:
+    found = setting("gain = 'predictor'\nthird_gain = '1/2'\npower_of_T = 0\nnoise = 'search'")
+    assert (found.gain, found.third_gain, found.power_of_T) == ("predictor", "1/2", "0")
+    assert (found.noise, found.index_origin, found.covariance) == ("search", "0", "predicted")
+
+
+def test_what_no_symbol_depends_on_is_not_searched_for() -> None:
+    assert setting("").gain == "search"
+    assert setting("", "filter_gain.1").gain == "filter"
+    assert setting("", "covariance.1.1").covariance == "search"
+
+
+@pytest.mark.parametrize("gain", ["predictor", "search"])
+def test_a_form_of_gain_that_reaches_no_symbol(gain: str) -> None:
+    with pytest.raises(ClaimFileError, match=r"line \d+: settings.steady.gain: .* as gain.1"):
+        setting(f"gain = '{gain}'", "filter_gain.1")
+
+
+@pytest.mark.parametrize("line", ["third_gain = 3", "noise = 'loud'", "index_origin = true"])
+def test_conventions_refused(line: str) -> None:
+    with pytest.raises(ClaimFileError, match=r"settings\.steady\."):
+        setting(line)

@@ -1,0 +1,61 @@
+"""Formulas in the fields of a claim file: read, or refused with their place in the file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gainproof.verify.judge.claim_fields import Fields, nearest_hint
+from gainproof.verify.judge.claim_record import SymbolEntry
+from gainproof.verify.judge.formula import Formula, Graph, Relation
+from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.reader.names import canonical_token
+from gainproof.verify.judge.reader.reader import read_conditions, read_expression, read_formula
+
+Symbols = Mapping[str, SymbolEntry]
+
+
+def formula_of(fields: Fields, field: str, latex: str, symbols: Symbols) -> Formula:
+    """The formula that `field` holds."""
+    try:
+        return read_formula(latex, symbols)
+    except ReaderError as error:
+        raise _moved(fields, field, latex, error) from error
+
+
+def conditions_of(
+    fields: Fields, field: str, text: str | None, symbols: Symbols
+) -> tuple[Relation, ...]:
+    """The relations that `field` holds, none where it is missing."""
+    if text is None:
+        return ()
+    try:
+        return read_conditions(text, symbols)
+    except ReaderError as error:
+        raise _moved(fields, field, text, error) from error
+
+
+def graph_in(fields: Fields, field: str, text: str, symbols: Symbols) -> Graph:
+    """The one expression, with one reading, that `field` holds."""
+    try:
+        graph, *others = read_expression(text, symbols)
+    except ReaderError as error:
+        raise _moved(fields, field, text, error) from error
+    if others:
+        raise fields.fail(field, f"{text[:80]!r} has two readings: write \\frac")
+    return graph
+
+
+def token_in(fields: Fields, field: str, token: str, symbols: Symbols) -> str:
+    """The canonical name of the declared symbol that `field` names."""
+    try:
+        name = canonical_token(token)
+    except ReaderError as error:
+        raise fields.fail(field, f"not a symbol: {error.problem}") from error
+    if name not in symbols:
+        hint = nearest_hint(name, list(symbols))
+        raise fields.fail(field, f"the symbol {name} is not declared{hint}")
+    return name
+
+
+def _moved(fields: Fields, field: str, text: str, error: ReaderError) -> Exception:
+    return fields.text.formula_error(f"{fields.where}.{field}", text, error, fields.line)

@@ -1,0 +1,141 @@
+"""What claims of each kind say besides their formula, and how the formula must look."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from gainproof.verify.judge.claim_fields import Fields
+from gainproof.verify.judge.claim_formulas import Symbols, formula_of, graph_in, token_in
+from gainproof.verify.judge.claim_record import LOCATIONS, TRENDS, Claim
+from gainproof.verify.judge.formula import Formula, Reading
+
+MOST_ABOUT = 20
+MOST_ORDER = 64
+
+WITHOUT_FORMULA = frozenset(("determines", "monotone", "location", "remark"))
+"""Kinds of claims that need no formula: what they say is in their fields, or in words."""
+
+OWN_FIELDS: Mapping[str, tuple[str, ...]] = {
+    "determines": ("about",),
+    "monotone": ("about", "trend"),
+    "asymptotics": ("order",),
+    "location": ("polynomial", "variable", "where"),
+    "steady_state": ("recursion", "previous"),
+}
+"""Fields that only claims of one kind take."""
+
+_OPERATORS = {
+    "identity": frozenset(("=",)),
+    "definition": frozenset(("=",)),
+    "recursion": frozenset(("=",)),
+    "steady_state": frozenset(("=",)),
+    "location": frozenset(("=",)),
+    "value": frozenset(("=", "approx")),
+    "asymptotics": frozenset(("=", "approx", "sim")),
+    "inequality": frozenset(("<", "<=", ">", ">=", "!=")),
+    "limit": frozenset(("->", "=")),
+}
+
+
+def with_own_fields(claim: Claim, fields: Fields, symbols: Symbols) -> Claim:
+    """The claim with the fields of its kind. Raises ClaimFileError."""
+    allowed = OWN_FIELDS.get(claim.kind, ())
+    for names in OWN_FIELDS.values():
+        for name in names:
+            if fields.has(name) and name not in allowed:
+                raise fields.fail(name, f"a claim of kind {claim.kind} does not take this field")
+    complete = replace(claim, **_own(claim, fields, symbols))
+    if complete.formula is not None:
+        _check_formula(fields, complete, complete.formula.readings[0])
+    return complete
+
+
+def _own(claim: Claim, fields: Fields, symbols: Symbols) -> dict[str, Any]:
+    match claim.kind:
+        case "determines":
+            return {"about": _determines(fields, symbols)}
+        case "monotone":
+            return _monotone(fields, symbols)
+        case "asymptotics":
+            return {"order": fields.whole_number("order", 0, MOST_ORDER)}
+        case "location":
+            return _location(claim, fields, symbols)
+        case "steady_state":
+            previous = fields.required_text("previous")
+            return {
+                "recursion": _recursion(fields, symbols),
+                "previous": token_in(fields, "previous", previous, symbols),
+            }
+        case _:
+            return {}
+
+
+def _determines(fields: Fields, symbols: Symbols) -> tuple[str, ...]:
+    about = tuple(
+        token_in(fields, "about", token, symbols) for token in fields.texts("about", MOST_ABOUT)
+    )
+    if len(set(about)) < 2:
+        raise fields.fail("about", "two symbols or more are wanted, each of which fixes the rest")
+    return about
+
+
+def _monotone(fields: Fields, symbols: Symbols) -> dict[str, Any]:
+    about = fields.texts("about", 2)
+    if len(about) != 2:
+        raise fields.fail("about", "wanted: what changes, and the symbol with which it does")
+    return {
+        "about": (about[0], token_in(fields, "about", about[1], symbols)),
+        "subject": graph_in(fields, "about", about[0], symbols),
+        "trend": fields.choice("trend", TRENDS),
+    }
+
+
+def _location(claim: Claim, fields: Fields, symbols: Symbols) -> dict[str, Any]:
+    polynomial, variable = fields.text_or_none("polynomial"), fields.text_or_none("variable")
+    where = fields.choice("where", LOCATIONS) if fields.has("where") else None
+    if polynomial is None and claim.formula is None:
+        raise fields.fail("polynomial", "wanted: a polynomial, or a formula that lists the roots")
+    if (polynomial is None) != (variable is None):
+        raise fields.fail("variable", "a polynomial and its variable are wanted together")
+    if where is None and (polynomial is None or claim.formula is None):
+        raise fields.fail("where", f"this field is missing: one of {', '.join(LOCATIONS)}")
+    return {
+        "polynomial": polynomial and graph_in(fields, "polynomial", polynomial, symbols),
+        "variable": variable and token_in(fields, "variable", variable, symbols),
+        "where": where,
+    }
+
+
+def _recursion(fields: Fields, symbols: Symbols) -> Formula:
+    formula = formula_of(fields, "recursion", fields.required_text("recursion"), symbols)
+    reading = formula.readings[0]
+    if len(reading.relations) != 1 or reading.relations[0].operator != "=" or reading.conditions:
+        raise fields.fail("recursion", "one equation is wanted: next value = ...")
+    return formula
+
+
+def _check_formula(fields: Fields, claim: Claim, reading: Reading) -> None:
+    """The relations of the formula must be such as the kind speaks of."""
+    field = "latex" if claim.plain is None else "plain"
+    wanted = _OPERATORS.get(claim.kind)
+    for relation in reading.relations:
+        if wanted is not None and relation.operator not in wanted:
+            problem = f"a claim of kind {claim.kind} has no relation {relation.operator}"
+            raise fields.fail(field, problem)
+    arrows = [relation for relation in reading.conditions if relation.operator == "->"]
+    if claim.kind in ("limit", "asymptotics") and len(arrows) != 1:
+        raise fields.fail(
+            field, f"a claim of kind {claim.kind} says once where to, such as (k \\to \\infty)"
+        )
+    if claim.kind in ("implication", "equivalence") and not reading.conditions:
+        raise fields.fail(field, f"a claim of kind {claim.kind} has two parts")
+    if claim.kind == "value" and not any(
+        _is_number(side) for side in (reading.relations[0].left, reading.relations[0].right)
+    ):
+        raise fields.fail(field, "a claim of kind value has a number on one side")
+
+
+def _is_number(side: Mapping[str, Any]) -> bool:
+    return all(node[0] in ("number", "neg") for node in side["nodes"])
