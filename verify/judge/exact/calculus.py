@@ -15,6 +15,7 @@ from gainproof.verify.judge.exact.expression import (
     power,
     walk,
 )
+from gainproof.verify.judge.exact.functions import slope_of
 from gainproof.verify.judge.exact.limits import Undecided
 
 
@@ -82,6 +83,8 @@ def _slope(node: Expr, inner: list[Expr | None], name: str) -> Expr | None:
                 # written with the root itself, so that no second root is made
                 outer = div(mul(number(exponent), node), base)
             return mul(outer, _known(inner[0]))
+        case "call" if (known := slope_of(node, inner)) is not None:
+            return known
         case _:
             raise Undecided(f"the derivative of {node.kind} {node.value} is not known")
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 import flint
 
 from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.functions import ball_of
 from gainproof.verify.judge.exact.poly import Ball, rational
 
 
@@ -47,6 +48,8 @@ def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction]) -> Ball
             return parts[0] * _inverse(parts[1])
         case "pow":
             return _power(parts[0], node.fraction)
+        case "call" if (known := ball_of(node.name, parts)) is not None:
+            return known
         case _:
             raise Unresolved(str(node.value))
 

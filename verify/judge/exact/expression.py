@@ -16,11 +16,12 @@ Value = Fraction | str | None
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Expr:
-    """One node: `kind` is number, symbol, add, mul, div, neg, pow, call, derivative or at.
+    """One node: `kind` is number, symbol, add, mul, div, neg, pow, call, derivative or at; in a
+    formula as read also matrix, transpose, inverse or kronecker.
 
-    `value` is the number, the name of the symbol or function, the exponent of a power, or the
-    symbol of a derivative or substitution. `key` is a digest of the whole tree: comparison takes
-    constant time however much is shared.
+    `value` is the number, the name of the symbol or function, the exponent of a power, the symbol
+    of a derivative or substitution, or "rows columns" of a matrix. `key` is a digest of the whole
+    tree: comparison takes constant time however much is shared.
     """
 
     kind: str

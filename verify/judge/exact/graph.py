@@ -28,9 +28,13 @@ def rational(text: object, limits: Limits = DEFAULT_LIMITS) -> Fraction:
 
 
 def read_values(
-    graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS
+    graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS, *, as_tree: bool = False
 ) -> dict[str, Expr | Grid]:
-    """All outputs of a graph. Raises Malformed."""
+    """All outputs of a graph. Raises Malformed.
+
+    With `as_tree` matrices and what is done with them stay nodes, since symbols may stand for
+    matrices too.
+    """
     nodes, outputs = graph.get("nodes"), graph.get("outputs")
     if (
         not isinstance(nodes, Sequence)
@@ -43,7 +47,7 @@ def read_values(
     read: list[Expr | Grid] = []
     depths: list[int] = []
     for position, node in enumerate(nodes):
-        value, depth = _node(node, position, read, depths, limits)
+        value, depth = _node(node, position, read, depths, limits, as_tree)
         if depth > limits.depth:
             raise Malformed(
                 f"wanted nesting of at most {limits.depth}, exceeded at node {position}"
@@ -66,8 +70,21 @@ def read_graph(graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS) -> Exp
     return value
 
 
+def read_tree(graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS) -> Expr:
+    """The output "value" of a graph; matrices are nodes of it. Raises Malformed."""
+    value = read_values(graph, limits, as_tree=True).get("value")
+    if not isinstance(value, Expr):
+        raise Malformed("wanted a graph with an output 'value'")
+    return value
+
+
 def _node(
-    node: Any, position: int, read: list[Expr | Grid], depths: list[int], limits: Limits
+    node: Any,
+    position: int,
+    read: list[Expr | Grid],
+    depths: list[int],
+    limits: Limits,
+    as_tree: bool,
 ) -> tuple[Expr | Grid, int]:
     if (
         not isinstance(node, Sequence)
@@ -140,7 +157,15 @@ def _node(
             made = Expr(kind, _text(rest[1], position), (part(rest[0]), part(rest[2])))
         case "matrix":
             count(3)
-            made = _matrix(rest, position, part)
+            rows = _matrix(rest, position, part)
+            flat = tuple(entry for row in rows for entry in row)
+            made = Expr(kind, f"{len(rows)} {len(rows[0])}", flat) if as_tree else rows
+        case "transpose" | "inverse" if as_tree:
+            count(1, 1)
+            made = Expr(kind, None, (part(rest[0]),))
+        case "kronecker" if as_tree:
+            count(2, 2)
+            made = Expr(kind, None, (part(rest[0]), part(rest[1])))
         case _:
             raise Malformed(f"node {position}: unknown kind {kind[:40]!r}")
     return made, 1 + max(below, default=0)
@@ -180,6 +205,8 @@ def graph_of(expr: Expr) -> dict[str, Any]:
                 entry = ["derivative", parts[0], node.name]
             case "at":
                 entry = ["at", parts[0], node.name, parts[1]]
+            case "matrix":
+                entry = ["matrix", *[int(n) for n in node.name.split()], *parts]
             case _:
                 entry = [node.kind, *parts]
         places[node.key] = len(nodes)
