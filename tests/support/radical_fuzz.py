@@ -17,7 +17,8 @@ from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.survey import FALSE, NO_VALUE, TRUE, Work, survey
+from gainproof.verify.judge.exact.survey import Work, survey
+from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, TRUE
 
 BOXES = (
     Box(stated=False),

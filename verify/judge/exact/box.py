@@ -38,6 +38,11 @@ class Box:
         """Whether every number in it is greater than zero."""
         return self.lower is not None and (self.lower > 0 or (self.lower == 0 and self.lower_open))
 
+    @property
+    def is_nonnegative(self) -> bool:
+        """Whether no number in it is less than zero."""
+        return self.lower is not None and self.lower >= 0
+
     def holds(self, value: Fraction) -> bool:
         """Whether the number lies in it."""
         if self.lower is not None and (

@@ -21,14 +21,8 @@ from gainproof.verify.judge.exact.statement import (
     Witness,
     unstated,
 )
-from gainproof.verify.judge.exact.survey import (
-    NO_VALUE,
-    SKIPPED,
-    TRUE,
-    Judged,
-    Work,
-    survey,
-)
+from gainproof.verify.judge.exact.survey import Judged, Work, survey
+from gainproof.verify.judge.exact.truth import NO_VALUE, SKIPPED, TRUE
 from gainproof.verify.judge.exact.witness import (
     equal_sides_witness,
     find_witness,

@@ -14,11 +14,11 @@ from fractions import Fraction
 
 import flint
 
+from gainproof.verify.judge.exact.connected import Connected, Sample
 from gainproof.verify.judge.exact.evaluate import evaluate
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.norm import cofactor, highest_root
-from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.poly import (
     Ball,
     Poly,
@@ -38,7 +38,7 @@ class Local:
     """A tower at a place. `steps` records each ball that decided something."""
 
     tower: Tower
-    place: Place
+    place: Connected
     steps: list[str] = field(default_factory=list)
     _zero_roots: set[int] = field(default_factory=set)
     _bad: dict[bytes, str] = field(default_factory=dict)
@@ -184,10 +184,12 @@ class Local:
             found.append(found[-1] * 2)
         return found
 
-    def _points(self) -> tuple[Fraction | None, ...]:
-        return self.place.samples[:3] if self.place.is_cell else (None,)
+    def _points(self) -> tuple[Sample | None, ...]:
+        return tuple(self.place.samples[:3]) if self.place.is_cell else (None,)
 
-    def _at_text(self, sample: Fraction | None) -> str:
+    def _at_text(self, sample: Sample | None) -> str:
+        if isinstance(sample, tuple):
+            return f"({', '.join(str(value) for value in sample)})"
         if sample is not None:
             return f"{self.tower.parameter} = {sample}"
         return (
@@ -196,12 +198,12 @@ class Local:
             else f"{self.tower.parameter} = {self.place.at.text()}"
         )
 
-    def _excludes_zero(self, p: Poly, sample: Fraction | None, precision: int) -> bool:
+    def _excludes_zero(self, p: Poly, sample: Sample | None, precision: int) -> bool:
         ball = self.ball(p, sample, precision)
         return ball is not None and not ball.contains(0)
 
     def ball(
-        self, p: Poly, sample: Fraction | None, precision: int, free: tuple[Fraction, ...] = ()
+        self, p: Poly, sample: Sample | None, precision: int, free: tuple[Fraction, ...] = ()
     ) -> Ball | None:
         """A ball round p at a rational sample (None: at the point of the place); None if a root is
         not resolved.
@@ -211,13 +213,16 @@ class Local:
             return result if result.is_finite() else None
 
     def _generator_balls(
-        self, sample: Fraction | None, precision: int, free: tuple[Fraction, ...]
+        self, sample: Sample | None, precision: int, free: tuple[Fraction, ...]
     ) -> list[Ball | None]:
         tower = self.tower
         values: list[Ball | None] = [None] * max(1, len(tower.names))
         for place, number in zip(tower.free_indices, free, strict=False):
             values[place] = flint.arb(rational(number))
-        if tower.parameter_index is not None:
+        if isinstance(sample, tuple):
+            for place, number in zip(tower.parameter_indices, sample, strict=True):
+                values[place] = flint.arb(rational(number))
+        elif tower.parameter_index is not None:
             if sample is not None:
                 values[tower.parameter_index] = flint.arb(rational(sample))
             elif self.place.at is not None:

@@ -1,4 +1,4 @@
-"""Where can an element of the tower vanish? Factors of its norm, one parameter."""
+"""Where can an element of the tower vanish? Factors of its norm."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from gainproof.verify.judge.exact.poly import (
     constant,
     degree,
     grouped,
+    text,
     univariate,
 )
 from gainproof.verify.judge.exact.tower import Root, Tower
@@ -39,21 +40,35 @@ def cofactor(tower: Tower, p: Poly, root: Root) -> Poly:
 
 
 def vanishing_factors(tower: Tower, p: Poly) -> list[Any]:
-    """Irreducible integer polynomials of the parameter: where p vanishes without vanishing on a
-    whole interval between their roots, one of them is zero.
+    """`ground_factors` in a tower with one parameter, as irreducible integer polynomials; none
+    without a parameter. Raises Undecided.
+    """
+    if tower.parameter_index is None:
+        return []
+    found: dict[tuple[int, ...], Any] = {}
+    for ground in ground_factors(tower, p):
+        whole = univariate(ground, tower.parameter_index)
+        for factor, _ in whole.factor()[1]:
+            found.setdefault(tuple(int(c) for c in factor.coeffs()), factor)
+    return list(found.values())
 
-    The norm of p has p as a factor. If the norm is the zero polynomial then on every interval p or
+
+def ground_factors(tower: Tower, p: Poly) -> list[Poly]:
+    """Polynomials of the parameters: where p vanishes without vanishing on a whole connected open
+    set on which none of them is zero, one of them is zero.
+
+    The norm of p has p as a factor. If the norm is the zero polynomial then on every such set p or
     its cofactor vanishes identically; where the cofactor does, p is a multiple of its own constant
     coefficient, which is therefore taken too. Coefficients of monomials in free symbols are taken
     one by one. Raises Undecided.
     """
-    found: dict[tuple[int, ...], Any] = {}
+    found: dict[str, Poly] = {}
     for part in grouped(tower.reduce(p), tower.free_indices).values():
         _collect(tower, part, found)
     return list(found.values())
 
 
-def _collect(tower: Tower, p: Poly, found: dict[tuple[int, ...], Any]) -> bool:
+def _collect(tower: Tower, p: Poly, found: dict[str, Poly]) -> bool:
     """Adds the factors of p; whether the norm of p is a nonzero polynomial."""
     p = tower.reduce(p)
     if p.is_zero():
@@ -64,26 +79,19 @@ def _collect(tower: Tower, p: Poly, found: dict[tuple[int, ...], Any]) -> bool:
     return complete
 
 
-def _collect_factor(tower: Tower, p: Poly, found: dict[tuple[int, ...], Any]) -> bool:
+def _collect_factor(tower: Tower, p: Poly, found: dict[str, Poly]) -> bool:
     root = highest_root(tower, p)
     if root is None:
-        _keep(tower, p, found)
+        if sum(p.degrees()) > tower.limits.norm_degree:
+            raise Undecided(f"a norm of degree more than {tower.limits.norm_degree}")
+        if not p.is_constant():
+            found.setdefault(text(p), p)
         return True
     lower = tower.reduce(p * cofactor(tower, p, root))
     if not lower.is_zero() and _collect(tower, lower, found):
         return True
     _collect(tower, coefficients_in(p, root.index)[0], found)
     return False
-
-
-def _keep(tower: Tower, p: Poly, found: dict[tuple[int, ...], Any]) -> None:
-    if tower.parameter_index is None or p.is_constant():
-        return
-    whole = univariate(p, tower.parameter_index)
-    if whole.degree() > tower.limits.norm_degree:
-        raise Undecided(f"a norm of degree more than {tower.limits.norm_degree}")
-    for factor, _ in whole.factor()[1]:
-        found.setdefault(tuple(int(c) for c in factor.coeffs()), factor)
 
 
 def norm(tower: Tower, p: Poly) -> Poly:

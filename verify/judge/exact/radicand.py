@@ -7,6 +7,7 @@ manifestly positive is their product.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
@@ -18,9 +19,9 @@ from gainproof.verify.judge.exact.poly import (
     fraction,
     monomial_content,
     rational,
-    terms,
 )
 from gainproof.verify.judge.exact.rational_root import content_of, number_root, power_part
+from gainproof.verify.judge.exact.variables import Variables
 
 MOST_TOGETHER = 3
 
@@ -44,53 +45,33 @@ class Element:
     den: Poly
 
 
-@dataclass(frozen=True)
-class Variables:
-    """Which variables of the ring are what; those named in `positive` are greater than zero."""
-
-    free: tuple[str, ...]
-    free_indices: tuple[int, ...]
-    parameter_index: int | None
-    positive: frozenset[str]
-
-
-def simplified(
-    base: Element, order: int, variables: Variables, parameter: str | None
-) -> tuple[Poly, Poly, Element]:
+def simplified(base: Element, order: int, variables: Variables) -> tuple[Poly, Poly, Element]:
     """num, den, outside with root(base) = outside * root(num / den). Raises NeedsPower."""
-    num, den, outside = _without_monomials(base, order, variables, parameter)
+    num, den, outside = _without_monomials(base, order, variables)
     if num.is_zero():
         return num, den, outside
-    in_parameter = variables.parameter_index if parameter in variables.positive else None
     one = constant(num.context(), 1)
-    if not den.is_constant() and manifestly_positive(den, in_parameter):
+    if not den.is_constant() and variables.over_zero(den):
         outside = Element(outside.num, outside.den * den)
         num, den = num * den ** (order - 1), one
-    num, factor = _without_powers(num, order, in_parameter)
+    num, factor = _without_powers(num, order, variables.over_zero)
+    # sqrt(g^2 h) = g sqrt(h) at g = 0 too, but only where h is not negative: there the left is 0
+    left, extra = _without_powers(num, order, variables.not_below_zero)
+    if den.is_one() and variables.not_below_zero(left):
+        num, factor = left, factor * extra
     outside = Element(outside.num * factor, outside.den)
     num, den, number = _without_squares(num, den, order)
     return num, den, Element(outside.num * number, outside.den)
 
 
-def manifestly_positive(p: Poly, parameter_index: int | None) -> bool:
-    """No variable but a positive parameter (its index, else None), and no coefficient that is not
-    positive.
-    """
-    for exponents, coefficient in terms(p):
-        others = any(e for i, e in enumerate(exponents) if i != parameter_index)
-        if others or fraction(coefficient) <= 0:
-            return False
-    return not p.is_zero()
-
-
-def _without_powers(p: Poly, order: int, parameter_index: int | None) -> tuple[Poly, Poly]:
-    """p = outside^order * inside, with manifestly positive factors of p taken out."""
+def _without_powers(p: Poly, order: int, wanted: Callable[[Poly], bool]) -> tuple[Poly, Poly]:
+    """p = outside^order * inside, with factors taken out that are as wanted."""
     outside = constant(p.context(), 1)
     if p.is_constant():
         return p, outside
     for factor, exponent in p.factor()[1]:
-        signed = factor if manifestly_positive(factor, parameter_index) else -factor
-        if exponent >= order and manifestly_positive(signed, parameter_index):
+        signed = factor if wanted(factor) else -factor
+        if exponent >= order and wanted(signed):
             whole = signed ** (exponent // order)
             outside = outside * whole
             p = divmod(p, whole**order)[0]
@@ -103,20 +84,19 @@ def product_of_roots(
     order: int,
     known: list[tuple[int, Element]],
     variables: Variables,
-    parameter: str | None,
 ) -> Element | None:
     """The root as a product of known roots: num * r1 * ... = P^2, so root(num) = P / (t1 ...) = P
     t1 ... / (r1 ...).
 
-    All radicands and P must be manifestly positive polynomials of the parameter; square roots only.
+    All radicands and P must be manifestly positive polynomials of the parameters; square roots
+    only.
     """
-    in_parameter = variables.parameter_index if parameter in variables.positive else None
-    if order != 2 or not den.is_one() or not manifestly_positive(num, in_parameter):
+    if order != 2 or not den.is_one() or not variables.over_zero(num):
         return None
     usable = [
         (index, radicand.num)
         for index, radicand in known
-        if radicand.den.is_one() and manifestly_positive(radicand.num, in_parameter)
+        if radicand.den.is_one() and variables.over_zero(radicand.num)
     ]
     context = num.context()
     for size in range(1, min(MOST_TOGETHER, len(usable)) + 1):
@@ -125,7 +105,7 @@ def product_of_roots(
             roots = constant(context, 1)
             for index, radicand in chosen:
                 radicands, roots = radicands * radicand, roots * context.gen(index)
-            square = _square_root(num * radicands, in_parameter)
+            square = _square_root(num * radicands, variables)
             if square is not None:
                 return Element(square * roots, radicands)
     return None
@@ -136,23 +116,21 @@ def split_off(
     order: int,
     known: list[tuple[int, Element]],
     variables: Variables,
-    parameter: str | None,
 ) -> tuple[Poly, Element] | None:
     """root(num) = root(rest) * product of known roots, by a manifestly positive factor of num."""
-    in_parameter = variables.parameter_index if parameter in variables.positive else None
-    if order != 2 or num.is_constant() or manifestly_positive(num, in_parameter):
+    if order != 2 or num.is_constant() or variables.over_zero(num):
         return None
     one = constant(num.context(), 1)
     for factor, _ in num.factor()[1]:
-        signed = factor if manifestly_positive(factor, in_parameter) else -factor
-        if manifestly_positive(signed, in_parameter):
-            product = product_of_roots(signed, one, order, known, variables, parameter)
+        signed = factor if variables.over_zero(factor) else -factor
+        if variables.over_zero(signed):
+            product = product_of_roots(signed, one, order, known, variables)
             if product is not None:
                 return divmod(num, signed)[0], product
     return None
 
 
-def _square_root(p: Poly, parameter_index: int | None) -> Poly | None:
+def _square_root(p: Poly, variables: Variables) -> Poly | None:
     """The manifestly positive square root of a polynomial, if it has one."""
     lead, factors = p.factor_squarefree()
     if any(exponent % 2 for _, exponent in factors):
@@ -164,18 +142,19 @@ def _square_root(p: Poly, parameter_index: int | None) -> Poly | None:
     for factor, exponent in factors:
         root = root * factor ** (exponent // 2)
     for candidate in (root, -root):
-        if manifestly_positive(candidate, parameter_index):
+        if variables.over_zero(candidate):
             return candidate
     return None
 
 
 def _without_monomials(
-    base: Element, order: int, variables: Variables, parameter: str | None
+    base: Element, order: int, variables: Variables
 ) -> tuple[Poly, Poly, Element]:
     """Powers of positive symbols taken out of the radicand."""
-    named = list(zip(variables.free_indices, variables.free, strict=True))
-    if variables.parameter_index is not None and parameter is not None:
-        named.append((variables.parameter_index, parameter))
+    named = [
+        *zip(variables.free_indices, variables.free, strict=True),
+        *zip(variables.parameter_indices, variables.parameters, strict=True),
+    ]
     indices = [i for i, name in named if name in variables.positive]
     context = base.num.context()
     sides = []

@@ -20,9 +20,7 @@ from gainproof.verify.judge.exact.norm import vanishing_factors
 from gainproof.verify.judge.exact.place import Place, places
 from gainproof.verify.judge.exact.poly import Poly
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tower import Tower, build_tower
-
-TRUE, FALSE, NO_VALUE, SKIPPED = "true", "false", "no value", "outside"
+from gainproof.verify.judge.exact.truth import Question, truth
 
 
 @dataclass
@@ -31,11 +29,11 @@ class Judged:
 
     place: Place
     truth: str
+    failing: Rel | None
     local: Local
-    failing: Rel | None = None
 
 
-class Work:
+class Work(Question):
     """One tower, its boxes, and the places it is judged on."""
 
     def __init__(
@@ -46,14 +44,8 @@ class Work:
         labels: Mapping[str, str],
         limits: Limits,
     ) -> None:
-        self.statement, self.boxes, self.labels = statement, boxes, labels
-        free = tuple(sorted(name for name in boxes if name != parameter))
-        positive = frozenset(name for name, box in boxes.items() if box.is_positive)
-        self.differences = {
-            rel: rel.left - rel.right for rel in (*statement.relations, *statement.conditions)
-        }
-        exprs = (*statement.exprs(), *self.differences.values())
-        self.tower: Tower = build_tower(exprs, parameter, free, positive, limits)
+        super().__init__(statement, boxes, () if parameter is None else (parameter,), limits)
+        self.labels = labels
         self.box = boxes[parameter] if parameter is not None else Box()
         self.factors: list[Any] = []
         self.split: set[Rel] = set()
@@ -91,6 +83,37 @@ class Work:
         except Undecided:
             self.inexact = True
 
+    def equation_fails(self, rel: Rel, local: Local) -> None:
+        """Exact only once the cells are cut where the sides are equal; `survey` comes back."""
+        if local.place.is_cell and rel not in self.split:
+            self.split_if_possible(rel)
+
+    def has_value(self, rel: Rel, local: Local) -> None:
+        """Divisors that vanish for some values of the free symbols only."""
+        below = {node.key for node in walk(rel.left, rel.right)}
+        for check in self.tower.checks:
+            if check.node.key not in below:
+                continue
+            involved = [
+                n
+                for n, i in zip(self.tower.free, self.tower.free_indices, strict=True)
+                if check.poly.degrees()[i] > 0
+            ]
+            if not involved:
+                continue
+            try:
+                local.sign(check.poly)
+            except Undecided:
+                index = self.tower.parameter_index
+                if index is not None and check.poly.degrees()[index] > 0 and self.box.stated:
+                    raise Undecided("a divisor may vanish inside the stated domain") from None
+                if any(self.boxes[name].stated for name in involved):
+                    names = ", ".join(self.labels.get(n, n) for n in involved)
+                    raise Undecided(f"a divisor may vanish for some values of {names}") from None
+                text = f"where the divisor {_readable(self, check.poly)} is not zero"
+                if text not in self.exclusions:
+                    self.exclusions.append(text)
+
     def places(self) -> list[Place]:
         """All places of the parameter's box; one place if there is no parameter."""
         return [Place()] if self.tower.parameter is None else places(self.factors, self.box)
@@ -104,61 +127,10 @@ def survey(work: Work) -> list[Judged]:
         for place in work.places():
             if work.box.integer and work.tower.parameter is not None and not place.holds_integer:
                 continue
-            judged.append(_judge_place(work, place))
+            local = Local(work.tower, place)
+            judged.append(Judged(place, *truth(work, local), local))
         if len(work.split) == count:
             return judged
-
-
-def _judge_place(work: Work, place: Place) -> Judged:
-    local = Local(work.tower, place)
-    statement = work.statement
-    if statement.connective == "if":
-        for condition in statement.conditions:
-            if local.undefined(condition.left, condition.right) is not None:
-                return Judged(place, SKIPPED, local)
-            if not _holds(work, local, condition, everywhere=False):
-                return Judged(place, SKIPPED, local)
-        for rel in statement.relations:
-            if local.undefined(rel.left, rel.right, *statement.needed) is not None:
-                return Judged(place, NO_VALUE, local, rel)
-            _note_exclusions(work, local, rel)
-        for rel in statement.relations:
-            if not _holds(work, local, rel, everywhere=True):
-                return Judged(place, FALSE, local, rel)
-        return Judged(place, TRUE, local)
-    if local.undefined(*statement.exprs()) is not None:
-        return Judged(place, NO_VALUE, local, statement.relations[0])
-    first = all(_holds(work, local, rel, everywhere=False) for rel in statement.relations)
-    second = all(_holds(work, local, rel, everywhere=False) for rel in statement.conditions)
-    good = first == second if statement.connective == "iff" else (second or not first)
-    return Judged(place, TRUE if good else FALSE, local, None if good else statement.relations[0])
-
-
-def _note_exclusions(work: Work, local: Local, rel: Rel) -> None:
-    """Divisors that vanish for some values of the free symbols only."""
-    below = {node.key for node in walk(rel.left, rel.right)}
-    for check in work.tower.checks:
-        if check.node.key not in below:
-            continue
-        involved = [
-            n
-            for n, i in zip(work.tower.free, work.tower.free_indices, strict=True)
-            if check.poly.degrees()[i] > 0
-        ]
-        if not involved:
-            continue
-        try:
-            local.sign(check.poly)
-        except Undecided:
-            index = work.tower.parameter_index
-            if index is not None and check.poly.degrees()[index] > 0 and work.box.stated:
-                raise Undecided("a divisor may vanish inside the stated domain") from None
-            if any(work.boxes[name].stated for name in involved):
-                names = ", ".join(work.labels.get(n, n) for n in involved)
-                raise Undecided(f"a divisor may vanish for some values of {names}") from None
-            text = f"where the divisor {_readable(work, check.poly)} is not zero"
-            if text not in work.exclusions:
-                work.exclusions.append(text)
 
 
 def _readable(work: Work, p: Poly) -> str:
@@ -167,34 +139,3 @@ def _readable(work: Work, p: Poly) -> str:
     for place, name in zip(work.tower.free_indices, work.tower.free, strict=True):
         shown = shown.replace(work.tower.names[place], work.labels.get(name, name))
     return shown
-
-
-def _holds(work: Work, local: Local, rel: Rel, *, everywhere: bool) -> bool:
-    """The truth of a relation at a place; `everywhere`: for all values of the free symbols.
-
-    Otherwise (conditions) a relation that depends on the values of free symbols raises Undecided.
-    """
-    element = work.tower.element(work.differences[rel])
-    equal = local.vanishes(element.num)
-    if rel.operator == "=":
-        if equal:
-            return True
-        if local.place.is_cell and rel not in work.split:
-            # exact only once the cells are cut where the sides are equal; `survey` comes back
-            work.split_if_possible(rel)
-        if not everywhere and work.tower.free:
-            local.sign(element.num)
-        return False
-    if equal:
-        return rel.operator in ("<=", ">=")
-    above = local.sign(element.num, strict=rel.operator not in ("<=", ">="))
-    sign = above * local.sign(element.den)
-    match rel.operator:
-        case "<" | "<=":
-            return sign < 0
-        case ">" | ">=":
-            return sign > 0
-        case "!=":
-            return True
-        case _:
-            raise Undecided(f"the relation {rel.operator} is not covered here")

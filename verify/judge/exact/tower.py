@@ -17,12 +17,12 @@ from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecide
 from gainproof.verify.judge.exact.poly import Poly, Ring, constant, degree, ring, terms, text
 from gainproof.verify.judge.exact.radicand import (
     Element,
-    Variables,
     product_of_roots,
     simplified,
     split_off,
 )
 from gainproof.verify.judge.exact.rational_root import number_root
+from gainproof.verify.judge.exact.variables import Variables
 
 
 @dataclass(frozen=True)
@@ -53,11 +53,13 @@ class Check:
 
 @dataclass
 class Tower:
-    """Variables, highest first: roots (last made first), free symbols, then the parameter if there
-    is one.
+    """Variables, highest first: roots (last made first), free symbols, then the parameters.
+
+    Elements are polynomials in the free symbols, coefficient by coefficient functions of the real
+    parameters; only parameters may stand under roots.
     """
 
-    parameter: str | None
+    parameters: tuple[str, ...]
     free: tuple[str, ...]
     positive: frozenset[str]
     limits: Limits = DEFAULT_LIMITS
@@ -66,12 +68,35 @@ class Tower:
     roots: list[Root] = field(default_factory=list)
     elements: dict[bytes, Element] = field(default_factory=dict)
     checks: list[Check] = field(default_factory=list)
+    nonnegative: frozenset[str] = frozenset()
     _slots: int = 0
 
     @property
+    def parameter(self) -> str | None:
+        """The parameter of a tower with one, else None."""
+        return self.parameters[0] if len(self.parameters) == 1 else None
+
+    @property
     def parameter_index(self) -> int | None:
-        """Position of the parameter among the variables."""
+        """Position of the one parameter among the variables."""
         return None if self.parameter is None else len(self.names) - 1
+
+    @property
+    def parameter_indices(self) -> tuple[int, ...]:
+        """Positions of the parameters."""
+        return tuple(range(len(self.names) - len(self.parameters), len(self.names)))
+
+    @property
+    def variables(self) -> Variables:
+        """What is known about the variables below the roots."""
+        return Variables(
+            self.free,
+            self.free_indices,
+            self.parameters,
+            self.parameter_indices,
+            self.positive,
+            self.nonnegative,
+        )
 
     @property
     def free_indices(self) -> tuple[int, ...]:
@@ -102,10 +127,11 @@ class Tower:
 
 def build_tower(
     exprs: Iterable[Expr],
-    parameter: str | None,
+    parameters: tuple[str, ...] | str | None,
     free: tuple[str, ...],
     positive: frozenset[str],
     limits: Limits = DEFAULT_LIMITS,
+    nonnegative: frozenset[str] = frozenset(),
 ) -> Tower:
     """The tower of these expressions; all powers must be integer powers, square roots or cube
     roots.
@@ -113,14 +139,18 @@ def build_tower(
     `free` symbols may not stand under a root except as powers of those in `positive`. Raises
     Undecided, NeedsPower.
     """
+    if not isinstance(parameters, tuple):
+        parameters = () if parameters is None else (parameters,)
     nodes = list(walk(*exprs))
     slots = sum(1 for n in nodes if n.kind == "pow" and n.fraction.denominator != 1)
     if slots > limits.root_count:
         raise Undecided(f"more than {limits.root_count} different roots")
-    tower = Tower(parameter, free, positive, limits)
+    tower = Tower(parameters, free, positive, limits, nonnegative=nonnegative)
     tower._slots = slots
     tops = tuple(f"t{k}" for k in range(slots, 0, -1))
-    lows = tuple(f"u{k}" for k in range(len(free))) + (() if parameter is None else ("x",))
+    several = len(parameters) > 1
+    bases = tuple(f"x{k}" for k in range(1, len(parameters) + 1)) if several else ("x",)
+    lows = tuple(f"u{k}" for k in range(len(free))) + bases[: len(parameters)]
     tower.names = (*tops, *lows)
     tower.context = ring(tower.names or ("x",))
     for node in nodes:
@@ -135,8 +165,9 @@ def _element(tower: Tower, node: Expr) -> Element:
         case "number":
             return Element(constant(tower.context, node.fraction), one)
         case "symbol":
-            if node.name == tower.parameter:
-                return Element(tower.context.gen(len(tower.names) - 1), one)
+            if node.name in tower.parameters:
+                place = tower.parameter_indices[tower.parameters.index(node.name)]
+                return Element(tower.context.gen(place), one)
             if node.name in tower.free:
                 return Element(tower.context.gen(tower._slots + tower.free.index(node.name)), one)
             raise Undecided(f"the symbol {node.name} has no meaning here")
@@ -215,8 +246,8 @@ def _power(tower: Tower, node: Expr, base: Element) -> Element:
 
 def _root(tower: Tower, node: Expr, base: Element, order: int) -> Element:
     one = constant(tower.context, 1)
-    variables = Variables(tower.free, tower.free_indices, tower.parameter_index, tower.positive)
-    num, den, outside = simplified(base, order, variables, tower.parameter)
+    variables = tower.variables
+    num, den, outside = simplified(base, order, variables)
     if num.is_zero():
         return Element(num, one)
     for exponents, _ in [*terms(num), *terms(den)]:
@@ -226,9 +257,9 @@ def _root(tower: Tower, node: Expr, base: Element, order: int) -> Element:
     if plain is not None:
         return _product(tower, outside, Element(constant(tower.context, plain), one))
     known = [(r.index, r.radicand) for r in tower.roots if r.order == order]
-    while (split := split_off(num, order, known, variables, tower.parameter)) is not None:
+    while (split := split_off(num, order, known, variables)) is not None:
         num, outside = split[0], _product(tower, outside, split[1])
-    product = product_of_roots(num, den, order, known, variables, tower.parameter)
+    product = product_of_roots(num, den, order, known, variables)
     if product is not None:
         return _product(tower, outside, product)
     root = next(

@@ -11,6 +11,7 @@ from math import ceil, floor
 import flint
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.connected import Connected
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
@@ -78,9 +79,9 @@ def inside(box: Box, wanted: Fraction | int) -> Fraction | None:
     return Fraction(made) if box.holds(Fraction(made)) else None
 
 
-def sample_points(place: Place, integer: bool) -> Iterable[Fraction | None]:
+def sample_points(place: Connected, integer: bool) -> Iterable[Fraction | None]:
     """Points of a place to try, the simplest first; None is the point of a place that is one."""
-    if not place.is_cell:
+    if not isinstance(place, Place) or not place.is_cell:
         return (None,)
     whole = [Fraction(n) for n in place.integers(12)]
     if integer:

@@ -9,7 +9,7 @@ import pytest
 import radical_fuzz
 from radical_fuzz import disagreements
 
-from gainproof.verify.judge.exact import survey as survey_module
+from gainproof.verify.judge.exact import truth as truth_module
 from gainproof.verify.judge.exact.statement import Rel
 
 
@@ -22,7 +22,7 @@ def test_no_disagreement(seed: int) -> None:
 
 
 def test_the_comparison_sees_a_judge_that_errs(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = survey_module._holds
+    honest = truth_module._holds
 
     def careless(work: object, local: object, rel: Rel, *, everywhere: bool) -> bool:
         shifted = replace(rel, operator={"<": "<=", ">": ">="}.get(rel.operator, rel.operator))
@@ -30,7 +30,7 @@ def test_the_comparison_sees_a_judge_that_errs(monkeypatch: pytest.MonkeyPatch) 
         work.split.add(shifted)  # type: ignore[attr-defined]
         return honest(work, local, shifted, everywhere=everywhere)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(survey_module, "_holds", careless)
+    monkeypatch.setattr(truth_module, "_holds", careless)
     wrong, _ = disagreements(0, 60)
     assert wrong
 

@@ -1,0 +1,28 @@
+"""Connected sets on which the truth of a statement does not change, as the tower sees them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Protocol
+
+from gainproof.verify.judge.exact.algebraic import Algebraic
+
+Sample = Fraction | tuple[Fraction, ...]
+"""A rational value of the one parameter, or of several parameters in the order of the tower."""
+
+
+class Connected(Protocol):
+    """A place, or a cell of several parameters: connected, with rational samples, or a point."""
+
+    @property
+    def at(self) -> Algebraic | None:
+        """The point, where it is one of a tower with one parameter."""
+
+    @property
+    def is_cell(self) -> bool:
+        """Whether it is an open set."""
+
+    @property
+    def samples(self) -> Sequence[Sample]:
+        """Rational points of an open set, the simplest first."""
