@@ -21,7 +21,7 @@ def judge_text(path: str, text: str, models: Sequence[Mapping[str, Any]]) -> dic
     Raises BadInputError, with line and column where known, for a file that is not accepted.
     """
     try:
-        claim_file = read_claim_text(text, path)
+        claim_file = read_claim_text(text, path, [str(model["name"]) for model in models])
     except ClaimFileError as error:
         raise BadInputError(str(error)) from None
     verdicts = judge_file(claim_file, models, seconds=SECONDS, processes=processors())

@@ -2,7 +2,8 @@
 
     format = "gainproof claims 1"
 
-    [source]                   # year, url, doi and note may be missing
+    [source]                   # year, url, doi, note, and for code repository and commit, may be
+                               # missing
     key = "someone-2001"
     title = "..."
     authors = ["A. Someone"]
@@ -34,6 +35,7 @@
     latex = '\\alpha = ...'     # as printed; or plain = "alpha = ...", or text = "..." in words
     domain = 'x > 0'           # where the formula does not print its own
     given = ['x = 1']          # hypotheses
+    quoted = "..."             # the excerpt as seen, where the formula is transcribed from it
     about = ['\\alpha', 'x']    # see claim_kinds for the fields that belong to one kind
     note = "..."
 
@@ -45,7 +47,7 @@ from __future__ import annotations
 
 import tomllib
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -74,7 +76,18 @@ square.
 """
 MOST_AUTHORS = 50
 TABLES = ("format", "source", "symbols", "settings", "claims")
-SOURCE_FIELDS = ("key", "title", "authors", "publication", "year", "url", "doi", "note")
+SOURCE_FIELDS = (
+    "key",
+    "title",
+    "authors",
+    "publication",
+    "year",
+    "url",
+    "doi",
+    "repository",
+    "commit",
+    "note",
+)
 
 __all__ = [
     "FORMAT",
@@ -113,8 +126,12 @@ def read_claim_file(path: str | Path) -> ClaimFile:
     return read_claim_text(text, name)
 
 
-def read_claim_text(text: str, path: str = "claims") -> ClaimFile:
-    """The claim file with this text; `path` is used in messages only."""
+def read_claim_text(
+    text: str, path: str = "claims", models: Sequence[str] | None = None
+) -> ClaimFile:
+    """The claim file with this text; `path` is used in messages only. With `models`, the names of
+    the catalogue, a setting may name no other.
+    """
     if len(text) > MOST_BYTES:
         raise ClaimFileError(path, "", f"more than {MOST_BYTES} characters")
     text = text.replace("\r\n", "\n")
@@ -128,7 +145,7 @@ def read_claim_text(text: str, path: str = "claims") -> ClaimFile:
     start = file_text.line_of_table("symbols") or 1
     declared = read_declarations(file_text, "symbols", document.take("symbols") or {}, start)
     symbols = complete_symbols(file_text, declared)
-    settings = read_settings(file_text, document.take("settings"), symbols)
+    settings = read_settings(file_text, document.take("settings"), symbols, models)
     claims = read_claims(file_text, document.take("claims"), settings)
     return ClaimFile(path, source, symbols, settings, claims)
 
@@ -173,5 +190,7 @@ def _source(text: FileText, table: object) -> SourceRecord:
         year=fields.whole_number("year", 1, 9999),
         url=fields.text_or_none("url"),
         doi=fields.text_or_none("doi"),
+        repository=fields.text_or_none("repository"),
+        commit=fields.text_or_none("commit"),
         note=fields.text_or_none("note"),
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from gainproof.verify.judge.claim_domains import contradiction, relations_of
 from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields, nearest_hint
 from gainproof.verify.judge.claim_formulas import conditions_of, formula_of
@@ -24,6 +25,7 @@ FIELDS = (
     "text",
     "domain",
     "given",
+    "quoted",
     "note",
     *dict.fromkeys(name for names in OWN_FIELDS.values() for name in names),
 )
@@ -91,9 +93,36 @@ def _claim(fields: Fields, settings: Mapping[str, Setting]) -> Claim:
         ),
         text=words,
         note=fields.text_or_none("note"),
+        quoted=fields.text_or_none("quoted"),
         line=fields.line or 1,
     )
+    _check_domain(fields, claim, setting)
     return with_own_fields(claim, fields, setting.symbols)
+
+
+def _check_domain(fields: Fields, claim: Claim, setting: Setting) -> None:
+    """Domain, printed conditions and the domains of the symbols met must leave something."""
+    stated = list(claim.domain)
+    tokens: set[str] = set()
+    if claim.formula is not None:
+        reading = claim.formula.readings[0]
+        stated += reading.conditions if reading.connective == "if" else ()
+        tokens.update(claim.formula.symbols)
+    if not stated:
+        return
+    tokens.update(
+        node[1]
+        for relation in stated
+        for graph in (relation.left, relation.right)
+        for node in graph["nodes"]
+        if node[0] == "symbol"
+    )
+    fault = contradiction(
+        [*relations_of(sorted(tokens), setting.symbols), *stated], setting.symbols
+    )
+    if fault is not None:
+        field = "domain" if claim.domain else "latex" if claim.plain is None else "plain"
+        raise fields.fail(field, f"the domain is empty: {fault}")
 
 
 def _setting(fields: Fields, settings: Mapping[str, Setting]) -> Setting:

@@ -53,7 +53,9 @@ LOCATIONS = ("inside the unit circle", "left half plane", "real", "complex", "eq
 
 @dataclass(frozen=True)
 class SourceRecord:
-    """Bibliographic record; `key` is the short name by which the source is cited."""
+    """Bibliographic record; `key` is the short name by which the source is cited. Source code is
+    found by `repository` and `commit`.
+    """
 
     key: str
     title: str
@@ -62,6 +64,8 @@ class SourceRecord:
     year: int | None = None
     url: str | None = None
     doi: str | None = None
+    repository: str | None = None
+    commit: str | None = None
     note: str | None = None
 
 
@@ -153,6 +157,7 @@ class Claim:
     """One claim in the order of the source.
 
     `formula` is None for a claim in words, which `text` paraphrases (`latex` is then empty).
+    `quoted` is the excerpt as seen, where the formula had to be transcribed from it (from code).
     `plain` is the formula as typed where it was not given in LaTeX; `latex` is then printed from
     it. `domain` holds the relations of the field `domain` (conditions printed in the formula itself
     stay with the readings). `given` are relations taken as hypotheses. `line` is the line of the
@@ -178,6 +183,7 @@ class Claim:
     note: str | None = None
     line: int = 1
     plain: str | None = None
+    quoted: str | None = None
     subject: Graph | None = None
     trend: str | None = None
     order: int | None = None

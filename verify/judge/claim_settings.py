@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
+from gainproof.verify.judge.claim_domains import contradiction, relations_of
 from gainproof.verify.judge.claim_errors import FileText
-from gainproof.verify.judge.claim_fields import Fields
-from gainproof.verify.judge.claim_formulas import graph_in
-from gainproof.verify.judge.claim_record import OwnModel, Setting, SymbolEntry
+from gainproof.verify.judge.claim_fields import Fields, nearest_hint
+from gainproof.verify.judge.claim_models import MATRICES, read_own_model
+from gainproof.verify.judge.claim_record import Setting, SymbolEntry
 from gainproof.verify.judge.claim_symbols import complete_symbols, read_declarations
-from gainproof.verify.judge.formula import Graph
 
 MOST_SETTINGS = 100
-MOST_STATES = 12
 MOST_DEGREE = 8
 SETTING_KINDS = ("steady_state", "growing_memory", "algebra")
 CONVENTIONS: Mapping[str, tuple[str, ...]] = {
@@ -24,24 +23,32 @@ CONVENTIONS: Mapping[str, tuple[str, ...]] = {
     "covariance": ("predicted", "updated", "search"),
 }
 """What a source may mean by its symbols; `search` where it does not say."""
-_MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
-FIELDS = ("kind", "title", "model", "degree", "note", "symbols", *_MATRICES, *CONVENTIONS)
+FIELDS = ("kind", "title", "model", "degree", "note", "symbols", *MATRICES, *CONVENTIONS)
 """Fields of a setting."""
 
 
 def read_settings(
-    text: FileText, table: object, shared: Mapping[str, SymbolEntry]
+    text: FileText,
+    table: object,
+    shared: Mapping[str, SymbolEntry],
+    models: Sequence[str] | None = None,
 ) -> dict[str, Setting]:
-    """All settings by name; `shared` are the symbols of the file's own table."""
+    """All settings by name; `shared` are the symbols of the file's own table, `models` the names
+    of the catalogue, if they are known.
+    """
     if not isinstance(table, Mapping) or not table:
         raise text.error("settings", "at least one table [settings.NAME] is wanted")
     if len(table) > MOST_SETTINGS:
         raise text.error("settings", f"more than {MOST_SETTINGS} settings")
-    return {name: _setting(text, name, content, shared) for name, content in table.items()}
+    return {name: _setting(text, name, content, shared, models) for name, content in table.items()}
 
 
 def _setting(
-    text: FileText, name: str, content: object, shared: Mapping[str, SymbolEntry]
+    text: FileText,
+    name: str,
+    content: object,
+    shared: Mapping[str, SymbolEntry],
+    models: Sequence[str] | None,
 ) -> Setting:
     where = f"settings.{name[:80]}"
     fields = Fields(text, where, content, FIELDS, text.line_of_table(where))
@@ -50,10 +57,16 @@ def _setting(
     model = fields.text_or_none("model")
     degree = fields.whole_number("degree", 0, MOST_DEGREE)
     note = fields.text_or_none("note")
-    matrices = {matrix: fields.take(matrix) for matrix in _MATRICES}
     own_symbols = fields.take("symbols")
-    _check_kind(fields, kind, model, degree, matrices)
+    _check_kind(fields, kind, model, degree)
+    if models is not None and model not in (None, "search", *models):
+        hint = nearest_hint(str(model), models) or f"; known are {', '.join(models)}"
+        raise fields.fail("model", f"no model is called {str(model)[:80]!r}{hint}")
     symbols = _symbols(text, where, own_symbols, shared)
+    own_model = read_own_model(fields, symbols)
+    fault = contradiction(relations_of(symbols, symbols), symbols)
+    if fault is not None:
+        raise fields.fail("", f"the domains of its symbols contradict one another: {fault}")
     _check_gain(fields, symbols)
     return Setting(
         name=name,
@@ -61,7 +74,7 @@ def _setting(
         title=title,
         symbols=symbols,
         model=model,
-        own_model=_own_model(fields, matrices, symbols),
+        own_model=own_model,
         degree=degree,
         note=note,
         **_conventions(fields, symbols),
@@ -112,12 +125,8 @@ def _check_kind(
     kind: str,
     model: str | None,
     degree: int | None,
-    matrices: Mapping[str, object],
 ) -> None:
-    given = [name for name, matrix in matrices.items() if matrix is not None]
-    if given and len(given) < len(_MATRICES):
-        missing = next(name for name in _MATRICES if name not in given)
-        raise fields.fail(missing, "this matrix is missing: a model has four")
+    given = any(fields.has(name) for name in MATRICES)
     if kind == "steady_state" and (model is None) == (not given):
         raise fields.fail("model", "wanted: either `model` or the four matrices of a model")
     if kind != "steady_state" and (model is not None or given):
@@ -136,41 +145,3 @@ def _symbols(
         return dict(shared)
     own = read_declarations(text, place, table, text.line_of_table(place) or 1)
     return complete_symbols(text, own, shared)
-
-
-def _own_model(
-    fields: Fields, matrices: Mapping[str, object], symbols: Mapping[str, SymbolEntry]
-) -> OwnModel | None:
-    if matrices["transition"] is None:
-        return None
-    read: dict[str, tuple[tuple[Graph, ...], ...]]
-    read = {name: _matrix(fields, name, matrices[name], symbols) for name in _MATRICES}
-    states, measured = len(read["transition"]), len(read["measurement"])
-    wanted = {
-        "transition": (states, states),
-        "process_noise": (states, states),
-        "measurement": (measured, states),
-        "measurement_noise": (measured, measured),
-    }
-    for name, (rows, columns) in wanted.items():
-        found = (len(read[name]), min(map(len, read[name])))
-        if found != (rows, columns):
-            shape = f"{found[0]} by {found[1]}"
-            raise fields.fail(name, f"wanted {rows} by {columns}, but it is {shape}")
-    return OwnModel(**read)
-
-
-def _matrix(
-    fields: Fields, name: str, value: object, symbols: Mapping[str, SymbolEntry]
-) -> tuple[tuple[Graph, ...], ...]:
-    problem = f"a list of 1 to {MOST_STATES} rows of formulas, all of one length, is wanted"
-    if not isinstance(value, list) or not 1 <= len(value) <= MOST_STATES:
-        raise fields.fail(name, problem)
-    rows: list[tuple[Graph, ...]] = []
-    for row in value:
-        if not isinstance(row, list) or not 1 <= len(row) <= MOST_STATES:
-            raise fields.fail(name, problem)
-        if len(row) != len(value[0]) or not all(isinstance(entry, str) for entry in row):
-            raise fields.fail(name, problem)
-        rows.append(tuple(graph_in(fields, name, entry, symbols) for entry in row))
-    return tuple(rows)

@@ -1,0 +1,99 @@
+"""Models of a source's own: four matrices of formulas whose shapes fit, whose noises are
+covariances as far as they are numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from gainproof.verify.judge.claim_fields import Fields
+from gainproof.verify.judge.claim_formulas import Symbols, graph_in
+from gainproof.verify.judge.claim_record import OwnModel
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.formula import Graph
+
+MOST_STATES = 12
+MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
+Rows = tuple[tuple[Graph, ...], ...]
+
+
+def read_own_model(fields: Fields, symbols: Symbols) -> OwnModel | None:
+    """The model in the fields of a setting, or None. Raises ClaimFileError."""
+    given = [name for name in MATRICES if fields.has(name)]
+    if not given:
+        return None
+    if len(given) < len(MATRICES):
+        missing = next(name for name in MATRICES if name not in given)
+        raise fields.fail(missing, "this matrix is missing: a model has four")
+    read = {name: _matrix(fields, name, symbols) for name in MATRICES}
+    _check_shapes(fields, read)
+    for name in ("process_noise", "measurement_noise"):
+        _check_covariance(fields, name, read[name])
+    return OwnModel(**read)
+
+
+def _matrix(fields: Fields, name: str, symbols: Symbols) -> Rows:
+    value = fields.take(name)
+    problem = f"a list of 1 to {MOST_STATES} rows of formulas, all of one length, is wanted"
+    if not isinstance(value, list) or not 1 <= len(value) <= MOST_STATES:
+        raise fields.fail(name, problem)
+    rows: list[tuple[Graph, ...]] = []
+    for row in value:
+        if not isinstance(row, list) or not 1 <= len(row) <= MOST_STATES:
+            raise fields.fail(name, problem)
+        if len(row) != len(value[0]) or not all(isinstance(entry, str) for entry in row):
+            raise fields.fail(name, problem)
+        rows.append(tuple(graph_in(fields, name, entry, symbols) for entry in row))
+    return tuple(rows)
+
+
+def _check_shapes(fields: Fields, read: Mapping[str, Rows]) -> None:
+    states, measured = len(read["transition"]), len(read["measurement"])
+    wanted = {
+        "transition": (states, states),
+        "process_noise": (states, states),
+        "measurement": (measured, states),
+        "measurement_noise": (measured, measured),
+    }
+    for name, (rows, columns) in wanted.items():
+        found = (len(read[name]), len(read[name][0]))
+        if found != (rows, columns):
+            shape = f"{found[0]} by {found[1]}"
+            raise fields.fail(name, f"wanted {rows} by {columns}, but it is {shape}")
+
+
+def _check_covariance(fields: Fields, name: str, matrix: Rows) -> None:
+    """A noise given in numbers must be symmetric and positive semidefinite."""
+    numbers = [[_number(entry) for entry in row] for row in matrix]
+    known = [[value for value in row if value is not None] for row in numbers]
+    if any(len(row) < len(numbers) for row in known):
+        return
+    if any(known[i][j] != known[j][i] for i in range(len(known)) for j in range(i)):
+        raise fields.fail(name, "a covariance is symmetric, but this matrix is not")
+    if not positive_semidefinite(known):
+        problem = "a covariance is positive semidefinite, but this matrix is not"
+        raise fields.fail(name, problem)
+
+
+def _number(entry: Graph) -> Fraction | None:
+    try:
+        return constant_value(read_graph(entry))
+    except Malformed:
+        return None
+
+
+def positive_semidefinite(matrix: list[list[Fraction]]) -> bool:
+    """Whether a symmetric matrix of fractions is; by exact elimination."""
+    if not matrix:
+        return True
+    pivot, *rest = matrix[0]
+    if pivot < 0 or (pivot == 0 and any(rest)):
+        return False
+    below = [
+        [entry - (row[0] * rest[j] / pivot if pivot else 0) for j, entry in enumerate(row[1:])]
+        for row in matrix[1:]
+    ]
+    return positive_semidefinite(below)
