@@ -28,8 +28,9 @@ def claims_folder() -> Path:
 
 
 def claim_files() -> tuple[Path, ...]:
-    """Every committed claim file, by name."""
-    return tuple(sorted(claims_folder().glob("*.toml")))
+    """Every committed claim file: those of the main sources, then those of `outside/`, by name."""
+    folder = claims_folder()
+    return (*sorted(folder.glob("*.toml")), *sorted((folder / "outside").glob("*.toml")))
 
 
 def shown(path: str | Path) -> str:

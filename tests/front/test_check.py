@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from gainproof import cli
+from gainproof import cli, places
 
 Capture = pytest.CaptureFixture[str]
 
@@ -89,9 +89,20 @@ def test_json_has_the_documented_fields(file: Path, capsys: Capture) -> None:
 
 
 def test_without_a_file_json_is_a_list_of_all(capsys: Capture) -> None:
-    assert cli.main(["check", "--json"]) == 0
+    status = cli.main(["check", "--json"])
     data = as_json(capsys)
-    assert "kosuge-slides" in [judgement["source"]["key"] for judgement in data]
+    assert [judgement["source"]["key"] for judgement in data] == [
+        path.stem for path in places.claim_files()
+    ]
+    verdicts = {entry["verdict"] for judgement in data for entry in judgement["claims"]}
+    assert status == (1 if verdicts & {"held", "undecided"} else 0)
+
+
+def test_own_claim_files_are_those_of_the_sources_and_those_from_outside() -> None:
+    files = places.claim_files()
+    assert "kosuge-slides" in [path.stem for path in files]
+    assert "outside" in {path.parent.name for path in files}
+    assert len({path.stem for path in files}) == len(files)
 
 
 def test_the_lecture_is_settled_and_the_noise_of_each_row_found(capsys: Capture) -> None:
