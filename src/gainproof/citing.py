@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterable, Mapping
 from typing import Any
 
 from gainproof import derivations, places
 from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.page import filled
 from gainproof.verify.judge.claim_file import ClaimFile, ClaimFileError, read_claim_file
 from gainproof.workshop import Workshop
-
-WIDTH = 92
 
 Subject = Mapping[str, Any]
 
@@ -24,15 +22,15 @@ def listing(shop: Workshop) -> str:
         parts.append(f"  {subject['name']}: {subject['title']}")
         modules = sorted({kernel["module"] for kernel in subject["kernels"]})
         parts.append(f"      gainproof.generated.{', '.join(modules)}")
-        parts += _filled(", ".join(kernel["name"] for kernel in subject["kernels"]), "      ")
+        parts += filled(", ".join(kernel["name"] for kernel in subject["kernels"]), "      ")
     parts += ["", "Works (gainproof cite NAME)", ""]
     for key, record in sorted(_works(subjects).items()):
-        parts += _filled(f"{key}: {record['text']}", "  ")
+        parts += filled(f"{key}: {record['text']}", "  ")
     parts += ["", "Claim files (gainproof check FILE)", ""]
     for file in _claim_files():
-        parts += _filled(f"{file.source.key}: {_authors(file)}: {file.source.title}", "  ")
+        parts += filled(f"{file.source.key}: {_authors(file)}: {file.source.title}", "  ")
         parts.append(f"      {len(file.claims)} claims in {places.shown(file.path)}")
-        parts += _filled(", ".join(claim.id for claim in file.claims), "      ")
+        parts += filled(", ".join(claim.id for claim in file.claims), "      ")
     return "\n".join(parts) + "\n"
 
 
@@ -62,25 +60,25 @@ def _subject_citation(subject: Subject) -> str:
     if not subject["sources"]:
         lines.append("  rests on no published work")
     for source in subject["sources"]:
-        lines += _filled(source["text"], "  ")
-        lines += _filled(f"for: {source['rests_on']}", "      ")
+        lines += filled(source["text"], "  ")
+        lines += filled(f"for: {source['rests_on']}", "      ")
     if subject["cited"]:
         lines += ["", "  Used and not proved here:"]
         for theorem in subject["cited"]:
-            lines += _filled(f"{theorem['theorem']} ({theorem['reference']})", "      ")
+            lines += filled(f"{theorem['theorem']} ({theorem['reference']})", "      ")
     return "\n".join(lines) + "\n"
 
 
 def _work_citation(record: Mapping[str, str], subjects: Iterable[Subject]) -> str:
     users = [d["name"] for d in subjects if any(s["key"] == record["key"] for s in d["sources"])]
-    lines = [*_filled(record["text"], ""), *_filled(f"for: {record['rests_on']}", "  ")]
-    return "\n".join([*lines, *_filled(f"used by: {', '.join(users)}", "  ")]) + "\n"
+    lines = [*filled(record["text"], ""), *filled(f"for: {record['rests_on']}", "  ")]
+    return "\n".join([*lines, *filled(f"used by: {', '.join(users)}", "  ")]) + "\n"
 
 
 def _file_citation(file: ClaimFile) -> str:
     source = file.source
     year = f", {source.year}" if source.year else ""
-    lines = _filled(f"{_authors(file)}: {source.title}. {source.publication}{year}.", "")
+    lines = filled(f"{_authors(file)}: {source.title}. {source.publication}{year}.", "")
     lines += [
         f"  {label}: {value}"
         for label, value in (("doi", source.doi), ("url", source.url))
@@ -103,14 +101,3 @@ def _claim_files() -> list[ClaimFile]:
         return [read_claim_file(path) for path in places.claim_files()]
     except ClaimFileError as error:
         raise BadInputError(str(error)) from None
-
-
-def _filled(text: str, indent: str) -> list[str]:
-    return textwrap.wrap(
-        text,
-        WIDTH,
-        initial_indent=indent,
-        subsequent_indent=indent,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )

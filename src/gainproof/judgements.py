@@ -10,15 +10,17 @@ from gainproof import derivations, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.workshop import Workshop
 
+SECONDS = 60.0
+"""Time for one claim, unless somebody says otherwise; what takes longer is undecided."""
 
-def judge(files: Sequence[Path], shop: Workshop) -> list[dict[str, Any]]:
+
+def judge(files: Sequence[Path], shop: Workshop, seconds: float = SECONDS) -> list[dict[str, Any]]:
     """{"source", "claims"} of every file. Raises BadInputError for a file that cannot be used."""
     texts = {file: read(file) for file in files}
     models = [entry["model"] for entry in derivations.overview(shop) if entry["model"]]
+    shared = {"models": models, "seconds": seconds}
     jobs = [
-        workers.Job(
-            file.stem, "judge", {"path": places.shown(file), "text": text, "models": models}
-        )
+        workers.Job(file.stem, "judge", {"path": places.shown(file), "text": text, **shared})
         for file, text in texts.items()
     ]
     return shop.results("judged", jobs)

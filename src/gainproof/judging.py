@@ -11,12 +11,12 @@ from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.workers import processors
 
-SECONDS = 60.0
-"""Time for one claim; what takes longer is undecided."""
 
-
-def judge_text(path: str, text: str, models: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages.
+def judge_text(
+    path: str, text: str, models: Sequence[Mapping[str, Any]], seconds: float
+) -> dict[str, Any]:
+    """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages, and
+    a claim that takes more than `seconds` is undecided.
 
     Raises BadInputError, with line and column where known, for a file that is not accepted.
     """
@@ -24,7 +24,7 @@ def judge_text(path: str, text: str, models: Sequence[Mapping[str, Any]]) -> dic
         claim_file = read_claim_text(text, path, [str(model["name"]) for model in models])
     except ClaimFileError as error:
         raise BadInputError(str(error)) from None
-    verdicts = judge_file(claim_file, models, seconds=SECONDS, processes=processors())
+    verdicts = judge_file(claim_file, models, seconds=seconds, processes=processors())
     return {
         "source": asdict(claim_file.source),
         "claims": [verdict.to_json() for verdict in verdicts],

@@ -71,11 +71,11 @@ def recheck(certificate: Any, expected: Plain) -> Plain:
     return decide(certificate, expected)
 
 
-def judge(path: str, text: str, models: list[Plain]) -> Plain:
+def judge(path: str, text: str, models: list[Plain], seconds: float) -> Plain:
     """Judge a claim file of this text, given the catalogue's models; `path` is for messages."""
     from gainproof.judging import judge_text
 
-    return judge_text(path, text, models)
+    return judge_text(path, text, models, seconds)
 
 
 def environment(names: list[str]) -> dict[str, str | None]:

@@ -1,27 +1,31 @@
-"""Verdicts for people: a line or a few for each claim."""
+"""Verdicts for people: a table with a line or a few for each claim."""
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import groupby
 from typing import Any
 
+from gainproof.page import WIDTH, filled
+from gainproof.verdict_reason import reasons
 from gainproof.verdicts import Judgement, tally
 
-WIDTH = 92
-
 Claim = Mapping[str, Any]
+_WIDEST_ID = 26
 
 
-def overview(judgement: Judgement) -> str:
-    """The source and every claim with its verdict."""
-    source = judgement["source"]
-    lines = [f"{source['key']}: {source['title']}", ""]
-    width = max((len(claim["id"]) for claim in judgement["claims"]), default=0)
-    for claim in judgement["claims"]:
-        lines.append(f"  {claim['id']:<{width}}  {claim['verdict']}")
-        for text in remarks(claim):
-            lines += filled(text, " " * (width + 4))
+def overview(judgement: Judgement, columns: int = WIDTH) -> str:
+    """The source and, by the places where they stand, all claims with verdict, formula and why."""
+    source, claims = judgement["source"], judgement["claims"]
+    lines = [*filled(f"{source['key']}: {source['title']}", "", "  ", columns), ""]
+    names = min(_WIDEST_ID, max((len(claim["id"]) for claim in claims), default=0))
+    words = max((len(claim["verdict"]) for claim in claims), default=0)
+    for place, group in groupby(claims, lambda claim: claim["place"]):
+        lines += filled(place, "  ", "    ", columns)
+        for claim in group:
+            head = f"    {claim['id']:<{names}}  {claim['verdict']:<{words}}  "
+            lines += _claim(claim, head, " " * (names + words + 8), columns)
+    lines += _conventions(claims, columns)
     lines += ["", f"  {counts([judgement])}"]
     return "\n".join(lines) + "\n"
 
@@ -31,39 +35,29 @@ def counts(judgements: list[Judgement]) -> str:
     found = tally(judgements)
     shown = ", ".join(f"{number} {verdict}" for verdict, number in found.items())
     total = sum(found.values())
-    return f"{total} claims: {shown}" if total else "no claims"
+    return f"{total} claim{'s' if total > 1 else ''}: {shown}" if total else "no claims"
 
 
-def remarks(claim: Claim) -> list[str]:
-    """What a reader has to know besides the verdict; nothing for a claim that is simply proved."""
-    found = []
-    if claim["domain"] and claim["verdict"] == "conditional":
-        found.append(f"holds {claim['domain']}")
-    found += [f"{name}: {claim[name]}" for name in ("convention", "reading") if claim[name]]
-    if claim["repair"]:
-        repair = claim["repair"]
-        found.append(f"nearest true formula: {repair['latex']} ({repair['verdict']})")
-    found += [
-        f"{entry['symbol']} = {entry['solution']}, fixed by {_ids(entry['consumed'])}"
-        for entry in claim["undefined"]
-        if entry["solution"] is not None
-    ]
-    if claim["verdict"] not in {"proved", "definition"} and claim["reason"]:
-        found.append(claim["reason"])
-    return found
+def _claim(claim: Claim, head: str, indent: str, columns: int) -> list[str]:
+    """Formula beside the verdict, reasons below; a claim in words has its reason beside it."""
+    texts = [*([" ".join(claim["latex"].split())] if claim["latex"] else []), *reasons(claim)]
+    if not texts:
+        return [head.rstrip()]
+    lines = filled(texts[0], head, indent, columns)
+    for text in texts[1:]:
+        lines += filled(text, indent, indent, columns)
+    return lines
 
 
-def filled(text: str, indent: str) -> list[str]:
-    """Text filled to the width of the page, long words kept whole."""
-    return textwrap.wrap(
-        text,
-        WIDTH,
-        initial_indent=indent,
-        subsequent_indent=indent,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
-
-
-def _ids(value: Any) -> str:
-    return ", ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
+def _conventions(claims: Sequence[Claim], columns: int) -> list[str]:
+    """What the source leaves open, as it was filled in, once for all claims alike."""
+    found: dict[str, list[str]] = {}
+    for claim in claims:
+        if claim["convention"]:
+            found.setdefault(claim["convention"], []).append(claim["id"])
+    if not found:
+        return []
+    lines = ["", "  Left open by the source, filled in so that its claims hold:"]
+    for convention, names in found.items():
+        lines += filled(f"{convention}: {', '.join(names)}", "    ", "      ", columns)
+    return lines

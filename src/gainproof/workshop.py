@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -45,8 +46,13 @@ class Workshop:
         return found
 
 
-def open_workshop(*, fresh: bool = False, quiet: bool = False) -> Workshop:
-    """The workshop of this user. `fresh`: nothing is taken from the cache."""
+def open_workshop(
+    *, fresh: bool = False, quiet: bool = False, only_terminal: bool = False
+) -> Workshop:
+    """The workshop of this user. `fresh`: nothing is taken from the cache. Progress is not shown if
+    `quiet`, and with `only_terminal` not unless somebody can be looking on.
+    """
+    quiet = quiet or (only_terminal and not sys.stderr.isatty())
     return Workshop(Cache(default_folder(), fresh), Progress(quiet), code_digest.of_everything())
 
 

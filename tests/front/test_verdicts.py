@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from gainproof import verdict_text, verdicts
+from gainproof import verdicts
 from gainproof.bad_input import BadInputError
 
 
@@ -119,10 +119,3 @@ def test_unsettled_and_tally() -> None:
     data["claims"] += [claim("d", "held"), claim("e", "undecided")]
     assert verdicts.unsettled(data) == ["d", "e"]
     assert list(verdicts.tally([data])) == ["proved", "refuted", "held", "undecided", "remark"]
-
-
-def test_overview_names_verdicts_repairs_and_reasons() -> None:
-    text = verdict_text.overview(JUDGED)
-    assert "  a  proved\n     convention: filter gain\n" in text
-    assert r"nearest true formula: \beta = 2 (proved)" in text
-    assert "3 claims: 1 proved, 1 refuted, 1 remark" in text

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-HELP = "judge the claims of a claim file"
+HELP = "judge the claims of a claim file, or begin one"
 DESCRIPTION = """\
 Judges every claim of FILE, or of all claim files that belong to gainproof. Exit status 0 if every
 claim is settled, whatever the verdict; 1 if one is held or undecided; 2 for a file that is bad."""
@@ -15,20 +15,54 @@ def configure(parser: argparse.ArgumentParser) -> None:
         "file", metavar="FILE", nargs="?", help="a claim file, or the key of one of gainproof"
     )
     parser.add_argument("--json", action="store_true", help="one object, or a list without FILE")
+    parser.add_argument(
+        "--errata",
+        metavar="SHEET",
+        nargs="?",
+        const="",
+        help="errata sheet instead of the table, in Markdown; or written to SHEET (.md or .tex)",
+    )
+    parser.add_argument(
+        "--seconds",
+        metavar="N",
+        type=_seconds,
+        help="time for one claim, which is undecided after that (default: 60)",
+    )
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
+
+
+def _seconds(text: str) -> float:
+    seconds = float(text)
+    if not 0 < seconds <= 86400:
+        raise argparse.ArgumentTypeError(f"wanted: more than 0 seconds, at most a day, got {text}")
+    return seconds
 
 
 def run(options: argparse.Namespace) -> int:
     """0 if every claim is settled, else 1."""
-    import json
-
-    from gainproof import judgements, places, verdict_text, verdicts
+    from gainproof import errata, judgements, places, verdicts
     from gainproof.workshop import open_workshop
 
+    sheet = errata.target(options.errata) if options.errata else None
     files = [judgements.find(options.file)] if options.file else list(places.claim_files())
-    judged = judgements.judge(files, open_workshop(fresh=options.fresh))
-    if options.json:
-        print(json.dumps(judged[0] if options.file else judged, indent=2))
-    else:
-        print("\n".join(verdict_text.overview(judgement) for judgement in judged), end="")
+    shop = open_workshop(fresh=options.fresh, only_terminal=True)
+    judged = judgements.judge(files, shop, options.seconds or judgements.SECONDS)
+    if sheet is not None:
+        errata.write(judged, sheet)
+    print(_shown(options, judged), end="")
+    if sheet is not None and not options.json:
+        print(f"\nerrata: {places.shown(sheet)}")
     return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
+
+
+def _shown(options: argparse.Namespace, judged: list[dict[str, object]]) -> str:
+    """What goes to standard output: data, the sheet, or the table."""
+    import json
+
+    from gainproof import errata, page, verdict_text
+
+    if options.json:
+        return json.dumps(judged[0] if options.file else judged, indent=2) + "\n"
+    if options.errata == "":
+        return errata.sheet(judged)
+    return "\n".join(verdict_text.overview(judgement, page.width()) for judgement in judged)

@@ -1,0 +1,63 @@
+"""What goes into an errata sheet: claims that cannot stand as printed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from gainproof.verdict_reason import reason, solutions
+from gainproof.verdicts import Judgement
+
+CANNOT_STAND = frozenset({"refuted", "conditional", "undefined"})
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One claim: `title` is its place, with the id where that says more; `remarks` are labelled
+    sentences; `repair` is LaTeX, or empty where none was found.
+    """
+
+    title: str
+    verdict: str
+    printed: str
+    remarks: tuple[tuple[str, str], ...]
+    repair: str = ""
+    repair_verdict: str = ""
+
+
+def entries(judgement: Judgement) -> list[Entry]:
+    """The claims that are refuted, conditional or undefined, in the order of the source."""
+    found = []
+    for claim in judgement["claims"]:
+        if claim["verdict"] not in CANNOT_STAND:
+            continue
+        remarks = []
+        if claim["verdict"] == "conditional" and claim["domain"]:
+            remarks.append(("True", claim["domain"]))
+        why = reason(claim)
+        if why:
+            remarks.append(("Why", why))
+        remarks += [("Fixed by the other claims", text) for text in solutions(claim)]
+        if claim["convention"]:
+            remarks.append(("Convention", claim["convention"]))
+        repair = claim["repair"] or {"latex": "", "verdict": ""}
+        named = claim["id"] in claim["place"]
+        title = claim["place"] if named else f"{claim['place']}, {claim['id']}"
+        found.append(
+            Entry(
+                title,
+                claim["verdict"],
+                claim["latex"],
+                tuple(remarks),
+                repair["latex"],
+                repair["verdict"],
+            )
+        )
+    return found
+
+
+def source_line(source: Mapping[str, Any]) -> str:
+    """Authors, publication and year."""
+    year = f", {source['year']}" if source["year"] else ""
+    return f"{', '.join(source['authors'])}. {source['publication']}{year}."

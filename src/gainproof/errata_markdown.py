@@ -1,0 +1,39 @@
+"""Errata sheets in Markdown with formulas between double dollars."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gainproof.errata_entries import Entry, entries, source_line
+from gainproof.verdicts import Judgement
+
+_SPECIAL = frozenset("\\`*_{}[]#|<>~$")
+
+
+def document(judgements: Sequence[Judgement]) -> str:
+    """The whole sheet, a heading for each source."""
+    parts = []
+    for judgement in judgements:
+        found = entries(judgement)
+        parts.append(f"# Errata: {_escaped(judgement['source']['title'])}")
+        parts.append(_escaped(source_line(judgement["source"])))
+        parts += [_entry(entry) for entry in found] or ["No errata were found."]
+    return "\n\n".join(parts) + "\n"
+
+
+def _entry(entry: Entry) -> str:
+    lines = [f"## {_escaped(entry.title)}", f"Printed ({entry.verdict}):"]
+    lines.append(_display(entry.printed) if entry.printed else "(in words)")
+    lines += [f"{label}: {_escaped(text)}" for label, text in entry.remarks]
+    if entry.repair:
+        lines += [f"Read instead ({entry.repair_verdict}):", _display(entry.repair)]
+    return "\n\n".join(lines)
+
+
+def _display(latex: str) -> str:
+    return f"$$\n{' '.join(latex.split())}\n$$"
+
+
+def _escaped(text: str) -> str:
+    """Text that Markdown shows as it is."""
+    return "".join(f"\\{character}" if character in _SPECIAL else character for character in text)

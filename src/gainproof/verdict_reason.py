@@ -1,0 +1,65 @@
+"""Why a claim has its verdict, in a sentence or two."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from gainproof import witness_text
+
+Claim = Mapping[str, Any]
+
+DECIDED_AS_STATED = frozenset({"proved", "definition"})
+
+
+def reasons(claim: Claim) -> list[str]:
+    """What a reader has to know besides the verdict; nothing for a claim that is simply true."""
+    found = []
+    if claim["verdict"] == "conditional" and claim["domain"]:
+        found.append(f"true {claim['domain']}; not everywhere")
+    if claim["reading"]:
+        found.append(f"read so that {claim['reading']}")
+    why = reason(claim)
+    if why:
+        found.append(why)
+    if claim["repair"]:
+        repair = claim["repair"]
+        found.append(f"nearest true formula ({repair['verdict']}): {repair['latex']}")
+    return found + solutions(claim)
+
+
+def reason(claim: Claim) -> str:
+    """The ground of a verdict that is not simply `proved`: the witness, if there is one."""
+    witness = claim["evidence"]["witness"]
+    if isinstance(witness, Mapping):
+        return f"{_against(claim, witness)}{witness_text.in_words(witness)}"
+    if claim["verdict"] in DECIDED_AS_STATED:
+        return ""
+    if claim["verdict"] == "undefined" and solutions(claim):
+        return ""
+    return str(claim["reason"] or "")
+
+
+def solutions(claim: Claim) -> list[str]:
+    """Undefined symbols whose meaning the other claims fix."""
+    return [
+        f"{entry['symbol']} = {entry['solution']}, fixed by {_ids(entry['consumed'])}"
+        for entry in claim["undefined"]
+        if entry["solution"] is not None
+    ]
+
+
+def _against(claim: Claim, witness: Mapping[str, Any]) -> str:
+    """Under which of several conventions the witness was found, if the claim fits none of them."""
+    certificate = claim["evidence"]["certificate"] or {}
+    others = certificate.get("against other conventions", {})
+    name = next((name for name, other in others.items() if other == witness), None)
+    if claim["verdict"] != "refuted" or name is None:
+        return ""
+    if len(others) == 1:
+        return f"{name}: "
+    return f"fits none of {len(others)} conventions; with {name}, "
+
+
+def _ids(value: Any) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
