@@ -13,10 +13,24 @@ from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 
 def choose(trials: Sequence[Trial]) -> list[ClaimVerdict]:
     """The verdicts under those conventions under which every claim that fits any of them holds."""
-    names = list(dict.fromkeys(name for trial in trials for name in trial.findings))
-    fits = {t.claim.id: {n for n, f in t.findings.items() if f.verdict == "proved"} for t in trials}
-    common = [n for n in names if all(n in fit for fit in fits.values() if fit)]
+    fits, common = _fits(trials), _common(trials)
     return [_chosen(trial, common, fits) for trial in trials]
+
+
+def admitted(trials: Sequence[Trial]) -> list[str]:
+    """Conventions that the source may have: those that `choose` takes, all if there is none."""
+    names = list(dict.fromkeys(name for trial in trials for name in trial.findings))
+    return _common(trials) or names
+
+
+def _fits(trials: Sequence[Trial]) -> dict[str, set[str]]:
+    return {t.claim.id: {n for n, f in t.findings.items() if f.verdict == "proved"} for t in trials}
+
+
+def _common(trials: Sequence[Trial]) -> list[str]:
+    names = list(dict.fromkeys(name for trial in trials for name in trial.findings))
+    fits = _fits(trials)
+    return [n for n in names if all(n in fit for fit in fits.values() if fit)]
 
 
 def _chosen(trial: Trial, common: list[str], fits: Mapping[str, set[str]]) -> ClaimVerdict:

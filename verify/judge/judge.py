@@ -1,5 +1,5 @@
 """Judges claim files: every claim under every convention its setting admits, the choice made once
-for the setting.
+for the setting; then the nearest true formulas for what is not true.
 """
 
 from __future__ import annotations
@@ -7,16 +7,20 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from gainproof.verify.judge.choice import choose, verdict_of
+from gainproof.verify.judge.choice import admitted, choose, verdict_of
 from gainproof.verify.judge.claim_record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.repair.offer import repair_tasks, with_repair
 from gainproof.verify.judge.setting.environment import Environment
-from gainproof.verify.judge.trial import Trial, try_claim
+from gainproof.verify.judge.task import Models, Task, TrialTask
+from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 from gainproof.verify.judge.worker import tried_apart
 
 Progress = Callable[[str, str], None]
 """Called with the id of a claim and its verdict."""
+Done = Callable[[Sequence[Task]], Mapping[str, Trial]]
+"""Runs tasks on different claims; what they came to, by id of the claim."""
 WITHOUT_DECISION = {
     "definition": "nothing to decide but dimensions",
     "remark": "no decidable content",
@@ -25,7 +29,7 @@ WITHOUT_DECISION = {
 
 def judge_file(
     claim_file: ClaimFile,
-    models: Sequence[Mapping[str, Any]],
+    models: Models,
     *,
     progress: Progress | None = None,
     seconds: float | None = None,
@@ -37,40 +41,67 @@ def judge_file(
     up to `processes` of them run at once. A file that is not trusted should be judged like that.
     Nothing is raised for a claim that cannot be decided: its verdict is `undecided` and says why.
     """
-    tried: dict[str, Trial] = {}
-    if seconds is not None:
-        wanted = [claim for claim in claim_file.claims if claim.kind not in WITHOUT_DECISION]
-        tried = tried_apart(claim_file.settings, wanted, models, seconds, processes)
-    solved: dict[Any, Environment] = {}
+    done = here(models) if seconds is None else apart(models, seconds, processes)
+    claims, settings = claim_file.claims, claim_file.settings
+    wanted = [claim for claim in claims if claim.kind not in WITHOUT_DECISION]
+    trials = done([TrialTask(claim, settings[claim.setting]) for claim in wanted])
     found: dict[str, ClaimVerdict] = {}
-    for setting in claim_file.settings.values():
-        for verdict in judge_setting(setting, claim_file.claims, models, solved, tried):
-            found[verdict.id] = verdict
-            if progress is not None:
-                progress(verdict.id, verdict.verdict)
-    return tuple(found[claim.id] for claim in claim_file.claims)
+    tasks: list[Task] = []
+    for setting in settings.values():
+        here_tried = [trials[c.id] for c in wanted if c.setting == setting.name]
+        verdicts = _verdicts(setting, claims, here_tried)
+        found |= {verdict.id: verdict for verdict in verdicts}
+        tasks += repair_tasks(claims, setting, verdicts, admitted(here_tried))
+    for name, trial in done(tasks).items():
+        found[name] = with_repair(found[name], trial)
+    for claim in claims:
+        if progress is not None:
+            progress(claim.id, found[claim.id].verdict)
+    return tuple(found[claim.id] for claim in claims)
 
 
 def judge_setting(
-    setting: Setting,
-    claims: Iterable[Claim],
-    models: Sequence[Mapping[str, Any]],
-    solved: dict[Any, Environment],
-    tried: Mapping[str, Trial] | None = None,
+    setting: Setting, claims: Iterable[Claim], models: Models, solved: dict[Any, Environment]
 ) -> list[ClaimVerdict]:
-    """The verdicts on all claims of one setting; `tried` are trials already made, by id."""
-    done = tried or {}
-    verdicts, trials = [], []
-    for claim in claims:
-        if claim.setting != setting.name:
-            continue
-        if claim.kind in WITHOUT_DECISION:
-            verdicts.append(_plain(claim, setting))
-        elif claim.id in done:
-            trials.append(done[claim.id])
-        else:
-            trials.append(try_claim(claim, setting, models, solved))
-    return [*verdicts, *choose(trials)]
+    """The verdicts on all claims of one setting, without repairs."""
+    chosen = [claim for claim in claims if claim.setting == setting.name]
+    trials = [
+        TrialTask(claim, setting).run(models, solved)
+        for claim in chosen
+        if claim.kind not in WITHOUT_DECISION
+    ]
+    return _verdicts(setting, chosen, trials)
+
+
+def here(models: Models) -> Done:
+    """Tasks run in this process, one after the other."""
+    solved: dict[Any, Environment] = {}
+    return lambda tasks: {task.claim.id: task.run(models, solved) for task in tasks}
+
+
+def apart(models: Models, seconds: float, processes: int) -> Done:
+    """Tasks run in processes that are killed when the time is over."""
+    alone = here(models)
+
+    def done(tasks: Sequence[Task]) -> Mapping[str, Trial]:
+        tried = [task for task in tasks if isinstance(task, TrialTask)]
+        settings = {task.setting.name: task.setting for task in tried}
+        claims = [task.claim for task in tried]
+        found = tried_apart(settings, claims, models, seconds, processes)
+        return {**found, **alone([task for task in tasks if task not in tried])}
+
+    return done
+
+
+def _verdicts(
+    setting: Setting, claims: Iterable[Claim], trials: Sequence[Trial]
+) -> list[ClaimVerdict]:
+    plain = [
+        _plain(claim, setting)
+        for claim in claims
+        if claim.setting == setting.name and claim.kind in WITHOUT_DECISION
+    ]
+    return [*plain, *choose(trials)]
 
 
 def _plain(claim: Claim, setting: Setting) -> ClaimVerdict:

@@ -25,7 +25,7 @@ class Trial:
     """What one claim came to: finding by convention, and models that could not be solved.
 
     `is_open` says whether the source left the convention open. `failure` is why there is no
-    finding.
+    finding. `repair` is what a search for true formulas nearby came to, where there was one.
     """
 
     claim: Claim
@@ -34,6 +34,7 @@ class Trial:
     is_open: bool
     seconds: float
     failure: str | None = None
+    repair: Mapping[str, Any] | None = None
 
 
 def try_claim(

@@ -1,0 +1,1 @@
+"""The nearest true formula: what a misprint, or a slip, made of it."""

@@ -1,0 +1,201 @@
+"""What would make a formula true: one number, exponent, factor or term, solved for at each point
+and recognised.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from typing import Protocol
+
+import flint
+
+from gainproof.verify.judge.exact.expression import Expr, number, power
+from gainproof.verify.judge.exact.poly import Ball, rational
+from gainproof.verify.judge.repair.construct import (
+    ONE,
+    Path,
+    opposite,
+    places,
+    product,
+    quotient,
+    raised,
+    replaced,
+    total,
+)
+from gainproof.verify.judge.repair.edit import LARGE, PLAIN, Table
+from gainproof.verify.judge.repair.numbers import MOST_EXPONENT
+from gainproof.verify.judge.repair.printed import Printed
+from gainproof.verify.judge.repair.recognise import common_rational, monomial
+from gainproof.verify.judge.repair.values import Values, combined
+from gainproof.verify.judge.repair.whole import Change, Step
+
+STEPS = 40
+Rule = Callable[[Ball, Ball], Ball]
+
+
+class Context(Protocol):
+    """What closings and pairs of edits need to know of a search."""
+
+    formula: Printed
+    table: Table
+    numbers: frozenset[str]
+    points: list[Values]
+
+    @property
+    def is_late(self) -> bool:
+        """Whether the time is over."""
+        ...
+
+
+def closings(context: Context) -> Iterator[Change]:
+    """Formulas with one thing solved for; only for one equation."""
+    formula = context.formula
+    if len(formula.links) != 1 or formula.links[0].operator != "=" or len(context.points) < 4:
+        return
+    names = context.table.symbols
+    at = [[values.symbol(name) for values in context.points] for name in names]
+    known = [(n, column) for n, column in zip(names, at, strict=True) if None not in column]
+    tokens, columns = [n for n, _ in known], [column for _, column in known]
+    for side in formula.claimed():
+        for path, node in places(formula.sides[side]):
+            if context.is_late:
+                return
+            for rule, make, weight, what in _holes(node):
+                found = _solved(context, side, path, rule)
+                if found is None:
+                    continue
+                new = make(found, tokens, columns)
+                if new is not None and new != node:
+                    changed = replaced(formula.sides[side], path, new)
+                    yield Change(formula.with_side(side, changed), weight, (Step(what, node, new),))
+
+
+Make = Callable[[Sequence[Ball], Sequence[str], Sequence[Sequence[Ball]]], Expr | None]
+
+
+def _holes(node: Expr) -> Iterator[tuple[Rule, Make, int, str]]:
+    """How a hole enters at a node, and the node with the hole filled."""
+    if node.kind == "number":
+        yield lambda _, h: h, _number, PLAIN, "a number"
+        return
+    if node.kind == "pow":
+        yield (
+            lambda x, h: (h * x.log() / rational(node.fraction)).exp(),
+            lambda found, *_: _exponent(node, found),
+            PLAIN,
+            "an exponent",
+        )
+    yield (
+        lambda x, h: h * x,
+        lambda found, names, at: _times(node, monomial(found, names, at)),
+        LARGE,
+        "a factor",
+    )
+    yield (
+        lambda x, h: h + x,
+        lambda found, names, at: _plus(node, monomial(found, names, at)),
+        LARGE,
+        "a missing term",
+    )
+
+
+def _number(found: Sequence[Ball], *_: object) -> Expr | None:
+    value = common_rational(found)
+    if value is None:
+        return None
+    size = quotient(number(abs(value.numerator)), number(value.denominator))
+    return size if value >= 0 else opposite(size)
+
+
+def _exponent(node: Expr, found: Sequence[Ball]) -> Expr | None:
+    value = common_rational(found)
+    if value is None or max(abs(value), Fraction(value.denominator)) > MOST_EXPONENT:
+        return None
+    return raised(node.parts[0], value) if value else power(node.parts[0], 0)
+
+
+def _times(node: Expr, factor: Expr | None) -> Expr | None:
+    """The node times a factor, its numbers multiplied out."""
+    if factor is None:
+        return None
+    if factor.kind == "neg":
+        inner = _times(node, factor.parts[0])
+        return None if inner is None else opposite(inner)
+    above, below = factor.parts if factor.kind == "div" else (factor, ONE)
+    top, bottom = node.parts if node.kind == "div" else (node, ONE)
+    (a, tops), (b, bottoms) = _gathered(above, top), _gathered(below, bottom)
+    size = a / b
+    return quotient(
+        product(number(size.numerator), *tops), product(number(size.denominator), *bottoms)
+    )
+
+
+def _gathered(*factors: Expr) -> tuple[Fraction, list[Expr]]:
+    """The numbers among the factors multiplied, and the others."""
+    flat = product(*factors)
+    parts = flat.parts if flat.kind == "mul" else (flat,)
+    value = Fraction(1)
+    for part in parts:
+        value *= part.fraction if part.kind == "number" else 1
+    return value, [part for part in parts if part.kind != "number"]
+
+
+def _plus(node: Expr, term: Expr | None) -> Expr | None:
+    return None if term is None else total(node, term)
+
+
+def _solved(context: Context, side: int, path: Path, rule: Rule) -> list[Ball] | None:
+    """The value of the hole at each point, or None."""
+    found = []
+    for values in context.points:
+        with flint.ctx.workprec(values.precision):
+            value = _at_point(values, context.formula, side, path, rule)
+        if value is None:
+            return None
+        found.append(value)
+    return found
+
+
+def _at_point(values: Values, formula: Printed, side: int, path: Path, rule: Rule) -> Ball | None:
+    link = formula.links[0]
+    other = values.ball(formula.sides[link.left if side == link.right else link.right])
+    chain = [formula.sides[side]]
+    for k in path:
+        chain.append(chain[-1].parts[k])
+    start = values.ball(chain[-1])
+    if other is None or start is None:
+        return None
+
+    def difference(h: Ball) -> Ball | None:
+        value: Ball | None = rule(start, h)
+        for node, k in zip(reversed(chain[:-1]), reversed(path), strict=True):
+            parts = [value if j == k else values.ball(p) for j, p in enumerate(node.parts)]
+            if any(p is None or not p.is_finite() for p in parts):
+                return None
+            value = combined(node, parts)
+        return None if value is None else (value - other).mid()
+
+    return _root(difference)
+
+
+def _root(f: Callable[[Ball], Ball | None]) -> Ball | None:
+    """A zero by secants, from two starts near one; None if none is reached."""
+    a, b = flint.arb(flint.fmpq(9, 10)), flint.arb(flint.fmpq(11, 10))
+    at_a, at_b = f(a), f(b)
+    for _ in range(STEPS):
+        if at_a is None or at_b is None or not at_b.is_finite():
+            return None
+        if at_b.is_zero():
+            return b
+        slope = at_b - at_a
+        if slope.contains(0):
+            return None
+        step = (at_b * (b - a) / slope).mid()
+        if not step.is_finite() or abs(b) > 10**6:
+            return None
+        a, at_a, b = b, at_b, (b - step).mid()
+        if abs(step) * 2**90 < abs(b) + flint.arb(2) ** -60:
+            return b
+        at_b = f(b)
+    return None

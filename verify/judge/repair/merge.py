@@ -1,0 +1,44 @@
+"""Offers that say the same: one equation is the other times a number."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.expression import Expr, number
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.hypothesis import settle
+from gainproof.verify.judge.repair.printed import Printed
+from gainproof.verify.judge.repair.recognise import common_rational
+from gainproof.verify.judge.repair.trivial import OffTheModel
+
+
+def same_equation(a: Printed, b: Printed, off: OffTheModel) -> bool:
+    """Whether left - right of one is a number times that of the other, shown exactly and whatever
+    the symbols stand for.
+    """
+    if any(len(f.links) != 1 or f.links[0].operator != "=" or f.conditions for f in (a, b)):
+        return False
+    first, second = _difference(a), _difference(b)
+    ratio = _ratio(first, second, off)
+    if ratio is None:
+        return False
+    statement = Statement((Rel("=", first, number(ratio) * second),))
+    try:
+        return settle(statement, {}, None, {}).verdict == "proved"
+    except (Undecided, Malformed):
+        return False
+
+
+def _difference(formula: Printed) -> Expr:
+    link = formula.links[0]
+    return formula.sides[link.left] - formula.sides[link.right]
+
+
+def _ratio(first: Expr, second: Expr, off: OffTheModel) -> Fraction | None:
+    found = []
+    for values in off.values:
+        a, b = values.ball(first), values.ball(second)
+        if a is not None and b is not None and not b.contains(0):
+            found.append(a / b)
+    return common_rational(found) if len(found) > 2 else None

@@ -1,0 +1,106 @@
+"""Generic exact points of a claim's domain: a formula that is false is seen to be false there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from math import ceil
+from random import Random
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.domain import bounded
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.formula import Relation
+from gainproof.verify.judge.hypothesis import solved
+from gainproof.verify.judge.scope import Scope
+
+SEED = 7
+TRIES = 300
+PRECISION = 128
+Point = Mapping[str, Fraction]
+
+
+def generic_points(
+    claim: Claim, conditions: Sequence[Relation], scope: Scope, count: int
+) -> tuple[list[Point], dict[str, Expr]]:
+    """Up to `count` points where all conditions of the claim hold, and what equations among these
+    say of variables. Raises Undecided.
+    """
+    stated = [scope.relation(r) for r in conditions]
+    stated += [scope.relation(r) for r in claim.domain]
+    for formula in claim.given:
+        stated += [scope.relation(r) for r in formula.readings[0].relations]
+    for token in list(scope.used):
+        stated += [scope.relation(r) for r in scope.setting.symbols[token].domain]
+    boxes, rest = bounded(scope.boxes(), stated)
+    replaced, left = _solved(rest, boxes, scope)
+    found: list[Point] = []
+    for point in _random(boxes, TRIES):
+        if all(_holds(rel, point) for rel in left):
+            found.append(point)
+            if len(found) == count:
+                break
+    return found, replaced
+
+
+def _solved(
+    conditions: Sequence[Rel], boxes: Mapping[str, Box], scope: Scope
+) -> tuple[dict[str, Expr], list[Rel]]:
+    """Equations among the conditions, each solved for one variable."""
+    rest = list(conditions)
+    found: dict[str, Expr] = {}
+    while equation := next((r for r in rest if r.operator == "="), None):
+        rest.remove(equation)
+        if not symbols_of(equation.left, equation.right):
+            continue
+        name, value = solved(equation, boxes, scope.environment.parameter, scope.labels())
+        put_in = {name: value}
+        found = {n: substituted(e, put_in) for n, e in found.items()} | put_in
+        rest = [
+            Rel(r.operator, substituted(r.left, put_in), substituted(r.right, put_in)) for r in rest
+        ]
+    return found, rest
+
+
+def _random(boxes: Mapping[str, Box], tries: int) -> Iterator[Point]:
+    source = Random(SEED)
+    for attempt in range(tries):
+        size = 1 + attempt // 60
+        yield {name: _inside(box, source, size) for name, box in boxes.items()}
+
+
+def _inside(box: Box, source: Random, size: int) -> Fraction:
+    """A number of the box with a denominator that no formula has."""
+    share = Fraction(source.randrange(1, 997), 997)
+    if box.integer:
+        low = 0 if box.lower is None else ceil(box.lower) + int(box.lower_open)
+        if box.upper is None:
+            return Fraction(low + source.randrange(1, 12 * size))
+        return Fraction(low + source.randrange(0, max(1, int(box.upper) - low + 1)))
+    if box.lower is not None and box.upper is not None:
+        return box.lower + (box.upper - box.lower) * share
+    reach = share * source.choice((2, 5, 9 * size)) + Fraction(1, 89)
+    if box.lower is not None:
+        return box.lower + reach
+    if box.upper is not None:
+        return box.upper - reach
+    # unstated symbols stand for gains and lengths more often than not
+    return -reach if source.random() < 0.2 * (size - 1) else reach
+
+
+def _holds(rel: Rel, point: Point) -> bool:
+    try:
+        a, b = (enclosed(side, point, PRECISION) for side in (rel.left, rel.right))
+    except (NoValue, Unresolved, Undecided):
+        return False
+    if a.overlaps(b):
+        return False
+    less = bool(a < b)
+    return {"<": less, "<=": less, ">": not less, ">=": not less, "!=": True}.get(
+        rel.operator, False
+    )

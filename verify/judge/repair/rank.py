@@ -1,0 +1,50 @@
+"""Of formulas changed by the same weight, which comes first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.expression import Expr, symbols_of, walk
+from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.repair.printed import Printed
+from gainproof.verify.judge.repair.trivial import sorted_key
+from gainproof.verify.judge.repair.whole import Change
+
+
+def parts_of_claims(claims: Iterable[Claim]) -> frozenset[bytes]:
+    """Keys of everything that other claims of the source print, single symbols apart."""
+    found: set[bytes] = set()
+    for claim in claims:
+        if claim.formula is None:
+            continue
+        for reading in claim.formula.readings:
+            for relation in (*reading.relations, *reading.conditions):
+                for side in (relation.left, relation.right):
+                    try:
+                        found |= _parts(read_graph(side))
+                    except Malformed:
+                        continue
+    return frozenset(found)
+
+
+def _parts(*sides: Expr) -> set[bytes]:
+    return {sorted_key(node) for side in sides for node in walk(side) if node.parts}
+
+
+def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[object, ...]:
+    """Fewest changes, then what other claims say too, then the same symbols, then the smallest part
+    touched, then the same left sides, which say what the formula is for.
+    """
+    before, after = formula.sides, change.printed.sides
+    gained = len((_parts(*after) - _parts(*before)) & said)
+    other_names = len(symbols_of(*after) ^ symbols_of(*before))
+    size = abs(_size(after) - _size(before))
+    touched = sum(_size((node,)) for s in change.steps if (node := s.part or s.before))
+    named = sum(before[n] != after[n] for n in {link.left for link in formula.links})
+    return (len(change.steps), -gained, other_names, touched, named, size)
+
+
+def _size(sides: tuple[Expr, ...]) -> int:
+    return sum(1 for side in sides for _ in walk(side))

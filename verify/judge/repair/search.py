@@ -1,0 +1,157 @@
+"""The search for the nearest true formulas: values first, then dimensions, then proof."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.dimension import reading_fault
+from gainproof.verify.judge.exact.expression import symbols_of
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.formula import Formula, Reading
+from gainproof.verify.judge.repair.catalogue import changes
+from gainproof.verify.judge.repair.closings import closings
+from gainproof.verify.judge.repair.merge import same_equation
+from gainproof.verify.judge.repair.points import generic_points
+from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
+from gainproof.verify.judge.repair.proof import is_proved, reread, with_formula
+from gainproof.verify.judge.repair.rank import parts_of_claims, rank
+from gainproof.verify.judge.repair.table import sample_numbers, table_of
+from gainproof.verify.judge.repair.trivial import OffTheModel
+from gainproof.verify.judge.repair.two import two_changes
+from gainproof.verify.judge.repair.values import Values, truth
+from gainproof.verify.judge.repair.whole import Change
+from gainproof.verify.judge.scope import Scope, UndefinedSymbol
+from gainproof.verify.judge.setting.environment import Environment
+
+POINTS = 5
+LEAST_AGREED = 3
+MOST_PROOFS = 40
+MOST_OFFERED = 4
+BY_VALUES = frozenset(("identity", "inequality", "recursion"))
+"""Kinds of claims that are what their relations say at each point of the domain."""
+COMPARED = frozenset(("=", "!=", "<", "<=", ">", ">="))
+
+
+@dataclass(frozen=True)
+class Offer:
+    """A proved formula near a claim."""
+
+    formula: Formula
+    change: Change
+    environment: str
+
+
+@dataclass
+class Search:
+    """One reading of one claim in one environment."""
+
+    claim: Claim
+    reading: Reading
+    setting: Setting
+    environment: Environment
+    others: Sequence[Claim]
+    deadline: float
+    formula: Printed = field(init=False)
+    scope: Scope = field(init=False)
+    points: list[Values] = field(init=False, default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.formula = printed(self.reading)
+        self.scope = Scope(self.setting, self.environment)
+        self.table = table_of(self.setting, self.formula, self.others)
+        self.numbers = sample_numbers(self.setting)
+        self.said = parts_of_claims(self.others)
+        self.by_values = self._by_values()
+        if self.by_values:
+            self._prepare()
+        names = set().union(*[symbols_of(side) for side in self.formula.sides])
+        self.off = OffTheModel(self.scope, frozenset(names))
+
+    def _by_values(self) -> bool:
+        plain = all(link.operator in COMPARED for link in self.formula.links)
+        return plain and self.claim.kind in BY_VALUES and self.formula.connective == "if"
+
+    def _prepare(self) -> None:
+        names = set().union(*[symbols_of(side) for side in self.formula.sides])
+        for name in names | set(self.table.symbols):
+            try:
+                self.scope.symbol(name)
+            except (Undecided, Malformed, UndefinedSymbol):
+                continue
+        points, put_in = generic_points(self.claim, self.reading.conditions, self.scope, POINTS)
+        if not points:
+            raise Undecided("no generic point of the domain was found")
+        self.points = [Values(self.scope, point, put_in) for point in points]
+
+    def offers(self) -> list[Offer]:
+        """The proved formulas of the least weight at which there is one, best first."""
+        if sum(len(side.parts) + 1 for side in self.formula.sides) > MOST_NODES:
+            return []
+        found = self._first(changes(self.formula, self.table, self.numbers))
+        if (not found or found[0].change.weight > 2) and self.by_values:
+            found = self._first([*[o.change for o in found], *closings(self)])
+        if not found and self.by_values:
+            found = self._first(two_changes(self))
+        return found
+
+    def agrees(self, formula: Printed) -> bool:
+        """Whether the formula is seen to hold at generic points and nowhere seen to fail."""
+        agreed = 0
+        for values in self.points:
+            found = truth(values, formula)
+            if found is False:
+                return False
+            agreed += found is True
+        return agreed >= min(LEAST_AGREED, len(self.points))
+
+    @property
+    def is_late(self) -> bool:
+        """Whether the time is over."""
+        return time.perf_counter() > self.deadline
+
+    def _first(self, candidates: Iterable[Change]) -> list[Offer]:
+        """Proved candidates of the least weight."""
+        kept: dict[int, list[Change]] = {}
+        for change in self._filtered(candidates):
+            kept.setdefault(change.weight, []).append(change)
+        for weight in sorted(kept):
+            offers = self._proved(sorted(kept[weight], key=self._rank))
+            if offers:
+                return offers
+        return []
+
+    def _filtered(self, candidates: Iterable[Change]) -> Iterator[Change]:
+        for change in candidates:
+            if self.is_late:
+                return
+            if self.by_values and not self.agrees(change.printed):
+                continue
+            yield change
+
+    def _proved(self, ordered: Sequence[Change]) -> list[Offer]:
+        found: list[Offer] = []
+        for change in ordered[:MOST_PROOFS]:
+            if self.is_late or len(found) == MOST_OFFERED:
+                break
+            if any(same_equation(o.change.printed, change.printed, self.off) for o in found):
+                continue
+            offer = self._offer(change)
+            if offer is not None and offer.formula.latex not in {o.formula.latex for o in found}:
+                found.append(offer)
+        return found
+
+    def _offer(self, change: Change) -> Offer | None:
+        formula = reread(change.printed, self.setting.symbols)
+        if formula is None or reading_fault(formula.readings[0], self.setting) is not None:
+            return None
+        if self.off.is_trivial(printed(formula.readings[0])):
+            return None
+        if not is_proved(with_formula(self.claim, formula), self.setting, self.environment):
+            return None
+        return Offer(formula, change, self.environment.name)
+
+    def _rank(self, change: Change) -> tuple[object, ...]:
+        return rank(change, self.formula, self.said)

@@ -1,0 +1,86 @@
+"""Formulas that hold whatever the filter is say nothing, and are no repair."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from random import Random
+
+import flint
+
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.poly import Ball, rational
+from gainproof.verify.judge.repair.printed import Printed
+from gainproof.verify.judge.repair.values import Values, truth
+from gainproof.verify.judge.scope import Scope, UndefinedSymbol
+
+SEED = 11
+SAMPLES = 12
+
+
+class OffTheModel:
+    """Points where quantities and defined symbols have values of their own, of either sign.
+
+    `names` are the symbols of the claim as printed that mean something, empty if none does: then
+    only formulas whose sides are written alike are trivial.
+    """
+
+    def __init__(self, scope: Scope, names: frozenset[str]) -> None:
+        self.names = frozenset(name for name in names if _means_something(scope, name))
+        source = Random(SEED)
+        tokens = sorted(scope.setting.symbols)
+        draws = [
+            {name: _draw(source, positive=sample % 2 == 0) for name in tokens}
+            for sample in range(SAMPLES)
+        ]
+        self.values = [Values(scope, {}, {}, overriding=draw) for draw in draws]
+
+    def is_trivial(self, formula: Printed) -> bool:
+        """Whether the formula needs neither the model nor the source's definitions."""
+        if all(_alike(formula, link.left, link.right) for link in formula.links):
+            return True
+        if formula.connective != "if":
+            claimed = [(link.operator, *_ends(formula, link)) for link in formula.links]
+            stated = [(link.operator, *_ends(formula, link)) for link in formula.conditions]
+            if claimed == stated:
+                return True
+        used = set().union(*[symbols_of(side) for side in formula.sides])
+        if not used:
+            return True
+        if not self.names:
+            return False
+        found = [truth(values, formula) for values in self.values]
+        return False not in found and True in found
+
+
+def _means_something(scope: Scope, name: str) -> bool:
+    try:
+        return scope.symbol(name).kind != "symbol"
+    except (Undecided, Malformed, UndefinedSymbol):
+        return True
+
+
+def _draw(source: Random, *, positive: bool) -> Ball:
+    value = Fraction(source.randrange(100, 3000), 997)
+    return flint.arb(rational(value if positive or source.random() < 0.5 else -value))
+
+
+def _ends(formula: Printed, link: object) -> tuple[bytes, bytes]:
+    left, right = (formula.sides[getattr(link, end)] for end in ("left", "right"))
+    return sorted_key(left), sorted_key(right)
+
+
+def _alike(formula: Printed, left: int, right: int) -> bool:
+    return sorted_key(formula.sides[left]) == sorted_key(formula.sides[right])
+
+
+def sorted_key(expr: Expr) -> bytes:
+    """A key that is the same for sums and products in any order."""
+    return _sorted(expr).key
+
+
+def _sorted(expr: Expr) -> Expr:
+    parts = [_sorted(part) for part in expr.parts]
+    if expr.kind in ("add", "mul"):
+        parts.sort(key=lambda part: part.key)
+    return Expr(expr.kind, expr.value, tuple(parts))

@@ -1,0 +1,108 @@
+"""What a slip does to a whole formula: a sign of comparison, a side, an index everywhere, a
+deviation where a variance is meant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.repair.construct import (
+    HALF,
+    ONE,
+    TWO,
+    opposite,
+    product,
+    quotient,
+    raised,
+)
+from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, Table
+from gainproof.verify.judge.repair.printed import Printed
+from gainproof.verify.judge.repair.shift import shifted
+
+COMPARISONS = ("<", "<=", ">", ">=")
+
+
+@dataclass(frozen=True)
+class Change:
+    """A changed formula, the weight of all its changes, and these in words and nodes."""
+
+    printed: Printed
+    weight: int
+    steps: tuple[Step, ...]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One change in words; `before` and `after` are what it made of a part, where that helps."""
+
+    what: str
+    before: Expr | None = None
+    after: Expr | None = None
+    part: Expr | None = None
+
+
+def changes_of_whole(formula: Printed, table: Table, numbers: frozenset[str]) -> Iterator[Change]:
+    """All of them; `numbers` are the symbols that count samples."""
+    for n, link in enumerate(formula.links):
+        if link.operator in COMPARISONS:
+            for operator in COMPARISONS:
+                if operator != link.operator:
+                    links = (
+                        *formula.links[:n],
+                        replace(link, operator=operator),
+                        *formula.links[n + 1 :],
+                    )
+                    weight = SLIGHT
+                    step = Step(f"the sign {link.operator} that is {operator}")
+                    yield Change(replace(formula, links=links), weight, (step,))
+    for n in formula.claimed():
+        side = formula.sides[n]
+        for new, weight, what in _sides(side, table, numbers):
+            yield Change(formula.with_side(n, new), weight, (Step(what, side, new),))
+    yield from _everywhere(formula, table, numbers)
+
+
+def _sides(side: Expr, table: Table, numbers: frozenset[str]) -> Iterator[tuple[Expr, int, str]]:
+    yield opposite(side), SLIGHT, "sign of a side"
+    yield product(TWO, side), PLAIN, "a factor 2"
+    yield quotient(side, TWO), PLAIN, "a factor 2"
+    if side.kind != "div":
+        yield quotient(ONE, side), PLAIN, "a side upside down"
+    for name in table.symbols:
+        yield product(side, symbol(name)), LARGE, "a missing factor"
+        yield quotient(side, symbol(name)), LARGE, "a missing divisor"
+    for name in numbers & symbols_of(side):
+        for shift in (1, -1):
+            yield shifted(side, name, shift), SLIGHT, "an index of samples"
+
+
+def _everywhere(formula: Printed, table: Table, numbers: frozenset[str]) -> Iterator[Change]:
+    """One symbol changed wherever it stands in the claim."""
+    claimed = formula.claimed()
+    for name in sorted({s for n in claimed for s in symbols_of(formula.sides[n])}):
+        x = symbol(name)
+        new: list[tuple[Expr, int, str]] = []
+        for shift in (1, -1) if name in numbers else ():
+            sides = tuple(
+                shifted(side, name, shift) if n in claimed else side
+                for n, side in enumerate(formula.sides)
+            )
+            step = Step("the number of the first sample", x, shifted(x, name, shift))
+            yield Change(replace(formula, sides=sides), SLIGHT, (step,))
+        new.append((raised(x, Fraction(2)), PLAIN, "a deviation that is a variance"))
+        new.append((raised(x, HALF), PLAIN, "a variance that is a deviation"))
+        new += [
+            (symbol(other), PLAIN, "a symbol everywhere")
+            for other in table.symbols
+            if other != name
+        ]
+        for value, weight, what in new:
+            sides = tuple(
+                substituted(side, {name: value}) if n in claimed else side
+                for n, side in enumerate(formula.sides)
+            )
+            yield Change(replace(formula, sides=sides), weight, (Step(what, x, value),))

@@ -1,0 +1,39 @@
+"""Pieces of work on one claim, each of which may run in a process of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.setting.environment import Environment
+from gainproof.verify.judge.trial import Trial, try_claim
+
+Models = Sequence[Mapping[str, Any]]
+Solved = dict[Any, Environment]
+
+
+class Task(Protocol):
+    """Work on one claim; `run` raises nothing that has to do with the claim."""
+
+    @property
+    def claim(self) -> Claim:
+        """The claim."""
+        ...
+
+    def run(self, models: Models, solved: Solved) -> Trial:
+        """What it came to; `solved` keeps environments for other tasks."""
+        ...
+
+
+@dataclass(frozen=True)
+class TrialTask:
+    """A claim under every convention that its setting admits."""
+
+    claim: Claim
+    setting: Setting
+
+    def run(self, models: Models, solved: Solved) -> Trial:
+        """The trial."""
+        return try_claim(self.claim, self.setting, models, solved)
