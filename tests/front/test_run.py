@@ -82,7 +82,7 @@ def test_all_is_well(house: House, capsys: Capture) -> None:
     captured = capsys.readouterr()
     assert "each byte as derived" in captured.out
     assert "6 of 6 accepted" in captured.out
-    assert "1 claims: 1 proved" in captured.out
+    assert "1 claim: 1 proved" in captured.out
     assert "unchanged" in captured.out
     assert captured.err.count("unchanged") == 3
     found = house.found()

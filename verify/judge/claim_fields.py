@@ -9,6 +9,8 @@ from typing import Any
 from gainproof.verify.judge.claim_errors import FileText
 
 MOST_TEXT = 4000
+UNSAID = "TODO"
+"""What a draft has in place of everything that its user has to say."""
 SIMILARITY = 0.6
 """How alike two names must be, from 0 to 1, for one to be suggested in place of the other."""
 
@@ -68,6 +70,8 @@ class Fields:
             raise self.fail(field, f"{len(value)} characters, but at most {MOST_TEXT} are read")
         if not value.strip():
             raise self.fail(field, "an empty text")
+        if value == UNSAID:
+            raise self.fail(field, f"still marked {UNSAID}: say it here")
         return value
 
     def required_text(self, field: str) -> str:
@@ -118,6 +122,8 @@ class Fields:
             raise self.fail(field, "a list of texts is wanted")
         if len(value) > most or any(len(item) > MOST_TEXT for item in value):
             raise self.fail(field, f"more than {most} texts, or one beyond {MOST_TEXT} characters")
+        if UNSAID in value:
+            raise self.fail(field, f"still marked {UNSAID}: say it here")
         return tuple(value)
 
     def _missing(self, field: str) -> Exception:

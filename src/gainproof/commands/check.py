@@ -29,6 +29,12 @@ def configure(parser: argparse.ArgumentParser) -> None:
         help="time for one claim, which is undecided after that (default: 60)",
     )
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
+    begin = parser.add_argument_group("to begin a claim file, instead of judging one")
+    begin.add_argument("--new", metavar="NEW.toml", help="write a commented template")
+    begin.add_argument(
+        "--draft", metavar="PAPER.tex", help="draft one from the displayed equations of a paper"
+    )
+    begin.add_argument("--out", metavar="NEW.toml", help="where to write the draft")
 
 
 def _seconds(text: str) -> float:
@@ -39,7 +45,10 @@ def _seconds(text: str) -> float:
 
 
 def run(options: argparse.Namespace) -> int:
-    """0 if every claim is settled, else 1."""
+    """0 if every claim is settled, else 1; 0 for a claim file that was begun."""
+    if options.new or options.draft or options.out:
+        print(_begun(options), end="")
+        return 0
     from gainproof import errata, judgements, places, verdicts
     from gainproof.workshop import open_workshop
 
@@ -53,6 +62,22 @@ def run(options: argparse.Namespace) -> int:
     if sheet is not None and not options.json:
         print(f"\nerrata: {places.shown(sheet)}")
     return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
+
+
+def _begun(options: argparse.Namespace) -> str:
+    """What to say, or the draft itself, after a claim file was begun."""
+    from gainproof import beginning
+    from gainproof.bad_input import BadInputError
+
+    if options.file or options.json or options.errata is not None:
+        raise BadInputError("--new and --draft begin a claim file; they do not judge one")
+    if options.new and (options.draft or options.out):
+        raise BadInputError("--new writes a template; a draft is --draft PAPER.tex --out NEW.toml")
+    if options.new:
+        return beginning.begin(options.new)
+    if not options.draft:
+        raise BadInputError("--out says where to write a draft: --draft PAPER.tex is missing")
+    return beginning.begin_from(options.draft, options.out)
 
 
 def _shown(options: argparse.Namespace, judged: list[dict[str, object]]) -> str:

@@ -1,0 +1,71 @@
+"""Claim files begun: a template, or a draft from a LaTeX file. What exists is not overwritten."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from gainproof import atomic_file, places
+from gainproof.bad_input import BadInputError
+from gainproof.claim_template import template
+from gainproof.draft import draft
+
+MOST_BYTES = 2**20
+
+
+def begin(name: str) -> str:
+    """Write the template to `name`; what to tell the user. Raises BadInputError."""
+    path = _new_file(name)
+    _write(path, template(path.stem))
+    shown = places.shown(path)
+    return f"{shown}: written; say what your source says, then: gainproof check {name}\n"
+
+
+def begin_from(tex: str, out: str | None) -> str:
+    """Draft a claim file from a LaTeX file; to `out`, or returned. Raises BadInputError."""
+    path = None if out is None else _new_file(out)
+    source = Path(tex)
+    found = draft(_text(source), source.name, (path or source).stem)
+    if path is None:
+        return found.text
+    _write(path, found.text)
+    read = found.equations - found.unread
+    return (
+        f"{places.shown(path)}: {found.equations} equations, {read} read, {found.unread} left as "
+        f"comments; say what is marked TODO, then: gainproof check {out}\n"
+    )
+
+
+def _new_file(name: str) -> Path:
+    path = Path(name)
+    if path.suffix != ".toml":
+        raise BadInputError(f"a claim file is a file .toml, not {name!r}")
+    try:
+        taken = path.exists() or path.is_symlink()
+    except OSError as error:
+        raise BadInputError(f"{name}: cannot be written: {error.strerror or error}") from None
+    if taken:
+        raise BadInputError(f"{name}: exists already; it is left as it is")
+    return path
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        atomic_file.write_text(path, text)
+    except OSError as error:
+        shown = places.shown(path)
+        raise BadInputError(f"{shown}: cannot be written: {error.strerror or error}") from None
+
+
+def _text(path: Path) -> str:
+    """The text of a LaTeX file; what is not UTF-8 in it is replaced."""
+    shown = places.shown(path)
+    if path.exists() and not path.is_file():
+        raise BadInputError(f"{shown}: a regular file is wanted")
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(MOST_BYTES + 1)
+    except OSError as error:
+        raise BadInputError(f"{shown}: cannot be read: {error.strerror or error}") from None
+    if len(content) > MOST_BYTES:
+        raise BadInputError(f"{shown}: more than {MOST_BYTES} bytes")
+    return content.decode("utf-8", errors="replace").replace("\r\n", "\n").replace("\r", "\n")

@@ -1,0 +1,77 @@
+"""`check --new` and `check --draft`: files that can be worked with, and none overwritten."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gainproof import cli
+
+Capture = pytest.CaptureFixture[str]
+TEX = r"\begin{equation} \beta = \frac{\alpha^2}{2 - \alpha} \end{equation}"
+
+
+def test_the_template_checks_as_it_is(tmp_path: Path, capsys: Capture) -> None:
+    path = tmp_path / "my paper's.toml"
+    assert cli.main(["check", "--new", str(path)]) == 0
+    assert f"gainproof check {path}" in capsys.readouterr().out
+    assert cli.main(["check", str(path)]) == 0
+    assert "2 claims: 2 proved" in capsys.readouterr().out
+
+
+def test_a_draft_is_written_or_printed(tmp_path: Path, capsys: Capture) -> None:
+    tex, out = tmp_path / "paper.tex", tmp_path / "paper.toml"
+    tex.write_text(TEX)
+    assert cli.main(["check", "--draft", str(tex), "--out", str(out)]) == 0
+    assert "1 equations, 1 read, 0 left as comments" in capsys.readouterr().out
+    assert cli.main(["check", "--draft", str(tex)]) == 0
+    assert capsys.readouterr().out == out.read_text()
+    assert cli.main(["check", str(out)]) == 2
+    assert "still marked TODO" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["--new", "--out"])
+def test_nothing_is_overwritten(option: str, tmp_path: Path, capsys: Capture) -> None:
+    tex, path = tmp_path / "paper.tex", tmp_path / "paper.toml"
+    tex.write_text(TEX)
+    path.write_text("mine")
+    arguments = [option, str(path)] + (["--draft", str(tex)] if option == "--out" else [])
+    assert cli.main(["check", *arguments]) == 2
+    assert "exists already" in capsys.readouterr().err
+    assert path.read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--new", "a.txt"], "a claim file is a file .toml"),
+        (["--new", "a.toml", "--draft", "a.tex"], "--new writes a template"),
+        (["--out", "a.toml"], "--draft PAPER.tex is missing"),
+        (["--draft", "none.tex"], "cannot be read"),
+        (["--draft", "."], "a regular file is wanted"),
+        (["b.toml", "--new", "a.toml"], "they do not judge one"),
+        (["--draft", "a.tex", "--json"], "they do not judge one"),
+        (["--new", "x" * 300 + ".toml"], "cannot be written"),
+    ],
+)
+def test_what_cannot_be_begun(
+    arguments: list[str],
+    message: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: Capture,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["check", *arguments]) == 2
+    assert message in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_that_is_no_text_is_no_danger(tmp_path: Path, capsys: Capture) -> None:
+    tex = tmp_path / "image.tex"
+    tex.write_bytes(bytes(range(256)) * 100)
+    assert cli.main(["check", "--draft", str(tex)]) == 0
+    tex.write_bytes(b"x" * (2**20 + 1))
+    assert cli.main(["check", "--draft", str(tex)]) == 2
+    assert "more than 1048576 bytes" in capsys.readouterr().err
