@@ -7,12 +7,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
+from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.domain import box_conditions
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.exact.tidy import tidied
@@ -31,13 +32,18 @@ def candidates(statement: Statement, parameter: str | None) -> list[str | None]:
 def settle(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> Outcome:
-    """Decides with the first symbol that can play the parameter. Raises Undecided with the last
-    reason.
+    """Decides with the first symbol that can play the one real parameter, then over cells of all
+    symbols, then at points. Raises Undecided with the last reason.
     """
     last = Undecided("no variable")
     for choice in candidates(statement, parameter):
         try:
             return decide(statement, boxes, choice, labels)
+        except Undecided as reason:
+            last = reason
+    if 1 < len(statement.symbols()) <= DEFAULT_LIMITS.parameters:
+        try:
+            return decide_in_cells(statement, boxes, labels)
         except Undecided as reason:
             last = reason
     points = try_points(statement, boxes, labels)
@@ -51,8 +57,7 @@ def without_equations(
 ) -> Statement:
     """The statement with equations between free symbols, among its conditions, solved and put in.
 
-    Equations of the parameter alone stay: cells decide them. Raises Undecided if an equation cannot
-    be solved.
+    Equations of the parameter alone stay, and so do those that cannot be solved: cells decide them.
     """
     while True:
         equation = next(
@@ -60,16 +65,17 @@ def without_equations(
         )
         if equation is None or len(statement.symbols()) == 1:
             return statement
-        name, value = solved(equation, boxes, parameter, labels)
+        try:
+            name, value = solved(equation, boxes, parameter, labels)
+        except Undecided:
+            return statement
         rest = tuple(c for c in statement.conditions if c is not equation)
-        moved = Statement(statement.relations, rest, statement.connective, statement.needed).mapped(
-            _put_in(name, tidied(value))
-        )
+        moved = replace(statement, conditions=rest).mapped(_put_in(name, tidied(value)))
         # the hypothesis holds nowhere where it has no value: a condition, not part of the claim
         defined = Rel("<=", value, value)
         inside = box_conditions(name, value, boxes.get(name, Box(stated=False)))
         conditions = (*moved.conditions, defined, *inside)
-        statement = Statement(moved.relations, conditions, moved.connective, moved.needed)
+        statement = replace(moved, conditions=conditions)
 
 
 def _put_in(name: str, value: Expr) -> Callable[[Expr], Expr]:

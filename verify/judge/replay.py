@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.exact.certificate import statement_from
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
@@ -19,13 +20,16 @@ def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
     """None if the certificate leads to the verdict again, else what differs. Never raises."""
     try:
         statement, boxes, parameter, labels = statement_from(certificate["statement"])
-        outcome = decide(statement, boxes, parameter, labels)
+        if certificate.get("engine") == "cells":
+            outcome = decide_in_cells(statement, boxes, labels)
+        else:
+            outcome = decide(statement, boxes, parameter, labels)
     except (KeyError, TypeError, ValueError, Malformed, Undecided) as reason:
         return f"cannot be replayed: {reason}"
     if outcome.verdict != verdict:
         return f"wanted {verdict}, got {outcome.verdict}"
-    for field in ("tower", "candidates", "places"):
-        if outcome.certificate[field] != certificate.get(field):
+    for field in ("tower", "candidates", "places", "projection", "of one sign", "borders"):
+        if outcome.certificate.get(field) != certificate.get(field):
             return f"{field} differ"
     return None
 

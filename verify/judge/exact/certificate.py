@@ -67,6 +67,7 @@ def statement_data(
     return {
         "relations": relations(statement.relations),
         "conditions": relations(statement.conditions),
+        "given": relations(statement.given),
         "connective": statement.connective,
         "needed": [side(e) for e in statement.needed],
         "parameter": parameter,
@@ -105,6 +106,7 @@ def statement_from(
         relations(data["conditions"]),
         data["connective"],
         tuple(read_graph(e) for e in data["needed"]),
+        relations(data["given"]),
     )
     boxes = {name: _box(entry) for name, entry in data["domain"].items()}
     return statement, boxes, data["parameter"], dict(data["labels"])

@@ -6,10 +6,13 @@ from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS
+from gainproof.verify.judge.exact.rational_root import integer_root
 
 
 def constant_value(expr: Expr) -> Fraction | None:
-    """The value of an expression of numbers only, without roots; None for others."""
+    """The value of an expression of numbers only, if it is rational; None for others, and for those
+    in which a root is not rational.
+    """
     done: dict[bytes, Fraction] = {}
     for node in walk(expr):
         parts = [done.get(p.key) for p in node.parts]
@@ -31,18 +34,30 @@ def constant_value(expr: Expr) -> Fraction | None:
             case "div":
                 value = None if values[1] == 0 else values[0] / values[1]
             case "pow":
-                value = _integer_power(values[0], node.fraction)
+                value = _power(values[0], node.fraction)
         if value is None:
             return None
         done[node.key] = value
     return done[expr.key]
 
 
-def _integer_power(base: Fraction, exponent: Fraction) -> Fraction | None:
-    if (
-        exponent.denominator != 1
-        or abs(exponent) > DEFAULT_LIMITS.exponent
-        or (base == 0 and exponent < 0)
-    ):
+def _power(base: Fraction, exponent: Fraction) -> Fraction | None:
+    order, times = exponent.denominator, exponent.numerator
+    if abs(times) > DEFAULT_LIMITS.exponent or (base == 0 and times < 0):
         return None
-    return base ** int(exponent)
+    root = rational_root(base, order)
+    return None if root is None else root**times
+
+
+def rational_root(value: Fraction, order: int) -> Fraction | None:
+    """The real root of a rational number that has a rational one; of a negative one for odd
+    orders.
+    """
+    if order == 1:
+        return value
+    if (value < 0 and order % 2 == 0) or order > DEFAULT_LIMITS.exponent:
+        return None
+    top, bottom = (integer_root(abs(n), order) for n in (value.numerator, value.denominator))
+    if top is None or bottom is None:
+        return None
+    return Fraction(-top if value < 0 else top, bottom)

@@ -144,7 +144,10 @@ def weighted(coefficients: Sequence[int | Fraction], terms: Sequence[Expr]) -> E
     kept = []
     for c, t in zip(coefficients, terms, strict=True):
         if c != 0:
-            kept.append(t if c == 1 else number(c) if t == one else number(c) * t)
+            factors = t.parts if t.kind == "mul" else (t,)
+            size = number(c if c > 0 else -c)
+            made = t if abs(c) == 1 else size if t == one else mul(size, *factors)
+            kept.append(made if c > 0 else neg(made))
     return add(*kept) if kept else number(0)
 
 

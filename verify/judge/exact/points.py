@@ -48,6 +48,14 @@ def try_points(
     return Outcome("held", "", reason, "balls at exact points")
 
 
+def failure_at(
+    statement: Statement, point: Mapping[str, Fraction], labels: Mapping[str, str]
+) -> Witness | None:
+    """The witness if a statement of the form `relations if conditions` is seen to fail there."""
+    found = _at(statement, point, labels) if statement.connective == "if" else None
+    return found if isinstance(found, Witness) else None
+
+
 def _points(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
     """Simple points inside the boxes, then the same with halves and thirds, and far out."""
     made: set[tuple[Fraction, ...]] = set()
@@ -71,7 +79,7 @@ def _at(
     """A witness, 1 if the statement was seen to hold at the point, 0 if it says nothing there."""
     for precision in PRECISIONS:
         try:
-            if not all(_holds(rel, point, precision) for rel in statement.conditions):
+            if not all(_holds(rel, point, precision) for rel in statement.domain):
                 return 0
             for rel in statement.relations:
                 a, b = (enclosed(side, point, precision) for side in (rel.left, rel.right))

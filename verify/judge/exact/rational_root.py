@@ -48,6 +48,7 @@ def number_root(num: Poly, den: Poly, order: int) -> Fraction | None:
 
 
 def integer_root(n: int, order: int) -> int | None:
+    """The root of a number that is a power of that order; None for others."""
     low, high = 0, 1 << (n.bit_length() // order + 1)
     while low < high:
         middle = (low + high) // 2

@@ -27,16 +27,27 @@ class Statement:
     relations => conditions.
 
     `needed` are expressions that must have a value too, for example what was differentiated.
+    `given` are conditions on the domain, whatever the connective.
     """
 
     relations: tuple[Rel, ...]
     conditions: tuple[Rel, ...] = ()
     connective: str = "if"
     needed: tuple[Expr, ...] = ()
+    given: tuple[Rel, ...] = ()
+
+    @property
+    def domain(self) -> tuple[Rel, ...]:
+        """The conditions without which nothing is said."""
+        return (*self.given, *self.conditions) if self.connective == "if" else self.given
+
+    def all_relations(self) -> tuple[Rel, ...]:
+        """Relations, conditions, given."""
+        return (*self.relations, *self.conditions, *self.given)
 
     def exprs(self) -> tuple[Expr, ...]:
         """All expressions."""
-        sides = [side for r in (*self.relations, *self.conditions) for side in (r.left, r.right)]
+        sides = [side for r in self.all_relations() for side in (r.left, r.right)]
         return (*sides, *self.needed)
 
     def symbols(self) -> set[str]:
@@ -54,6 +65,7 @@ class Statement:
             each(self.conditions),
             self.connective,
             tuple(change(e) for e in self.needed),
+            each(self.given),
         )
 
 

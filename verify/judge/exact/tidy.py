@@ -29,11 +29,12 @@ def tidied(expr: Expr) -> Expr:
     except Undecided:
         return expr
     element = tower.element(expr)
-    top, bottom = (_expr(p, names) for p in (element.num, element.den))
+    top, bottom = (expression_of(p, names) for p in (element.num, element.den))
     return top if element.den.is_one() else top / bottom
 
 
-def _expr(p: Poly, names: Sequence[str]) -> Expr:
+def expression_of(p: Poly, names: Sequence[str]) -> Expr:
+    """A polynomial as an expression of these symbols, in the order of its variables."""
     coefficients, monomials = [], []
     for exponents, coefficient in terms(p):
         powers = [

@@ -27,9 +27,7 @@ class Question:
         free = tuple(sorted(name for name in boxes if name not in parameters))
         positive = frozenset(name for name, box in boxes.items() if box.is_positive)
         nonnegative = frozenset(name for name, box in boxes.items() if box.is_nonnegative)
-        self.differences = {
-            rel: rel.left - rel.right for rel in (*statement.relations, *statement.conditions)
-        }
+        self.differences = {rel: rel.left - rel.right for rel in statement.all_relations()}
         exprs = (*statement.exprs(), *self.differences.values())
         self.tower = build_tower(exprs, parameters, free, positive, limits, nonnegative)
 
@@ -43,12 +41,12 @@ class Question:
 def truth(question: Question, local: Local) -> tuple[str, Rel | None]:
     """The truth on the set of `local`, and the relation that fails there. Raises Undecided."""
     statement = question.statement
+    for condition in statement.domain:
+        if local.undefined(condition.left, condition.right) is not None:
+            return SKIPPED, None
+        if not _holds(question, local, condition, everywhere=False):
+            return SKIPPED, None
     if statement.connective == "if":
-        for condition in statement.conditions:
-            if local.undefined(condition.left, condition.right) is not None:
-                return SKIPPED, None
-            if not _holds(question, local, condition, everywhere=False):
-                return SKIPPED, None
         for rel in statement.relations:
             if local.undefined(rel.left, rel.right, *statement.needed) is not None:
                 return NO_VALUE, rel

@@ -11,7 +11,7 @@ from math import ceil, floor
 import flint
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.connected import Connected
+from gainproof.verify.judge.exact.connected import Connected, Sample
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.local import FIRST_PRECISION, Local
@@ -31,7 +31,7 @@ FREE_PATTERNS = (
 def value_ball(
     local: Local,
     element: Element,
-    sample: Fraction | None,
+    sample: Sample | None,
     precision: int,
     free: tuple[Fraction, ...],
 ) -> Ball | None:

@@ -41,12 +41,28 @@ def test_roots_it_does_not_cover_are_held_or_refuted() -> None:
 
 def test_several_parameters_under_a_root() -> None:
     true = Rel("=", sqrt(power(x, 2) + 2 * x * y + power(y, 2)), x + y)
-    assert settle(Statement((true,)), BOTH, None, {}).verdict == "held"
+    assert settle(Statement((true,)), BOTH, None, {}).verdict == "proved"
     false = Rel("=", sqrt(power(x, 2) + power(y, 2)), x + y)
     assert settle(Statement((false,)), BOTH, None, {}).verdict == "refuted"
     mean = Rel(">=", (x + y) / 2, sqrt(x * y))
-    assert settle(Statement((mean,)), BOTH, None, {}).verdict == "held"
-    assert settle(Statement((Rel(">", x, y),)), BOTH, None, {}).verdict == "refuted"
+    assert settle(Statement((mean,)), BOTH, None, {}).verdict == "proved"
+    assert settle(Statement((Rel(">", x, y),)), BOTH, None, {}).verdict == "conditional"
+
+
+def test_a_proof_over_cells_is_replayed_and_an_altered_one_is_not() -> None:
+    strict = Statement((Rel(">", (x + y) / 2, sqrt(x * y)),))
+    outcome = settle(strict, BOTH, None, {})
+    certificate: dict[str, Any] = json.loads(json.dumps(outcome.certificate))
+    assert certificate["engine"] == "cells"
+    assert replay(certificate, "conditional") is None
+    assert replay(certificate, "proved") is not None
+    for field in ("tower", "candidates", "projection", "places", "borders"):
+        altered = copy.deepcopy(certificate)
+        altered[field] = altered[field][:-1]
+        assert replay(altered, "conditional") is not None
+    altered = copy.deepcopy(certificate)
+    altered["statement"]["domain"]["x"]["lower"] = "3"
+    assert replay(altered, "conditional") is not None
 
 
 def test_conditions_are_respected_at_points() -> None:

@@ -1,0 +1,1 @@
+"""Statements with several real parameters: open cells, and the borders between them."""

@@ -1,0 +1,85 @@
+"""What is kept of a decision over cells: projections, isolating intervals, samples, borders."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from gainproof.verify.judge.cells.lifting import Between, Cell
+from gainproof.verify.judge.cells.names import shown
+from gainproof.verify.judge.cells.pieces import Part, Piece
+from gainproof.verify.judge.exact.algebraic import Algebraic
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.certificate import statement_data
+from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.statement import Statement
+
+Data = dict[str, Any]
+MOST_PIECES = 200
+
+
+def cells_certificate(
+    statement: Statement, boxes: Mapping[str, Box], found: Sequence[Part], labels: Mapping[str, str]
+) -> Data:
+    """Everything another program needs to go through the same steps."""
+    first = found[0]
+    names = {f"x{k}": name for k, name in enumerate(first.task.names, start=1)}
+    return {
+        "checked": "replayed",
+        "engine": "cells",
+        "statement": statement_data(statement, boxes, None, labels),
+        "variables": {short: labels.get(full, full) for short, full in names.items()},
+        **_part(first, labels),
+        "borders": [
+            {
+                "zero": [f"{shown(expr, labels)} = 0" for expr in part.task.border],
+                "put in": [
+                    f"{labels.get(name, name)} = {shown(expr, labels)}"
+                    for name, expr in part.task.solved
+                ],
+                "parameters": [labels.get(name, name) for name in part.task.names],
+                **_part(part, labels),
+            }
+            for part in found[1:]
+        ],
+    }
+
+
+def _part(part: Part, labels: Mapping[str, str]) -> Data:
+    found: Data = {"tower": part.pieces[0].local.tower.relations_text() if part.pieces else []}
+    if part.projection is not None:
+        found["candidates"] = [str(cut) for cut in part.cuts]
+        found["of one sign"] = [str(p) for p in part.projection.dropped]
+        found["projection"] = [
+            {"variable": f"x{level.index + 1}", "polynomials": [str(p) for p in level.polys]}
+            for level in part.projection.levels
+        ]
+    found["count"] = len(part.pieces)
+    found["places"] = [_piece(piece, labels) for piece in part.pieces[:MOST_PIECES]]
+    return found
+
+
+def _piece(piece: Piece, labels: Mapping[str, str]) -> Data:
+    names = piece.task.names
+    label = labels.get(names[0], names[0]) if names else ""
+    place = piece.place
+    found: Data = {"found": piece.truth, "balls": list(dict.fromkeys(piece.local.steps))[:4]}
+    if isinstance(place, Cell):
+        found["between"] = {f"x{side.index + 1}": _sides(side) for side in place.sides}
+        found["samples"] = [", ".join(str(v) for v in sample) for sample in place.samples]
+        found["place"] = ", ".join(
+            f"{labels.get(name, name)} = {value}"
+            for name, value in zip(names, place.samples[0], strict=True)
+        )
+    elif isinstance(place, Place):
+        found["samples"] = [str(sample) for sample in place.samples]
+        found["place"] = place.text(label)
+    return found
+
+
+def _sides(side: Between) -> list[str | None]:
+    return [None if number is None else _interval(number) for number in (side.left, side.right)]
+
+
+def _interval(number: Algebraic) -> str:
+    return str(number.low) if number.is_rational else f"[{number.low}, {number.high}]"

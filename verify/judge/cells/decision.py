@@ -1,0 +1,132 @@
+"""Verdicts on statements with several real parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from gainproof.verify.judge.cells.certificate import cells_certificate
+from gainproof.verify.judge.cells.domain_text import domain_text
+from gainproof.verify.judge.cells.pieces import Part, Piece, all_pieces, exact_part, parts
+from gainproof.verify.judge.cells.task import Budget, Task
+from gainproof.verify.judge.cells.witness import counterexample, simple_points
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
+from gainproof.verify.judge.exact.expression import number
+from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
+from gainproof.verify.judge.exact.points import failure_at
+from gainproof.verify.judge.exact.statement import Outcome, Statement, unstated
+from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
+
+METHOD = "truth on the open cells of several parameters"
+BORDERS = "; borders solved for a parameter and decided in the same way"
+
+
+def decide_in_cells(
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    labels: Mapping[str, str] | None = None,
+    limits: Limits = DEFAULT_LIMITS,
+) -> Outcome:
+    """The verdict on a statement; all its symbols are real parameters. Raises Undecided."""
+    labels = labels or {}
+    original = {name: boxes.get(name, unstated()) for name in sorted(statement.symbols())}
+    for name, box in original.items():
+        if box.is_empty:
+            raise Undecided(f"the domain of {labels.get(name, name)} is empty")
+    task = _task(statement.mapped(roots_made_prime), original)
+    if len(task.names) > limits.parameters:
+        raise Undecided(f"more than {limits.parameters} parameters")
+    stated = frozenset(name for name, box in original.items() if box.stated)
+    budget = Budget(limits)
+    found = list(parts(task, budget, stated))
+    outcome = _outcome(task, found, budget, stated, labels)
+    if outcome.verdict != "proved" and any(box.integer for box in original.values()):
+        outcome = _for_integers(task, outcome, original, labels)
+    certificate = cells_certificate(statement, original, found, labels)
+    return replace(outcome, certificate=certificate)
+
+
+def _for_integers(
+    task: Task, outcome: Outcome, boxes: Mapping[str, Box], labels: Mapping[str, str]
+) -> Outcome:
+    """A statement that is false for real numbers needs a witness with integers where these are
+    wanted. Raises Undecided if none is found.
+    """
+    whole = [name for name, box in boxes.items() if box.integer]
+    for tried, point in enumerate(simple_points(task), start=1):
+        if all(point[name].denominator == 1 for name in whole if name in point):
+            witness = failure_at(task.statement, point, labels)
+            if witness is not None:
+                reason = f"fails {witness.text()}"
+                if outcome.verdict == "conditional":
+                    reason += f"; holds at least {outcome.domain}"
+                return replace(outcome, witness=witness, reason=reason, reach=tried)
+    names = ", ".join(labels.get(name, name) for name in whole)
+    raise Undecided(f"false for real numbers; whether for integers {names} was not decided")
+
+
+def _task(statement: Statement, boxes: Mapping[str, Box]) -> Task:
+    """The statement over all reals of the boxes, in the source's own symbols; a box of one point
+    is put in.
+    """
+    fixed = {
+        name: number(box.lower)
+        for name, box in boxes.items()
+        if box.lower is not None and box.lower == box.upper
+    }
+    statement = statement.mapped(lambda expr: substituted(expr, fixed))
+    left = {n: replace(b, integer=False) for n, b in boxes.items() if n not in fixed}
+    return Task(statement, left, tuple(fixed.items()))
+
+
+def _outcome(
+    task: Task,
+    found: Sequence[Part],
+    budget: Budget,
+    stated: frozenset[str],
+    labels: Mapping[str, str],
+) -> Outcome:
+    pieces = all_pieces(found)
+    present = [p for p in pieces if p.truth != SKIPPED]
+    relevant = [p for p in present if p.counted]
+    failed = [p for p in relevant if p.truth != TRUE]
+    if budget.gaps and not failed:
+        failed = _failing_points(task, budget, stated)
+        if not failed:
+            raise Undecided(f"{budget.gaps[0][1]}; it holds wherever else")
+    if not relevant:
+        if present:
+            raise Undecided("the formula has no value anywhere on its domain")
+        raise Undecided("the conditions hold nowhere on the domain")
+    size = max(p.dimension for p in present)
+    wide = [p for p in relevant if p.truth == TRUE and p.dimension == size]
+    method = METHOD + (BORDERS if len(found) > 1 else "")
+    if not failed:
+        if not wide:
+            raise Undecided("the formula has a value on a thin set only")
+        domain, _ = domain_text(task, found, budget, stated, labels)
+        return Outcome("proved", domain, "holds on the whole domain", method)
+    witness, tried = counterexample(task, failed, labels)
+    if wide:
+        domain, whole = domain_text(task, found, budget, stated, labels)
+        extent = "holds exactly" if whole else "holds at least"
+        reason = f"fails {witness.text()}; {extent} {domain}"
+        return Outcome("conditional", domain, reason, method, witness, {}, tried)
+    thin = any(p.truth == TRUE for p in relevant)
+    reason = f"fails {witness.text()}" + ("; holds on a thin set only" if thin else "")
+    domain = "on a thin set only" if thin else "nowhere"
+    return Outcome("refuted", domain, reason, method, witness, {}, tried)
+
+
+def _failing_points(task: Task, budget: Budget, stated: frozenset[str]) -> list[Piece]:
+    """Simple points at which the statement is exactly false, where a border was not decided."""
+    for point in simple_points(task):
+        values = {name: number(value) for name, value in point.items()}
+        statement = task.statement.mapped(lambda e, v=values: substituted(e, v))  # type: ignore[misc]
+        solved = (*task.solved, *values.items())
+        part = exact_part(Task(statement, {}, solved), Budget(budget.limits), stated)
+        failed = [p for p in part.pieces if p.counted and p.truth != TRUE]
+        if failed:
+            return failed
+    return []

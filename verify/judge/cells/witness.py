@@ -1,0 +1,146 @@
+"""Counterexamples of several parameters: small integers first, then points of cells and borders."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import product
+
+from gainproof.verify.judge.cells.names import shown
+from gainproof.verify.judge.cells.pieces import Piece
+from gainproof.verify.judge.cells.task import Task
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.connected import Sample
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.enclosure import enclosure, separated
+from gainproof.verify.judge.exact.expression import Expr, number
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.points import failure_at
+from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
+from gainproof.verify.judge.exact.truth import FALSE
+from gainproof.verify.judge.exact.witness import fails, value_ball
+
+PRECISIONS = (64, 256, 1024, 4096)
+MOST_SIMPLE = 60
+
+
+def counterexample(
+    task: Task, failed: Sequence[Piece], labels: Mapping[str, str]
+) -> tuple[Witness, int]:
+    """A point where the statement fails, the simplest that is found, and how many were tried.
+
+    Raises Undecided if none of the cells gives one.
+    """
+    tried = 0
+    exact = not any(rel.operator == "=" for rel in task.statement.domain)
+    if exact and any(p.truth == FALSE and p.task is task for p in failed):
+        for point in simple_points(task):
+            tried += 1
+            witness = failure_at(task.statement, point, labels)
+            if witness is not None:
+                return _with_solved(witness, task, labels), tried
+    ordered = sorted(failed, key=lambda p: (p.truth != FALSE, -p.dimension))
+    for piece in ordered:
+        for sample in _samples(piece):
+            tried += 1
+            witness = _at(piece, sample, labels)
+            if witness is not None:
+                return witness, tried
+    raise Undecided("the statement is false, but no rational point that shows it was found")
+
+
+def simple_points(task: Task) -> Iterator[dict[str, Fraction]]:
+    """Small integers, then halves, inside the boxes; those nearest to one first."""
+    names = task.names
+    count = 0
+    for scale in (1, 2):
+        digits = sorted(range(-2, 4), key=lambda n: (abs(n - 1), -n))
+        points = sorted(
+            product(digits, repeat=len(names)), key=lambda p: sum(abs(n - 1) for n in p)
+        )
+        for point in points:
+            values = [Fraction(n, scale) for n in point]
+            if scale > 1 and all(v.denominator == 1 for v in values):
+                continue
+            if all(task.boxes[name].holds(v) for name, v in zip(names, values, strict=True)):
+                count += 1
+                if count > MOST_SIMPLE * scale:
+                    break
+                yield dict(zip(names, values, strict=True))
+
+
+def _samples(piece: Piece) -> tuple[Sample | None, ...]:
+    return tuple(piece.place.samples) if piece.place.is_cell else (None,)
+
+
+def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witness | None:
+    """The witness at a point of a piece, by balls that do not overlap or by exact equality."""
+    local, rel = piece.local, piece.failing or piece.task.statement.relations[0]
+    point = _point(piece, sample, labels)
+    if piece.truth != FALSE:
+        sides = [_side(piece, expr, sample) for expr in (rel.left, rel.right)]
+        return Witness(point, rel.operator, sides[0], sides[1], note="a side has no value")
+    if piece.task.statement.connective != "if":
+        none = Enclosure("", "", "not compared")
+        note = "one side of the equivalence holds there and the other does not"
+        return Witness(point, rel.operator, none, none, exact=True, note=note)
+    elements = local.tower.element(rel.left), local.tower.element(rel.right)
+    for precision in PRECISIONS:
+        a, b = (value_ball(local, e, sample, precision, ()) for e in elements)
+        if a is None or b is None:
+            continue
+        apart = separated(a, b)
+        if apart is not None:
+            return Witness(point, rel.operator, *apart) if fails(rel.operator, a, b) else None
+    if rel.operator in ("<", ">", "!=") and _equal(piece, rel):
+        a = value_ball(local, elements[0], sample, PRECISIONS[0], ())
+        if a is not None:
+            both = enclosure(a, 12)
+            note = "both sides are equal, exactly"
+            return Witness(point, rel.operator, both, both, exact=True, note=note)
+    return None
+
+
+def _equal(piece: Piece, rel: Rel) -> bool:
+    """Whether both sides are the same on the whole piece."""
+    tower = piece.local.tower
+    difference = rel.left - rel.right
+    return difference.key in tower.elements and piece.local.vanishes(tower.element(difference).num)
+
+
+def _side(piece: Piece, expr: Expr, sample: Sample | None) -> Enclosure:
+    why = piece.local.undefined(expr)
+    if why is not None:
+        return Enclosure("", "", why)
+    ball = value_ball(piece.local, piece.local.tower.element(expr), sample, PRECISIONS[0], ())
+    return Enclosure("", "", "not evaluated") if ball is None else enclosure(ball, 12)
+
+
+def _point(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> dict[str, str]:
+    """The point in the source's symbols, with what the solved symbols come to there."""
+    names = piece.task.names
+    values: dict[str, Fraction] = {}
+    found: dict[str, str] = {}
+    if isinstance(sample, tuple):
+        values = dict(zip(names, sample, strict=True))
+    elif sample is not None:
+        values = {names[0]: sample}
+    elif piece.place.at is not None:
+        if piece.place.at.is_rational:
+            values = {names[0]: piece.place.at.low}
+        else:
+            found[labels.get(names[0], names[0])] = piece.place.at.text()
+    found |= {labels.get(name, name): str(value) for name, value in values.items()}
+    known: dict[str, Expr] = {name: number(value) for name, value in values.items()}
+    for name, expr in reversed(piece.task.solved):
+        here = substituted(expr, known)
+        value = constant_value(here)
+        known[name] = here if value is None else number(value)
+        found[labels.get(name, name)] = str(value) if value is not None else shown(here, labels)
+    return found
+
+
+def _with_solved(witness: Witness, task: Task, labels: Mapping[str, str]) -> Witness:
+    more = {labels.get(name, name): str(constant_value(expr)) for name, expr in task.solved}
+    return replace(witness, point={**witness.point, **more})
