@@ -7,14 +7,19 @@ from dataclasses import replace
 from typing import Any
 
 from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.convention import READING
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
+
+MOST_NAMED = 12
+UNSETTLED = ("undecided", "held", "undefined")
 
 
 def choose(trials: Sequence[Trial]) -> list[ClaimVerdict]:
     """The verdicts under those conventions under which every claim that fits any of them holds."""
     fits, common = _fits(trials), _common(trials)
-    return [_chosen(trial, common, fits) for trial in trials]
+    excluded = _excluded(trials, fits)
+    return [_chosen(trial, common, fits, excluded) for trial in trials]
 
 
 def admitted(trials: Sequence[Trial]) -> list[str]:
@@ -33,44 +38,61 @@ def _common(trials: Sequence[Trial]) -> list[str]:
     return [n for n in names if all(n in fit for fit in fits.values() if fit)]
 
 
-def _chosen(trial: Trial, common: list[str], fits: Mapping[str, set[str]]) -> ClaimVerdict:
+def _chosen(
+    trial: Trial, common: list[str], fits: Mapping[str, set[str]], excluded: frozenset[str]
+) -> ClaimVerdict:
     claim, findings, mine = trial.claim, trial.findings, fits[trial.claim.id]
     if trial.failure is not None or not findings:
         reasons = "; ".join(f"{u.name}: {u.reason}" for u in trial.unusable)
         reason = trial.failure or f"no model could be solved: {reasons}"
         return verdict_of(claim, Finding("undecided", reason), None, trial.seconds)
-    if not trial.is_open:
+    if len(findings) == 1 and not trial.is_open:
         return verdict_of(claim, next(iter(findings.values())), None, trial.seconds)
     if mine and common:
         best = [n for n in common if n in mine]
-        named = best[0] if len(best) == 1 else "any of: " + "; ".join(best)
         others = _others(findings, best)
-        return verdict_of(claim, findings[best[0]], named, trial.seconds, others)
+        return verdict_of(claim, findings[best[0]], _named(trial, best), trial.seconds, others)
     if mine:
         clash = "; ".join(
             f"{other} under {', '.join(sorted(names))}" for other, names in fits.items() if names
         )
-        reason = f"no single convention fits all claims of the setting: {clash}"
+        what = "convention" if trial.is_open else "reading of a definition"
+        reason = f"no single {what} fits all claims of the setting: {clash}"
         fitting = next(n for n in findings if n in mine)
         finding = replace(findings[fitting], verdict="conditional", reason=reason)
         others = _others(findings, sorted(mine))
-        return verdict_of(claim, finding, fitting, trial.seconds, others)
-    finding, partly = _none_fits(trial, common, fits)
-    return verdict_of(claim, finding, partly, trial.seconds, _others(findings, []))
+        return verdict_of(claim, finding, _named(trial, [fitting]), trial.seconds, others)
+    finding, partly = _none_fits(trial, common, fits, excluded)
+    named = None if partly is None else _named(trial, [partly])
+    return verdict_of(claim, finding, named, trial.seconds, _others(findings, []))
+
+
+def _named(trial: Trial, fitting: Sequence[str]) -> str | None:
+    """The conventions that fit, in words; None if the source left nothing open. Which reading of a
+    definition is meant is told with the reading.
+    """
+    if not trial.is_open:
+        return None
+    names = list(dict.fromkeys(name.partition(READING)[0] for name in fitting))
+    if len(names) == 1:
+        return names[0]
+    more = f"; and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    return "any of: " + "; ".join(names[:MOST_NAMED]) + more
 
 
 def _none_fits(
-    trial: Trial, common: list[str], fits: Mapping[str, set[str]]
+    trial: Trial, common: list[str], fits: Mapping[str, set[str]], excluded: frozenset[str]
 ) -> tuple[Finding, str | None]:
     """No convention makes the claim true: refuted if each was refuted, with one witness in front.
 
     The convention that the other claims of the setting chose comes first, then one under which the
     claim holds on a part of its domain; such a one is named.
     """
-    findings, unusable = trial.findings, trial.unusable
-    unsettled = {
-        n: f for n, f in findings.items() if f.verdict in ("undecided", "held", "undefined")
-    }
+    findings = trial.findings
+    decided = any(fits.values())
+    unusable = () if decided and common else trial.unusable
+    possible = {n: f for n, f in findings.items() if n not in excluded}
+    unsettled = {n: f for n, f in possible.items() if f.verdict in UNSETTLED}
     if unsettled or unusable:
         reasons = [f"{n}: {f.reason}" for n, f in unsettled.items()]
         reasons += [f"{u.name}: {u.reason}" for u in unusable]
@@ -78,13 +100,30 @@ def _none_fits(
         verdict = "undefined" if kinds == {"undefined"} and not unusable else "undecided"
         first = next(iter(unsettled.values()), None)
         certificate = {} if first is None or verdict == "undecided" else first.certificate
-        return Finding(verdict, "; ".join(reasons), certificate=certificate), None
-    settled = [n for n in common if any(fits.values())]
+        return Finding(verdict, _told(reasons), certificate=certificate), None
+    settled = [n for n in common if decided]
     partly = [n for n, f in findings.items() if f.verdict == "conditional"]
     chosen = [*settled, *partly, *findings][0]
-    reason = "; ".join(f"{n}: {f.reason}" for n, f in findings.items())
-    finding = replace(findings[chosen], reason=f"fits no convention: {reason}")
+    what = "convention" if trial.is_open else "reading of a definition"
+    reason = _told([f"{n}: {f.reason}" for n, f in findings.items()])
+    finding = replace(findings[chosen], reason=f"fits no {what}: {reason}")
     return finding, chosen if finding.verdict == "conditional" else None
+
+
+def _told(reasons: Sequence[str]) -> str:
+    more = len(reasons) - MOST_NAMED
+    return "; ".join(reasons[:MOST_NAMED]) + (f"; and {more} more" if more > 0 else "")
+
+
+def _excluded(trials: Sequence[Trial], fits: Mapping[str, set[str]]) -> frozenset[str]:
+    """Conventions that a claim rules out which is true under another."""
+    return frozenset(
+        name
+        for trial in trials
+        if fits[trial.claim.id]
+        for name, finding in trial.findings.items()
+        if finding.verdict in ("refuted", "conditional")
+    )
 
 
 def _others(findings: Mapping[str, Finding], fitting: Sequence[str]) -> dict[str, Any]:

@@ -1,5 +1,5 @@
-"""Conventions a setting may leave open, chosen once for all its claims: process-noise family and
-form of the gain.
+"""Conventions a setting may leave open, chosen once for all its claims: process-noise family,
+what the source calls gain, noise and covariance, number of the first sample, readings of slashes.
 """
 
 from __future__ import annotations
@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from gainproof.verify.judge.claim_record import OwnModel, Setting
+from gainproof.verify.judge.convention_effect import choices, with_conventions, with_units
+from gainproof.verify.judge.definition_reading import with_one_reading
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
@@ -16,14 +18,27 @@ from gainproof.verify.judge.setting.environment import Environment, NotEstablish
 from gainproof.verify.judge.setting.quantities import memory, steady_state
 
 Model = Mapping[str, Any]
+MOST_CONVENTIONS = 400
+READING = ", reading "
 
 
 @dataclass(frozen=True)
 class Convention:
-    """One way to fill in what the setting leaves open; `open` says whether anything was."""
+    """One way to fill in what the setting leaves open; `open` says whether anything was.
+
+    `setting` has the units of that convention and one reading of each definition, which `reading`
+    names where there are several. `name` tells conventions of one setting apart.
+    """
 
     environment: Environment
+    setting: Setting
     open: bool
+    reading: str | None = None
+
+    @property
+    def name(self) -> str:
+        """The environment's name, and the reading of definitions."""
+        return self.environment.name + (f"{READING}{self.reading}" if self.reading else "")
 
 
 @dataclass(frozen=True)
@@ -37,22 +52,40 @@ class Unusable:
 def conventions(
     setting: Setting, models: Sequence[Model], solved: dict[Any, Environment]
 ) -> Iterator[Convention | Unusable]:
-    """All conventions that the setting admits; `solved` keeps environments for other settings."""
-    forms = ("filter", "predictor") if setting.gain == "search" else (setting.gain,)
+    """All conventions that the setting admits, the usual ones first; `solved` keeps environments
+    for other settings. Raises Undecided if they are too many, or for an unknown kind of setting.
+    """
+    found = list(choices(setting))
+    readings = list(with_one_reading(setting))
+    bases = list(_bases(setting, models, solved))
+    if len(found) * len(readings) * len(bases) > MOST_CONVENTIONS:
+        raise Undecided(f"more than {MOST_CONVENTIONS} conventions: state some of them")
+    is_open = len(found) * len(bases) > 1 or setting.model == "search"
+    for base in bases:
+        if isinstance(base, Unusable):
+            yield base
+            continue
+        for chosen in found:
+            environment = with_conventions(base, chosen)
+            for one, words in readings:
+                yield Convention(environment, with_units(one, chosen), is_open, words)
+
+
+def _bases(
+    setting: Setting, models: Sequence[Model], solved: dict[Any, Environment]
+) -> Iterator[Environment | Unusable]:
+    """The environments of the setting's models, gains those of the filter."""
     match setting.kind:
         case "algebra":
-            yield Convention(algebra(), False)
+            yield algebra()
         case "growing_memory":
-            for form in forms:
-                key = ("memory", setting.degree, form)
-                if key not in solved:
-                    solved[key] = memory(setting.degree if setting.degree is not None else -1, form)
-                yield Convention(solved[key], len(forms) > 1)
+            key = ("memory", setting.degree)
+            if key not in solved:
+                solved[key] = memory(setting.degree if setting.degree is not None else -1)
+            yield solved[key]
         case "steady_state":
-            chosen = list(_models(setting, models))
-            for form in forms:
-                for model in chosen:
-                    yield _steady(model, form, solved, len(forms) > 1 or setting.model == "search")
+            for model in _models(setting, models):
+                yield _steady(model, solved)
         case _:
             raise Undecided(f"settings of kind {setting.kind} are not covered")
 
@@ -67,16 +100,14 @@ def _models(setting: Setting, models: Sequence[Model]) -> Iterator[Model]:
     yield from found
 
 
-def _steady(
-    model: Model, form: str, solved: dict[Any, Environment], is_open: bool
-) -> Convention | Unusable:
-    key = ("steady", repr(sorted(model.items(), key=lambda item: item[0])), form)
+def _steady(model: Model, solved: dict[Any, Environment]) -> Environment | Unusable:
+    key = ("steady", repr(sorted(model.items(), key=lambda item: item[0])))
     try:
         if key not in solved:
-            solved[key] = steady_state(model, form)
+            solved[key] = steady_state(model)
     except (Undecided, Malformed, NotEstablished) as reason:
         return Unusable(str(model.get("name", "model")), str(reason))
-    return Convention(solved[key], is_open)
+    return solved[key]
 
 
 def own_model(name: str, model: OwnModel) -> Model:

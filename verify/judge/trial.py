@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 from typing import Any
 
+from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim_record import Claim, Setting
-from gainproof.verify.judge.convention import Unusable, conventions
-from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.convention import Convention, Unusable, conventions
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.kinds import judge_determines, judge_reading
-from gainproof.verify.judge.scope import Scope, UndefinedSymbol
+from gainproof.verify.judge.pruning import seen_false
+from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.verdict import Finding
 
-MOST_CHOICES = 8
+FEW = 4
+"""So many conventions are judged in full; of more, only those that two points do not rule out."""
 
 
 @dataclass(frozen=True)
@@ -43,87 +43,65 @@ def try_claim(
     models: Sequence[Mapping[str, Any]],
     solved: dict[Any, Environment],
 ) -> Trial:
-    """The claim in every environment of its setting; `solved` keeps these for others."""
+    """The claim under every convention of its setting; `solved` keeps environments for others."""
     start = time.perf_counter()
     findings: dict[str, Finding] = {}
-    unusable: list[Unusable] = []
-    is_open, failure = False, None
+    found: list[Convention | Unusable] = []
+    failure = None
     try:
-        for convention in conventions(setting, models, solved):
-            if isinstance(convention, Unusable):
-                unusable.append(convention)
-            else:
-                is_open = is_open or convention.open
-                environment = convention.environment
-                findings[environment.name] = judge_claim(claim, setting, environment)
+        found = list(conventions(setting, models, solved))
+        findings = _findings(claim, [c for c in found if isinstance(c, Convention)])
     except (Undecided, Malformed, NotEstablished) as reason:
         failure = str(reason)
+    unusable = tuple(c for c in found if isinstance(c, Unusable))
+    is_open = any(isinstance(c, Convention) and c.open for c in found)
     seconds = time.perf_counter() - start
-    return Trial(claim, findings, tuple(unusable), is_open, seconds, failure)
+    return Trial(claim, findings, unusable, is_open, seconds, failure)
 
 
-def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Finding:
-    """One claim in one environment; of several readings the one that is proved, else the first."""
-    findings = []
-    for label, attempt in _attempts(claim, setting, environment):
-        finding = replace(_attempt(attempt), reading=label)
-        if environment.facts and finding.certificate:
-            established = [fact.sentence for fact in environment.facts]
-            finding = replace(
-                finding, certificate={**finding.certificate, "established": established}
-            )
-        if finding.verdict == "proved":
-            return finding
-        findings.append(finding)
-    if len({f.verdict for f in findings}) > 1 and any(f.verdict == "undecided" for f in findings):
-        return next(f for f in findings if f.verdict == "undecided")
-    return findings[0]
+def _findings(claim: Claim, found: Sequence[Convention]) -> dict[str, Finding]:
+    """By name of the convention; those alike in all that the claim uses are judged once."""
+    groups: dict[object, list[Convention]] = {}
+    for convention in found:
+        groups.setdefault(_seen_by(claim, convention), []).append(convention)
+    firsts = [same[0] for same in groups.values()]
+    by_first: dict[str, Finding] = {}
+    if len(firsts) > FEW:
+        by_first = {c.name: f for c in firsts if (f := seen_false(claim, c)) is not None}
+    rest = [c for c in firsts if c.name not in by_first]
+    if not rest:
+        # false under all of them: on which part of its domain it may hold is said for the first
+        rest = firsts[:FEW]
+    by_first |= {c.name: _judged(claim, c) for c in rest}
+    return {c.name: by_first[same[0].name] for same in groups.values() for c in same}
 
 
-def _attempts(
-    claim: Claim, setting: Setting, environment: Environment
-) -> Iterator[tuple[str | None, Callable[[], Finding]]]:
-    if claim.kind == "determines":
-        yield None, lambda: judge_determines(claim, Scope(setting, environment))
-        return
-    if claim.formula is None:
-        yield (
-            None,
-            lambda: Finding("undecided", f"a claim of kind {claim.kind} in words is not covered"),
-        )
-        return
-    several = {
-        token: range(len(entry.definition.readings))
-        for token, entry in setting.symbols.items()
-        if entry.definition is not None and len(entry.definition.readings) > 1
-    }
-    combinations = list(product(*several.values()))[:MOST_CHOICES]
-    readings, fault = fitting_readings(claim.formula, setting)
-    if fault is not None:
-        yield None, lambda: Finding("refuted", fault, method="dimensions")
-    for reading in readings:
-        for combination in combinations:
-            choice = dict(zip(several, combination, strict=True))
-            names = [reading.text] if reading.text else []
-            names += [_reading_name(setting, token, n) for token, n in choice.items()]
-            yield (
-                "; ".join(names) or None,
-                lambda r=reading, c=choice: judge_reading(claim, r, Scope(setting, environment, c)),  # type: ignore[misc]
-            )
+def _judged(claim: Claim, convention: Convention) -> Finding:
+    finding = judge_claim(claim, convention.setting, convention.environment)
+    if convention.reading is None or not _has_choice(claim, convention):
+        return finding
+    names = [name for name in (finding.reading, convention.reading) if name]
+    return replace(finding, reading="; ".join(names))
 
 
-def _reading_name(setting: Setting, token: str, n: int) -> str:
-    definition = setting.symbols[token].definition
-    text = definition.readings[n].text if definition is not None else None
-    return f"{token}: {text or n + 1}"
+def _has_choice(claim: Claim, convention: Convention) -> bool:
+    """Whether the claim uses a definition that was given one of several readings."""
+    words = convention.reading or ""
+    tokens = {part.partition(": ")[0] for part in words.split("; ")}
+    return bool(tokens & reached(claim, convention.setting))
 
 
-def _attempt(work: Callable[[], Finding]) -> Finding:
-    try:
-        return work()
-    except UndefinedSymbol as reason:
-        return Finding("undefined", str(reason), certificate={"symbol": reason.token})
-    except (Undecided, Malformed, NotEstablished) as reason:
-        return Finding("undecided", str(reason))
-    except (RecursionError, MemoryError, ArithmeticError, ValueError) as reason:
-        return Finding("undecided", f"the arithmetic stopped: {type(reason).__name__}: {reason}")
+def _seen_by(claim: Claim, convention: Convention) -> object:
+    """All of a convention that a claim can depend on."""
+    environment, setting = convention.environment, convention.setting
+    tokens = sorted(reached(claim, setting))
+    used: list[object] = [tuple(sorted(environment.boxes.items(), key=lambda item: item[0]))]
+    for token in tokens:
+        entry = setting.symbols[token]
+        quantity = environment.quantities.get(entry.quantity or "")
+        readings = entry.definition.readings if entry.definition is not None else ()
+        texts = tuple(reading.text for reading in readings)
+        used.append((token, entry.unit, quantity and quantity.key, texts))
+    if claim.kind == "determines" or not any(setting.symbols[t].quantity for t in tokens):
+        used.append(environment.name)
+    return tuple(used)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim_record import Claim, Setting, SymbolEntry
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.errors import ReaderError
@@ -12,7 +13,6 @@ from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.setting.environment import Environment
-from gainproof.verify.judge.trial import judge_claim
 
 
 def reread(formula: Printed, symbols: Mapping[str, SymbolEntry]) -> Formula | None:

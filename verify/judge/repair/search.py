@@ -21,7 +21,7 @@ from gainproof.verify.judge.repair.rank import parts_of_claims, rank
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
 from gainproof.verify.judge.repair.two import two_changes
-from gainproof.verify.judge.repair.values import Values, truth
+from gainproof.verify.judge.repair.values import COMPARED, Values, truth
 from gainproof.verify.judge.repair.whole import Change
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment
@@ -30,9 +30,9 @@ POINTS = 5
 LEAST_AGREED = 3
 MOST_PROOFS = 40
 MOST_OFFERED = 4
+STAGES = (0, 1, 2)
 BY_VALUES = frozenset(("identity", "inequality", "recursion"))
 """Kinds of claims that are what their relations say at each point of the domain."""
-COMPARED = frozenset(("=", "!=", "<", "<=", ">", ">="))
 
 
 @dataclass(frozen=True)
@@ -86,16 +86,17 @@ class Search:
             raise Undecided("no generic point of the domain was found")
         self.points = [Values(self.scope, point, put_in) for point in points]
 
-    def offers(self) -> list[Offer]:
-        """The proved formulas of the least weight at which there is one, best first."""
+    def offers(self, stage: int) -> list[Offer]:
+        """The proved formulas of the least weight at which there is one, best first: one edit
+        away, with one thing solved for, two edits away.
+        """
         if sum(len(side.parts) + 1 for side in self.formula.sides) > MOST_NODES:
             return []
-        found = self._first(changes(self.formula, self.table, self.numbers))
-        if (not found or found[0].change.weight > 2) and self.by_values:
-            found = self._first([*[o.change for o in found], *closings(self)])
-        if not found and self.by_values:
-            found = self._first(two_changes(self))
-        return found
+        if stage == 0:
+            return self._first(changes(self.formula, self.table, self.numbers))
+        if not self.by_values:
+            return []
+        return self._first(closings(self) if stage == 1 else two_changes(self))
 
     def agrees(self, formula: Printed) -> bool:
         """Whether the formula is seen to hold at generic points and nowhere seen to fail."""

@@ -10,10 +10,11 @@ from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.repair.search import Offer, Search
+from gainproof.verify.judge.repair.edit import PLAIN
+from gainproof.verify.judge.repair.search import STAGES, Offer, Search
 from gainproof.verify.judge.repair.words import in_words
 from gainproof.verify.judge.scope import UndefinedSymbol
-from gainproof.verify.judge.setting.environment import Environment, NotEstablished
+from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
 
@@ -30,7 +31,7 @@ class RepairTask:
     claim: Claim
     setting: Setting
     others: tuple[Claim, ...]
-    environments: tuple[str, ...]
+    conventions: tuple[str, ...]
     seconds: float = SECONDS
 
     def run(self, models: Models, solved: Solved) -> Trial:
@@ -38,28 +39,33 @@ class RepairTask:
         formula with its changes in words.
         """
         start = time.perf_counter()
+        searches = [
+            search
+            for convention in conventions(self.setting, models, solved)
+            if isinstance(convention, Convention) and convention.name in self.conventions
+            for search in _searches(self, convention, start + self.seconds)
+        ]
         found: list[Offer] = []
-        for convention in conventions(self.setting, models, solved):
-            if not isinstance(convention, Convention):
-                continue
-            if convention.environment.name in self.environments:
-                found += _offers(self, convention.environment, start + self.seconds)
+        for stage in STAGES:
+            if not found or (stage == 1 and min(o.change.weight for o in found) > PLAIN):
+                for search in searches:
+                    found += search.offers(stage)
         least = min((offer.change.weight for offer in found), default=0)
         best = [_plain(offer) for offer in found if offer.change.weight == least]
         seconds = time.perf_counter() - start
         return Trial(self.claim, {}, (), False, seconds, repair={"offers": best})
 
 
-def _offers(task: RepairTask, environment: Environment, deadline: float) -> list[Offer]:
-    claim, setting = task.claim, task.setting
+def _searches(task: RepairTask, convention: Convention, deadline: float) -> list[Search]:
+    """One for each reading of the claim that can be searched."""
+    claim, setting, environment = task.claim, convention.setting, convention.environment
     if claim.formula is None:
         return []
     fitting, _ = fitting_readings(claim.formula, setting)
-    found: list[Offer] = []
+    found: list[Search] = []
     for reading in fitting or claim.formula.readings[:1]:
         try:
-            search = Search(claim, reading, setting, environment, task.others, deadline)
-            found += search.offers()
+            found.append(Search(claim, reading, setting, environment, task.others, deadline))
         except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):
             continue  # no claim is worse off for a repair that was not found
     return found

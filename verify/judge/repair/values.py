@@ -18,6 +18,8 @@ from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 
 MOST_KEPT = 200_000
 AGREED_BITS = 60
+COMPARED = frozenset(("=", "!=", "<", "<=", ">", ">="))
+"""Relations that balls can decide."""
 
 
 class Values:

@@ -70,7 +70,7 @@ def repair(
             r"\alpha = \frac{2 ( 2 k + 1 )}{( k + 1 ) ( k + 2 )} \quad ( 1 \le k )",
         ),
         # dropped term, too many
-        (RV, r"\alpha \alpha = 2\beta - \beta", r"\alpha \alpha = 2 \beta - \alpha \beta"),
+        (RV, r"\alpha \alpha = 2\beta - \beta", r"\alpha \alpha = 2 \beta - \beta \alpha"),
         (LENGTHS, r"y = x + \frac{a T^2}{2} + v", r"y = x + \frac{a T^{2}}{2} + v T"),
         # a sample later
         (

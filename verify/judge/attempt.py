@@ -1,0 +1,65 @@
+"""One claim in one environment."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.kinds import judge_determines, judge_reading
+from gainproof.verify.judge.scope import Scope, UndefinedSymbol
+from gainproof.verify.judge.setting.environment import Environment, NotEstablished
+from gainproof.verify.judge.verdict import Finding
+
+
+def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Finding:
+    """One claim in one environment; of several readings the one that is proved, else the first."""
+    findings = []
+    for label, attempt in _attempts(claim, setting, environment):
+        finding = replace(_attempt(attempt), reading=label)
+        if environment.facts and finding.certificate:
+            established = [fact.sentence for fact in environment.facts]
+            finding = replace(
+                finding, certificate={**finding.certificate, "established": established}
+            )
+        if finding.verdict == "proved":
+            return finding
+        findings.append(finding)
+    if len({f.verdict for f in findings}) > 1 and any(f.verdict == "undecided" for f in findings):
+        return next(f for f in findings if f.verdict == "undecided")
+    return findings[0]
+
+
+def _attempts(
+    claim: Claim, setting: Setting, environment: Environment
+) -> Iterator[tuple[str | None, Callable[[], Finding]]]:
+    if claim.kind == "determines":
+        yield None, lambda: judge_determines(claim, Scope(setting, environment))
+        return
+    if claim.formula is None:
+        yield (
+            None,
+            lambda: Finding("undecided", f"a claim of kind {claim.kind} in words is not covered"),
+        )
+        return
+    readings, fault = fitting_readings(claim.formula, setting)
+    if fault is not None:
+        yield None, lambda: Finding("refuted", fault, method="dimensions")
+    for reading in readings:
+        yield (
+            reading.text,
+            lambda r=reading: judge_reading(claim, r, Scope(setting, environment)),  # type: ignore[misc]
+        )
+
+
+def _attempt(work: Callable[[], Finding]) -> Finding:
+    try:
+        return work()
+    except UndefinedSymbol as reason:
+        return Finding("undefined", str(reason), certificate={"symbol": reason.token})
+    except (Undecided, Malformed, NotEstablished) as reason:
+        return Finding("undecided", str(reason))
+    except (RecursionError, MemoryError, ArithmeticError, ValueError) as reason:
+        return Finding("undecided", f"the arithmetic stopped: {type(reason).__name__}: {reason}")

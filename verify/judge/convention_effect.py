@@ -1,0 +1,156 @@
+"""What conventions make of a setting's quantities and of the units of its symbols."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, replace
+from fractions import Fraction
+from itertools import product
+
+from gainproof.verify.judge.claim_record import Setting, SymbolEntry, Unit
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
+from gainproof.verify.judge.setting.environment import (
+    DEVIATION,
+    INDEX,
+    INTERVAL,
+    SAMPLE,
+    Environment,
+)
+
+STATES = range(1, 4)
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """One value for each convention; the fields of `Setting` say what they mean."""
+
+    gain: str = "filter"
+    third_gain: str = "1"
+    power_of_T: str = "1"
+    noise: str = "deviation"
+    index_origin: str = "0"
+    covariance: str = "predicted"
+
+    def in_words(self) -> str:
+        """What differs from the usual, each with a comma in front."""
+        kind = "a variance" if self.noise == "variance" else "a ratio"
+        found = {
+            "gain": "gains are those of the predictor (F K)",
+            "third_gain": f"the third gain is {self.third_gain} T^2 times that of the acceleration",
+            "power_of_T": f"the second gain is T^{self.power_of_T} times that of the velocity",
+            "noise": f"noise is given as {kind}",
+            "index_origin": "the first sample has number 1",
+            "covariance": "the covariance is the updated one",
+        }
+        usual = Chosen()
+        changed = [name for name in found if getattr(self, name) != getattr(usual, name)]
+        return "".join(f", {found[name]}" for name in changed)
+
+
+VALUES: Mapping[str, tuple[str, ...]] = {
+    "gain": ("filter", "predictor"),
+    "third_gain": ("1", "1/2", "2"),
+    "power_of_T": ("1", "0", "2"),
+    "noise": ("deviation", "variance", "ratio"),
+    "index_origin": ("0", "1"),
+    "covariance": ("predicted", "updated"),
+}
+"""All conventions with their values, the usual one first."""
+REACHED: Mapping[str, tuple[str, ...]] = {
+    "gain": ("gain.",),
+    "third_gain": ("gain.3",),
+    "power_of_T": ("gain.2",),
+    "noise": (INDEX, DEVIATION),
+    "index_origin": (SAMPLE,),
+    "covariance": ("covariance.",),
+}
+"""Beginnings of the quantities that a convention acts on."""
+
+
+def reaches(name: str, setting: Setting) -> bool:
+    """Whether a convention acts on a symbol of the setting."""
+    quantities = [entry.quantity for entry in setting.symbols.values() if entry.quantity]
+    return any(quantity.startswith(start) for quantity in quantities for start in REACHED[name])
+
+
+def choices(setting: Setting) -> Iterator[Chosen]:
+    """Every way to fill in what the setting leaves open and what acts on a symbol of it."""
+    options = []
+    for field in fields(Chosen):
+        stated = getattr(setting, field.name)
+        searched = VALUES[field.name] if stated == "search" else (stated,)
+        options.append(searched if reaches(field.name, setting) else VALUES[field.name][:1])
+    for values in product(*options):
+        yield Chosen(*values)
+
+
+def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
+    """The quantities as the source counts and names them."""
+    quantities = dict(environment.quantities)
+    _name_gains(quantities, chosen)
+    for name, value in list(quantities.items()):
+        if name.startswith(f"{chosen.covariance}_covariance."):
+            quantities[name.removeprefix(f"{chosen.covariance}_")] = value
+    boxes, continued = dict(environment.boxes), dict(environment.continued)
+    if chosen.index_origin == "1" and SAMPLE in boxes:
+        boxes[SAMPLE] = _later(boxes[SAMPLE])
+        before = {SAMPLE: symbol(SAMPLE) - 1}
+        quantities = _replaced(quantities, before) | {SAMPLE: symbol(SAMPLE)}
+        continued = _replaced(continued, before)
+    if chosen.noise == "ratio":
+        quantities = _replaced(quantities, {DEVIATION: number(1)})
+    if chosen.noise != "deviation":
+        for name in (INDEX, DEVIATION):
+            if name in quantities:
+                quantities[name] = power(quantities[name], 2)
+    name = environment.name + chosen.in_words()
+    return replace(environment, name=name, quantities=quantities, boxes=boxes, continued=continued)
+
+
+def _name_gains(quantities: dict[str, Expr], chosen: Chosen) -> None:
+    """`gain.i` from the gains of filter or predictor, scaled."""
+    interval = symbol(INTERVAL)
+    for i in STATES:
+        gain = quantities.get(f"{chosen.gain}_gain.{i}")
+        if gain is None:
+            continue
+        if i == 2 and chosen.power_of_T != "1":
+            exponent = int(chosen.power_of_T) - 1
+            gain = gain * interval if exponent == 1 else gain / interval
+        if i == 3 and chosen.third_gain != "1":
+            gain = number(Fraction(chosen.third_gain)) * gain
+        quantities[f"gain.{i}"] = gain
+
+
+def _replaced(quantities: Mapping[str, Expr], values: Mapping[str, Expr]) -> dict[str, Expr]:
+    return {name: substituted(expr, values) for name, expr in quantities.items()}
+
+
+def _later(box: Box) -> Box:
+    """The same samples with numbers greater by one."""
+    lower = None if box.lower is None else box.lower + 1
+    upper = None if box.upper is None else box.upper + 1
+    return replace(box, lower=lower, upper=upper)
+
+
+def with_units(setting: Setting, chosen: Chosen) -> Setting:
+    """The setting with the units that symbols have under the conventions."""
+    if chosen.noise == "deviation" and chosen.power_of_T == "1":
+        return setting
+    symbols = {token: _with_unit(entry, chosen) for token, entry in setting.symbols.items()}
+    return replace(setting, symbols=symbols)
+
+
+def _with_unit(entry: SymbolEntry, chosen: Chosen) -> SymbolEntry:
+    if entry.quantity is None or entry.unit is None:
+        return entry
+    unit = entry.unit
+    if entry.quantity == "gain.2":
+        unit = replace(unit, second=unit.second + int(chosen.power_of_T) - 1)
+    if entry.quantity == DEVIATION and chosen.noise == "variance":
+        unit = Unit(unit.metre * 2, unit.second * 2)
+    if chosen.noise == "ratio":
+        unit = replace(unit, metre=Fraction(0))
+    return replace(entry, unit=unit)

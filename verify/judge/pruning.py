@@ -1,0 +1,58 @@
+"""Conventions under which a claim is false at once: seen at two generic points, shown at a simple
+one.
+"""
+
+from __future__ import annotations
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.convention import Convention
+from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.points import try_points
+from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.repair.points import generic_points
+from gainproof.verify.judge.repair.printed import printed
+from gainproof.verify.judge.repair.values import COMPARED, Values, truth
+from gainproof.verify.judge.scope import Scope, UndefinedSymbol
+from gainproof.verify.judge.setting.environment import NotEstablished
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+KINDS = ("identity", "inequality")
+
+
+def seen_false(claim: Claim, convention: Convention) -> Finding | None:
+    """The refutation of a claim that fails at generic points in every reading; None for others."""
+    if claim.kind not in KINDS or claim.formula is None or claim.given:
+        return None
+    readings, fault = fitting_readings(claim.formula, convention.setting)
+    if fault is not None:
+        return Finding("refuted", fault, method="dimensions")
+    found: Finding | None = None
+    for reading in readings:
+        try:
+            finding = _refuted(claim, reading, convention)
+        except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):
+            return None
+        if finding is None:
+            return None
+        found = found or finding
+    return found
+
+
+def _refuted(claim: Claim, reading: Reading, convention: Convention) -> Finding | None:
+    plain = all(r.operator in COMPARED for r in (*reading.relations, *reading.conditions))
+    if reading.connective != "if" or not plain:
+        return None
+    scope = Scope(convention.setting, convention.environment)
+    relations = tuple(scope.relation(r) for r in reading.relations)
+    stated = tuple(scope.relation(r) for r in (*reading.conditions, *claim.domain))
+    points, put_in = generic_points(claim, reading.conditions, scope, 2)
+    formula = printed(reading)
+    failing = [p for p in points if truth(Values(scope, p, put_in), formula) is False]
+    if put_in or len(failing) < 2:
+        return None
+    domains = [r for token in scope.used for r in convention.setting.symbols[token].domain]
+    conditions = (*stated, *[scope.relation(r) for r in domains])
+    outcome = try_points(Statement(relations, conditions), scope.boxes(), scope.labels())
+    return finding_of(outcome) if outcome and outcome.verdict == "refuted" else None
