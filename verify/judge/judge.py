@@ -81,16 +81,7 @@ def here(models: Models) -> Done:
 
 def apart(models: Models, seconds: float, processes: int) -> Done:
     """Tasks run in processes that are killed when the time is over."""
-    alone = here(models)
-
-    def done(tasks: Sequence[Task]) -> Mapping[str, Trial]:
-        tried = [task for task in tasks if isinstance(task, TrialTask)]
-        settings = {task.setting.name: task.setting for task in tried}
-        claims = [task.claim for task in tried]
-        found = tried_apart(settings, claims, models, seconds, processes)
-        return {**found, **alone([task for task in tasks if task not in tried])}
-
-    return done
+    return lambda tasks: tried_apart(tasks, models, seconds, processes)
 
 
 def _verdicts(

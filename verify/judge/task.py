@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -22,6 +23,11 @@ class Task(Protocol):
         """The claim."""
         ...
 
+    @property
+    def most(self) -> float:
+        """Seconds after which it is stopped, even if more are allowed for a claim."""
+        ...
+
     def run(self, models: Models, solved: Solved) -> Trial:
         """What it came to; `solved` keeps environments for other tasks."""
         ...
@@ -33,6 +39,7 @@ class TrialTask:
 
     claim: Claim
     setting: Setting
+    most: float = math.inf
 
     def run(self, models: Models, solved: Solved) -> Trial:
         """The trial."""

@@ -2,109 +2,147 @@
 
 Signals do not interrupt the arithmetic library, so a time limit needs a process of its own. A child
 keeps the environments it solved and takes claim after claim; after a kill a new one is started.
+Its memory is limited where the system can do that (`LIMITED`), its processor time as well, so that
+a child whose parent was killed ends too. What comes back is JSON text of limited size.
 Works with every start method, `spawn` included.
 """
 
 from __future__ import annotations
 
+import math
 import multiprocessing
+import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from typing import Any
 
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.answer import MOST_BYTES, BadAnswer, answer_bytes, read_answer
 from gainproof.verify.judge.setting.environment import Environment
-from gainproof.verify.judge.trial import Trial, try_claim
+from gainproof.verify.judge.task import Models, Task
+from gainproof.verify.judge.trial import Trial
 
 MEMORY = 4 << 30
-"""Bytes of address space that a child may take, where the system can limit it."""
-START = 30.0
-"""Seconds added for the first claim of a child, which has to be started first."""
+"""Bytes of address space that a child may take."""
+LIMITED = sys.platform.startswith(("linux", "freebsd"))
+"""Whether memory is limited; other systems have no such limit, or accept it and do not keep it."""
+START = 60.0
+"""Seconds in which a child must be ready; those of a claim are counted from then on."""
+_READY = b"ready"
+_ENDED = "the process that judged it ended without an answer"
+
+OnTrial = Callable[[Trial], None]
 
 
 @dataclass
 class _Child:
+    """A process with the task it is for; `given` is when it got it, None while it is starting."""
+
     process: SpawnProcess
     pipe: Connection
-    claim: Claim | None = None
-    deadline: float = 0.0
-    fresh: bool = True
+    task: Task | None
+    deadline: float
+    given: float | None = None
 
 
 def tried_apart(
-    settings: Mapping[str, Setting],
-    claims: Sequence[Claim],
-    models: Sequence[Mapping[str, Any]],
+    tasks: Sequence[Task],
+    models: Models,
     seconds: float,
     processes: int = 1,
+    on_trial: OnTrial | None = None,
 ) -> dict[str, Trial]:
-    """Trials of all claims by id; one that takes longer, or whose child dies, has none but a
-    reason.
+    """What the tasks came to, by id of the claim; one that takes longer than `seconds` or than its
+    own limit, or whose child dies, has no findings but a reason. `on_trial` hears of each as it
+    ends.
     """
-    waiting = list(reversed(claims))
+    waiting = list(reversed(tasks))
     found: dict[str, Trial] = {}
     children: list[_Child] = []
+
+    def end(trial: Trial) -> None:
+        found[trial.claim.id] = trial
+        if on_trial is not None:
+            on_trial(trial)
+
     try:
-        while waiting or any(child.claim for child in children):
-            while waiting and len(children) < max(1, processes):
-                children.append(_started(dict(settings), [dict(m) for m in models]))
+        while waiting or any(child.task for child in children):
             for child in children:
-                if child.claim is None and waiting:
+                if child.task is None and waiting:
                     _give(child, waiting.pop(), seconds)
-            _collect(children, found)
-            for child in [c for c in children if c.claim and time.monotonic() > c.deadline]:
-                _lost(child, found, f"stopped after {seconds:g} seconds")
-                children.remove(child)
-            children = [c for c in children if c.process.is_alive() or c.claim]
+            while waiting and len(children) < max(1, processes):
+                children.append(_started(waiting.pop(), models, seconds))
+            for child in _ready(children):
+                _hear(child, seconds, end)
+            for child in [c for c in children if c.task and time.monotonic() > c.deadline]:
+                _lose(child, _late(child, seconds), end)
+            children = [c for c in children if not c.pipe.closed]
     finally:
         for child in children:
             _stop(child)
     return found
 
 
-def _started(settings: dict[str, Setting], models: list[dict[str, Any]]) -> _Child:
+def _started(task: Task, models: Models, seconds: float) -> _Child:
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
-    process = context.Process(target=_serve, args=(theirs, settings, models), daemon=True)
+    arguments = (theirs, [dict(m) for m in models], seconds)
+    process = context.Process(target=_serve, args=arguments, daemon=True)
     process.start()
     theirs.close()
-    return _Child(process, ours)
+    return _Child(process, ours, task, time.monotonic() + START)
 
 
-def _give(child: _Child, claim: Claim, seconds: float) -> None:
-    child.claim = claim
-    child.deadline = time.monotonic() + seconds + (START if child.fresh else 0.0)
-    child.fresh = False
+def _give(child: _Child, task: Task, seconds: float) -> None:
+    child.task = task
+    child.given = time.monotonic()
+    child.deadline = child.given + min(seconds, task.most)
     try:
-        child.pipe.send(claim)
+        child.pipe.send(task)
     except OSError:
-        child.deadline = 0.0
+        child.deadline = child.given  # it has ended, which reading from it will tell
 
 
-def _collect(children: list[_Child], found: dict[str, Trial]) -> None:
-    """Waits for answers until the next deadline, and takes those that came."""
-    busy = [child for child in children if child.claim]
+def _ready(children: Sequence[_Child]) -> list[_Child]:
+    """The children that have something to say before the next deadline."""
+    busy = [child for child in children if child.task]
     left = min((child.deadline for child in busy), default=0.0) - time.monotonic()
-    ready = wait([child.pipe for child in busy], timeout=max(0.0, left))
-    for child in busy:
-        if child.pipe not in ready or child.claim is None:
-            continue
-        try:
-            found[child.claim.id] = child.pipe.recv()
-            child.claim = None
-        except (EOFError, OSError):
-            _lost(child, found, "the process that judged it ended without an answer")
-            child.claim = None
+    heard = wait([child.pipe for child in busy], timeout=max(0.0, left))
+    return [child for child in busy if child.pipe in heard]
 
 
-def _lost(child: _Child, found: dict[str, Trial], reason: str) -> None:
-    if child.claim is not None:
-        found[child.claim.id] = Trial(child.claim, {}, (), False, 0.0, reason)
-    child.claim = None
+def _hear(child: _Child, seconds: float, end: OnTrial) -> None:
+    assert child.task is not None
+    try:
+        data = child.pipe.recv_bytes(MOST_BYTES)
+        if child.given is None and data == _READY:
+            _give(child, child.task, seconds)
+            return
+        trial = read_answer(data, child.task.claim)
+    except (EOFError, OSError):
+        _lose(child, _ENDED, end)
+    except BadAnswer as error:
+        _lose(child, str(error), end)
+    else:
+        child.task = None
+        end(trial)
+
+
+def _late(child: _Child, seconds: float) -> str:
+    if child.task is None or child.given is None:
+        return f"its process did not start within {START:g} seconds"
+    return f"stopped after {min(seconds, child.task.most):g} seconds"
+
+
+def _lose(child: _Child, reason: str, end: OnTrial) -> None:
+    assert child.task is not None
+    spent = 0.0 if child.given is None else time.monotonic() - child.given
+    lost = Trial(child.task.claim, {}, (), False, spent, reason)
+    child.task = None
     _stop(child)
+    end(lost)
 
 
 def _stop(child: _Child) -> None:
@@ -113,23 +151,45 @@ def _stop(child: _Child) -> None:
     child.process.join()
 
 
-def _serve(
-    pipe: Connection, settings: Mapping[str, Setting], models: Sequence[Mapping[str, Any]]
-) -> None:
-    """The child: a claim in, a trial out, until the pipe closes."""
+def _serve(pipe: Connection, models: Models, seconds: float) -> None:
+    """The child: a task in, a trial out, until the pipe closes."""
     _limit_memory()
     solved: dict[Any, Environment] = {}
+    pipe.send_bytes(_READY)
     while True:
         try:
-            claim: Claim = pipe.recv()
+            task: Task = pipe.recv()
         except (EOFError, OSError):
             return
-        pipe.send(try_claim(claim, settings[claim.setting], models, solved))
+        _limit_time(seconds)
+        try:
+            answer = answer_bytes(task.run(models, solved))
+        except Exception as error:  # noqa: BLE001 - whatever it is costs this claim, no other
+            reason = f"the judge stopped: {type(error).__name__}: {str(error)[:200]}"
+            answer = answer_bytes(Trial(task.claim, {}, (), False, 0.0, reason))
+        pipe.send_bytes(answer)
 
 
 def _limit_memory() -> None:
-    try:
+    if LIMITED:
         import resource
-    except ImportError:  # not on this system
-        return
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+        _limit(resource.RLIMIT_AS, MEMORY)
+
+
+def _limit_time(seconds: float) -> None:
+    """Processor time for the next claim; the parent's clock runs out before, if there is one."""
+    if LIMITED:
+        import resource
+
+        _limit(resource.RLIMIT_CPU, math.ceil(time.process_time() + max(0.0, seconds)) + 2)
+
+
+def _limit(what: int, most: int) -> None:
+    """The limit, or the lower one that the process was started with."""
+    import resource
+
+    _, highest = resource.getrlimit(what)
+    if highest != resource.RLIM_INFINITY:
+        most = min(most, highest)
+    resource.setrlimit(what, (most, highest))

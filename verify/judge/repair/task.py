@@ -20,6 +20,8 @@ from gainproof.verify.judge.trial import Trial
 
 SECONDS = 8.0
 """Time for the search, of which formulas with one misprint take a small part."""
+OVERTIME = 4.0
+"""Seconds more before it is stopped: it looks at the clock between two formulas only."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,7 @@ class RepairTask:
     others: tuple[Claim, ...]
     conventions: tuple[str, ...]
     seconds: float = SECONDS
+    most: float = SECONDS + OVERTIME
 
     def run(self, models: Models, solved: Solved) -> Trial:
         """A trial without findings whose `repair` lists the offers, the best first, each a proved

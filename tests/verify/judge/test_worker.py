@@ -1,0 +1,143 @@
+"""Child processes: a claim that hangs, dies or cannot be told costs that claim and no other."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import threading
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from odd_task import CLAIM, WITNESS, judge_and_hang, odd
+
+import gainproof.verify.judge.worker as worker
+from gainproof.verify.judge.answer import BadAnswer, answer_bytes, read_answer
+from gainproof.verify.judge.trial import Trial
+from gainproof.verify.judge.verdict import Finding
+from gainproof.verify.judge.worker import tried_apart
+
+
+@pytest.mark.parametrize("processes", [1, 2])
+def test_each_loss_costs_one_claim(processes: int) -> None:
+    heard: list[str] = []
+    tasks = odd("good", "hang", "die", "fail", "talk", "good", "hang", "good")
+    start = time.monotonic()
+    found = tried_apart(
+        tasks, [], 2.0, processes, on_trial=lambda trial: heard.append(trial.claim.id)
+    )
+    spent = time.monotonic() - start
+    assert set(found) == set(heard) == {task.claim.id for task in tasks}
+    for task in tasks:
+        reason = found[task.claim.id].failure
+        match task.deed:
+            case "good":
+                assert reason is None
+                assert found[task.claim.id].findings["no model"].witness == WITNESS
+            case "hang":
+                assert reason == "stopped after 2 seconds"
+                assert 2 <= found[task.claim.id].seconds < 7
+            case "die":
+                assert reason == "the process that judged it ended without an answer"
+            case "fail":
+                assert reason == "the judge stopped: KeyError: 'oh'"
+            case "talk":
+                assert reason is not None
+                assert "bytes" in reason
+    # two hang for two seconds each; the rest is the start of new processes
+    assert spent < 60
+    assert not multiprocessing.active_children()
+
+
+@pytest.mark.skipif(not worker.LIMITED, reason="this system cannot limit the memory of a process")
+def test_memory_is_limited() -> None:
+    found = tried_apart(odd("fill", "good"), [], 30.0)
+    assert "MemoryError" in str(found["0 fill"].failure)
+    assert found["1 good"].failure is None
+
+
+def test_a_task_may_have_less_time_than_a_claim() -> None:
+    (hang,) = odd("hang")
+    found = tried_apart([replace(hang, most=0.5)], [], 600.0)
+    assert found[hang.claim.id].failure == "stopped after 0.5 seconds"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals to threads")
+def test_no_process_is_left_behind_by_an_interrupt() -> None:
+    main = threading.main_thread().ident
+    interrupt = threading.Timer(1.5, signal.pthread_kill, (main, signal.SIGINT))
+    interrupt.start()
+    with pytest.raises(KeyboardInterrupt):
+        tried_apart(odd("hang", "hang"), [], 600.0, 2)
+    interrupt.join()
+    assert not multiprocessing.active_children()
+
+
+@pytest.mark.skipif(not worker.LIMITED, reason="this system cannot limit processor time")
+def test_a_child_whose_parent_was_killed_ends() -> None:
+    context = multiprocessing.get_context("spawn")
+    parent = context.Process(target=judge_and_hang)
+    parent.start()
+    assert parent.pid is not None
+    deadline = time.monotonic() + 60
+    while not (children := _children(parent.pid)) and time.monotonic() < deadline:
+        time.sleep(0.1)
+    time.sleep(1)  # by then it hangs
+    parent.kill()
+    parent.join()
+    assert children
+    while any(map(_runs, children)) and time.monotonic() < deadline:
+        time.sleep(0.2)
+    assert not any(map(_runs, children))
+
+
+def _children(pid: int) -> list[int]:
+    """Processes that judge, started by `pid`; the resource tracker ends by itself."""
+    found = []
+    for entry in os.scandir("/proc"):
+        if entry.name.isdigit():
+            folder = Path(entry.path)
+            try:
+                parent = int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1])
+                judges = "spawn_main" in (folder / "cmdline").read_text()
+            except OSError:
+                continue
+            if parent == pid and judges:
+                found.append(int(entry.name))
+    return found
+
+
+def _runs(pid: int) -> bool:
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
+
+
+def test_an_answer_is_read_as_it_was_said() -> None:
+    finding = Finding("refuted", "because", witness=WITNESS, certificate={"a": {"b": [1, None]}})
+    trial = Trial(CLAIM, {"m": finding}, (), True, 0.5, repair={"offers": [{"latex": "x"}]})
+    assert read_answer(answer_bytes(trial), CLAIM) == trial
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"",
+        b"\xff",
+        b"[]",
+        b"{}",
+        b'{"findings": {"mapping": {}}}',
+        b'{"findings": {"Claim": {"id": "x"}}, "unusable": [], "is_open": true, "seconds": 0}',
+        b'{"findings": {"a": 1, "b": 2}, "unusable": [], "is_open": true, "seconds": 0}',
+        b'{"findings": {"Finding": {"no": 1}}, "unusable": [], "is_open": true, "seconds": 0}',
+        b"[" * 100_000,
+        b"cos\nsystem\n(S'true'\ntR.",
+    ],
+)
+def test_what_is_no_answer(data: bytes) -> None:
+    with pytest.raises(BadAnswer):
+        read_answer(data, CLAIM)
