@@ -1,27 +1,45 @@
-"""Definitions that come back to themselves."""
+"""Definitions that come back to themselves, or that go too deep."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from gainproof.verify.judge.claim_record import SymbolEntry
+
+MOST_DEEP = 50
+"""Definitions inside one another; each is resolved inside the one that uses it."""
 
 
 def find_circle(entries: Mapping[str, SymbolEntry]) -> tuple[str, ...]:
     """Names of definitions each of which uses the next, the first again at the end; empty if there
     is no circle.
+    """
+    *_, last = _layers(entries)
+    return _one_circle(last) if last else ()
 
-    Definitions are settled one after the other, without recursion: a long chain of them is no
-    danger.
+
+def find_deepest(entries: Mapping[str, SymbolEntry]) -> tuple[str, int]:
+    """A definition with the most others inside one another, and their number, itself counted; there
+    must be no circle.
+    """
+    layers = list(_layers(entries))
+    deepest = min(layers[-2]) if len(layers) > 1 else ""
+    return deepest, len(layers) - 1
+
+
+def _layers(entries: Mapping[str, SymbolEntry]) -> Iterator[dict[str, frozenset[str]]]:
+    """What waits to be settled with what it uses, before and after each round of settling.
+
+    Without recursion: a long chain of definitions is no danger here.
     """
     waiting = {name: definition_uses(entry) for name, entry in entries.items() if entry.definition}
+    yield waiting
     while waiting:
-        settled = [name for name, used in waiting.items() if not used & waiting.keys()]
-        if not settled:
-            return _one_circle(waiting)
-        for name in settled:
-            del waiting[name]
-    return ()
+        rest = {name: used for name, used in waiting.items() if used & waiting.keys()}
+        yield rest
+        if len(rest) == len(waiting):
+            return
+        waiting = rest
 
 
 def definition_uses(entry: SymbolEntry) -> frozenset[str]:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from gainproof.verify.judge.claim_circles import find_circle
+from gainproof.verify.judge.claim_circles import MOST_DEEP, find_circle, find_deepest
 from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields, nearest_hint
 from gainproof.verify.judge.claim_record import SymbolEntry, Unit
@@ -166,6 +166,11 @@ def complete_symbols(
     if circle:
         where = declarations[circle[0]]
         problem = f"definitions go in a circle: {' -> '.join(circle)}"
+        raise text.error(where.where, problem, where.line)
+    name, deep = find_deepest(complete)
+    if deep > MOST_DEEP:
+        where = declarations[name]
+        problem = f"{deep} definitions are inside one another, but at most {MOST_DEEP} are read"
         raise text.error(where.where, problem, where.line)
     return complete
 

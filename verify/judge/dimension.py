@@ -17,6 +17,10 @@ from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.formula import Formula, Reading, Relation
 
 ONE = Unit()
+MOST_CALLS = 500
+"""Calls of functions looked into: inside one another they double with every definition. What is
+beyond has an unknown dimension.
+"""
 
 
 @dataclass(frozen=True)
@@ -66,6 +70,7 @@ class _Names:
         self.local = dict(local or {})
         self.known: dict[str, Dimension] = {"infinity": ANY}
         self.open: set[str] = set()
+        self.calls: dict[tuple[str, tuple[Dimension, ...]], Dimension] = {}
 
     def of(self, token: str) -> Dimension:
         if token in self.local:
@@ -136,13 +141,21 @@ def _call(node: Expr, parts: list[Dimension], names: _Names) -> Dimension:
     entry = names.setting.symbols.get(node.name)
     if entry is None or entry.definition is None or node.name in names.open:
         return ANY
+    call = (node.name, tuple(parts))
+    if call in names.calls:
+        return names.calls[call]
+    if len(names.calls) > MOST_CALLS:
+        return ANY
+    names.calls[call] = ANY
     names.open.add(node.name)
     try:
         inner = _Names(names.setting, dict(zip(entry.arguments, parts, strict=False)))
-        inner.open = names.open
-        return dimension(read_graph(entry.definition.readings[0].relations[0].right), inner)
+        inner.open, inner.calls = names.open, names.calls
+        body = read_graph(entry.definition.readings[0].relations[0].right)
+        names.calls[call] = dimension(body, inner)
     finally:
         names.open.discard(node.name)
+    return names.calls[call]
 
 
 def _times(a: Dimension, b: Dimension, exponent: int | Fraction) -> Dimension:

@@ -19,6 +19,8 @@ from gainproof.verify.judge.setting.environment import Environment
 
 MOST_NODES = 5_000
 MOST_TERMS = 200
+MOST_CALLS = 500
+"""Functions put in, all together: calls inside calls double with every definition."""
 
 
 class UndefinedSymbol(Exception):
@@ -44,6 +46,7 @@ class Scope:
     needed: list[Expr] = field(default_factory=list)
     used: dict[str, Expr] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
+    _calls: int = 0
 
     def expression(self, graph: Graph) -> Expr:
         """A graph in base variables. Raises Malformed, Undecided, UndefinedSymbol."""
@@ -135,12 +138,15 @@ class Scope:
             raise Undecided(f"the function {node.name} is not covered")
         if node.name in self._open:
             raise Undecided(f"the definition of {node.name} uses itself")
+        self._calls += 1
+        if self._calls > MOST_CALLS:
+            raise Undecided(f"a formula with more than {MOST_CALLS} functions put in")
         body = read_graph(self._defining(node.name, entry.definition).right)
         # What binds a name inside the body would meet the argument's value instead of its name.
         if any(part.kind in ("derivative", "at") or _is_sum(part) for part in walk(body)):
             raise Undecided(f"the definition of {node.name} differentiates, substitutes or sums")
         for name in entry.arguments:
-            if self._reaches(body, name, frozenset(), through_definitions_only=True):
+            if self._reaches(body, name, set()):
                 raise Undecided(f"a definition inside {node.name} uses {name}, its argument")
         self._open.append(node.name)
         try:
@@ -165,7 +171,7 @@ class Scope:
             others = symbols_of(parts[0]) - {index}
             if any(index in name for name in others):
                 raise Undecided("a sum over indexed symbols is not covered")
-            if self._reaches(parts[0], index, frozenset(), through_definitions_only=True):
+            if self._reaches(parts[0], index, set()):
                 raise Undecided(f"a sum over {index}, which a definition in it uses")
             return add(
                 *[substituted(parts[0], {index: number(n)}) for n in range(int(low), int(high) + 1)]
@@ -173,24 +179,21 @@ class Scope:
 
         return rebuilt(expr, change)
 
-    def _reaches(
-        self, expr: Expr, name: str, seen: frozenset[str], *, through_definitions_only: bool
-    ) -> bool:
-        """Whether a name stands in an expression, or in a definition that it uses."""
+    def _reaches(self, expr: Expr, name: str, seen: set[str]) -> bool:
+        """Whether a name stands in a definition that an expression uses; `seen` collects those
+        looked into, so that each is once, however often it is used.
+        """
         for node in walk(expr):
             if node.kind not in ("symbol", "call") or node.name in seen:
                 continue
-            if node.kind == "symbol" and node.name == name and not through_definitions_only:
-                return True
+            seen.add(node.name)
             entry = self.setting.symbols.get(node.name)
             if entry is None or entry.definition is None or name in entry.arguments:
                 continue
             for reading in entry.definition.readings:
                 for relation in reading.relations:
                     body = read_graph(relation.right)
-                    if self._reaches(
-                        body, name, seen | {node.name}, through_definitions_only=False
-                    ):
+                    if name in symbols_of(body) or self._reaches(body, name, seen):
                         return True
         return False
 
