@@ -14,7 +14,7 @@ from gainproof.verify.judge.claim_record import Setting, SymbolEntry, Unit
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed
-from gainproof.verify.judge.formula import Formula, Reading, Relation
+from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
 
 ONE = Unit()
 MOST_CALLS = 500
@@ -60,6 +60,15 @@ def relation_dimensions(relation: Relation, setting: Setting) -> None:
     names = _Names(setting)
     left, right = (dimension(read_graph(side), names) for side in (relation.left, relation.right))
     _agree([left, right], "the sides")
+
+
+def dimension_of(graph: Graph, setting: Setting) -> Unit | None:
+    """The dimension of a formula; None if it mixes dimensions or one is not known."""
+    try:
+        found = dimension(read_graph(graph), _Names(setting))
+    except (Mismatch, Malformed):
+        return None
+    return found if isinstance(found, Unit) else None
 
 
 class _Names:

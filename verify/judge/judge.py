@@ -9,6 +9,7 @@ from typing import Any
 
 from gainproof.verify.judge.choice import admitted, choose, verdict_of
 from gainproof.verify.judge.claim_record import Claim, ClaimFile, Setting
+from gainproof.verify.judge.definition_use import contradicted
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.repair.offer import repair_tasks, with_repair
 from gainproof.verify.judge.setting.environment import Environment
@@ -85,18 +86,20 @@ def apart(models: Models, seconds: float, processes: int) -> Done:
 
 
 def _verdicts(
-    setting: Setting, claims: Iterable[Claim], trials: Sequence[Trial]
+    setting: Setting, claims: Sequence[Claim], trials: Sequence[Trial]
 ) -> list[ClaimVerdict]:
     plain = [
-        _plain(claim, setting)
+        _plain(claim, setting, claims)
         for claim in claims
         if claim.setting == setting.name and claim.kind in WITHOUT_DECISION
     ]
     return [*plain, *choose(trials)]
 
 
-def _plain(claim: Claim, setting: Setting) -> ClaimVerdict:
-    fault = None if claim.formula is None else fitting_readings(claim.formula, setting)[1]
+def _plain(claim: Claim, setting: Setting, claims: Sequence[Claim]) -> ClaimVerdict:
+    fault = contradicted(claim, setting, claims)
+    if fault is None and claim.formula is not None:
+        fault = fitting_readings(claim.formula, setting)[1]
     if fault is not None:
         return verdict_of(claim, Finding("refuted", fault, method="dimensions"), None, 0.0)
     reason = claim.note if claim.kind == "remark" and claim.note else WITHOUT_DECISION[claim.kind]

@@ -25,7 +25,7 @@ def repair_tasks(
     wrong = {verdict.id for verdict in verdicts if verdict.verdict in NOT_TRUE}
     found = []
     for claim in claims:
-        if claim.id in wrong and claim.formula is not None:
+        if claim.id in wrong and claim.formula is not None and claim.kind != "definition":
             others = tuple(c for c in claims if c.setting == claim.setting and c.id != claim.id)
             found.append(RepairTask(claim, setting, others, tuple(environments)))
     return found
