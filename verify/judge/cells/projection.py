@@ -77,17 +77,27 @@ def _next_variable(polys: Sequence[Poly], left: set[int]) -> int:
 
 
 def _projections(polys: Sequence[Poly], index: int, box: Box, limits: Limits) -> list[Poly]:
-    made: list[Poly] = []
-    for p in polys:
-        made.append(leading(p, index))
-        made += face_values(p, index, box)
-        if degree(p, index) > 1:
-            _bounded(p, p, limits)
-            made.append(p.discriminant(index))
+    return [
+        *[leading(p, index) for p in polys],
+        *[value for p in polys for value in face_values(p, index, box)],
+        *discriminants(polys, index, limits),
+        *resultants(polys, index, limits),
+    ]
+
+
+def discriminants(polys: Sequence[Poly], index: int, limits: Limits) -> list[Poly]:
+    """Where none is zero no roots of one polynomial meet. Raises Undecided."""
+    bent = [p for p in polys if degree(p, index) > 1]
+    for p in bent:
+        _bounded(p, p, limits)
+    return [p.discriminant(index) for p in bent]
+
+
+def resultants(polys: Sequence[Poly], index: int, limits: Limits) -> list[Poly]:
+    """Where none is zero no roots of two polynomials meet. Raises Undecided."""
     for p, q in combinations(polys, 2):
         _bounded(p, q, limits)
-        made.append(p.resultant(q, index))
-    return made
+    return [p.resultant(q, index) for p, q in combinations(polys, 2)]
 
 
 def face_values(p: Poly, index: int, box: Box) -> list[Poly]:

@@ -1,0 +1,20 @@
+"""Random statements in several parameters: no verdict may disagree with plain evaluation."""
+
+from __future__ import annotations
+
+import pytest
+from cell_fuzz import disagreements
+
+from gainproof.verify.judge.cells.question import CellQuestion
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_no_disagreement(seed: int) -> None:
+    wrong, verdicts = disagreements(seed, 50)
+    assert not wrong
+    assert min(verdicts[v] for v in ("proved", "refuted", "conditional")) > 3
+
+
+def test_the_comparison_sees_an_engine_without_borders(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(CellQuestion, "borders", lambda _: [])
+    assert any(disagreements(seed, 50)[0] for seed in range(3))
