@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import Any
 
 from gainproof import derivations, places
@@ -29,13 +30,17 @@ def listing(shop: Workshop) -> str:
     parts += ["", "Claim files (gainproof check FILE)", ""]
     for file in _claim_files():
         parts += filled(f"{file.source.key}: {_authors(file)}: {file.source.title}", "  ")
-        parts.append(f"      {len(file.claims)} claims in {places.shown(file.path)}")
+        parts.append(f"      {_number_of_claims(file)} in {places.shown(file.path)}")
         parts += filled(", ".join(claim.id for claim in file.claims), "      ")
     return "\n".join(parts) + "\n"
 
 
 def citation(name: str, shop: Workshop) -> str:
-    """What `name` rests on. Raises BadInputError with the nearest names."""
+    """What `name` rests on; a name that ends in .toml or has a folder before it is a claim file.
+    Raises BadInputError with the nearest names.
+    """
+    if name.endswith(".toml") or Path(name).name != name:
+        return _file_citation(_claim_file(Path(name)))
     subjects = derivations.overview(shop)
     works, files = _works(subjects), {file.source.key: file for file in _claim_files()}
     resting = {subject["name"]: [subject] for subject in subjects}
@@ -79,13 +84,16 @@ def _file_citation(file: ClaimFile) -> str:
     source = file.source
     year = f", {source.year}" if source.year else ""
     lines = filled(f"{_authors(file)}: {source.title}. {source.publication}{year}.", "")
-    lines += [
-        f"  {label}: {value}"
-        for label, value in (("doi", source.doi), ("url", source.url))
-        if value
-    ]
-    lines.append(f"  {len(file.claims)} claims in {places.shown(file.path)}")
+    found = ("doi", source.doi), ("url", source.url), ("repository", source.repository)
+    for label, value in (*found, ("commit", source.commit), ("note", source.note)):
+        if value:
+            lines += filled(f"{label}: {value}", "  ", "    ")
+    lines.append(f"  {_number_of_claims(file)} in {places.shown(file.path)}")
     return "\n".join(lines) + "\n"
+
+
+def _number_of_claims(file: ClaimFile) -> str:
+    return f"{len(file.claims)} claim{'s' if len(file.claims) > 1 else ''}"
 
 
 def _authors(file: ClaimFile) -> str:
@@ -97,7 +105,11 @@ def _works(subjects: Iterable[Subject]) -> dict[str, Mapping[str, str]]:
 
 
 def _claim_files() -> list[ClaimFile]:
+    return [_claim_file(path) for path in places.claim_files()]
+
+
+def _claim_file(path: Path) -> ClaimFile:
     try:
-        return [read_claim_file(path) for path in places.claim_files()]
+        return read_claim_file(path)
     except ClaimFileError as error:
         raise BadInputError(str(error)) from None

@@ -9,6 +9,8 @@ from gainproof import witness_text
 
 Claim = Mapping[str, Any]
 
+NO_REPAIR = "no misprint-like repair found"
+"""What the judge says where it looked for a repair and found none."""
 DECIDED_AS_STATED = frozenset({"proved", "definition"})
 
 
@@ -22,10 +24,17 @@ def reasons(claim: Claim) -> list[str]:
     why = reason(claim)
     if why:
         found.append(why)
-    if claim["repair"]:
-        repair = claim["repair"]
-        found.append(f"nearest true formula ({repair['verdict']}): {repair['latex']}")
-    return found + solutions(claim)
+    return found + repaired(claim) + solutions(claim)
+
+
+def repaired(claim: Claim) -> list[str]:
+    """The nearest true formula with what was changed, or that none was found."""
+    if not claim["repair"]:
+        missing = NO_REPAIR if NO_REPAIR in str(claim["reason"]) else ""
+        return [missing] if missing and missing not in reason(claim) else []
+    repair, told = claim["repair"], (claim["evidence"]["certificate"] or {}).get("repair", {})
+    changes = "; ".join([repair["verdict"], *told.get("changes", [])])
+    return [f"nearest true formula: {repair['latex']} ({changes})"]
 
 
 def reason(claim: Claim) -> str:

@@ -179,11 +179,11 @@ def test_explain_shows_proof_and_witness(file: Path, capsys: Capture) -> None:
     assert cli.main(["explain", str(file), "1"]) == 0
     text = capsys.readouterr().out
     assert text.startswith("1: proved\n")
-    assert "Established about the setting" in text
+    assert "Shown about the setting before" in text
     assert cli.main(["explain", str(file), "2"]) == 0
     text = capsys.readouterr().out
     assert text.startswith("2: refuted\n")
-    assert "Counterexample: " in text
+    assert "\nCounterexample\n  at " in text
 
 
 def test_explain_an_unknown_claim_names_the_nearest(capsys: Capture) -> None:

@@ -58,7 +58,7 @@ def test_a_refuted_claim_shows_its_witness_and_repair() -> None:
     repair = {"latex": r"\beta = 2", "verdict": "proved"}
     text = table(claim("b", "refuted", witness=WITNESS, repair=repair, reason="not shown"))
     assert "at r = 1 the left side is 0.5, the right 4.38396" in text
-    assert r"nearest true formula (proved): \beta = 2" in text
+    assert r"nearest true formula: \beta = 2 (proved)" in text
     assert "not shown" not in text
 
 

@@ -1,8 +1,14 @@
-"""The whole proof or witness of one claim as text a reader can follow."""
+"""A certificate as sections that a reader can follow: what was decided, and how.
+
+Auxiliary variables of the arithmetic are shown under the names of the source; roots that have no
+name there are introduced before they are used.
+"""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from gainproof.verify.judge.exact.calculus import substituted
@@ -10,115 +16,112 @@ from gainproof.verify.judge.exact.certificate import statement_from
 from gainproof.verify.judge.exact.expression import symbol
 from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.readable import readable
 
-Claim = Mapping[str, Any]
-
-
-def explain(claim: Claim) -> str:
-    """Text for a claim in the form of `check --json`: what was shown, on what ground, and where it
-    fails.
-    """
-    evidence = claim["evidence"]
-    certificate: Mapping[str, Any] = evidence["certificate"] or {}
-    lines = [f"{claim['id']}: {claim['verdict']}", f"  {claim['latex'] or claim['kind']}", ""]
-    for label, value in (
-        ("place", claim["place"]),
-        ("convention", claim["convention"]),
-        ("reading", claim["reading"]),
-        ("domain", claim["domain"]),
-        ("method", evidence["method"]),
-        ("result", claim["reason"]),
-    ):
-        if value:
-            lines.append(f"{label + ':':<12}{value}")
-    lines += _established(certificate)
-    for title, part in _parts(certificate):
-        lines += ["", *([title] if title else []), *_proof(part)]
-    lines += _witness("Counterexample", evidence["witness"])
-    for name, other in certificate.get("against other conventions", {}).items():
-        lines += _witness(f"Against {name}", other)
-    return "\n".join(lines) + "\n"
+Certificate = Mapping[str, Any]
+_LIMIT, _VARIABLE = "L", "variable"
+_PARTS = {"there": "First direction", "back": "Second direction"}
+_NEGATIVE = re.compile(r"\+ \(-(\d+)\)")
+_WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 
-def _parts(certificate: Mapping[str, Any]) -> list[tuple[str, Mapping[str, Any]]]:
+@dataclass(frozen=True)
+class Section:
+    """A title and lines below it; a line is one statement, however long."""
+
+    title: str
+    lines: tuple[str, ...]
+
+
+def sections(certificate: Certificate) -> list[Section]:
+    """What a certificate holds, in the order in which one reads it."""
+    found: list[Section] = []
+    for name, part in _proofs(certificate):
+        prefix = f"{_PARTS.get(name, name)}: " if name else ""
+        decided, how = _decided(part), _steps(part)
+        if decided:
+            found.append(Section(f"{prefix}what was decided", tuple(decided)))
+        if how:
+            found.append(Section(f"{prefix}how", tuple(how)))
+    facts = certificate.get("established", [])
+    numbered = tuple(f"{n}. {fact}" for n, fact in enumerate(facts, start=1))
+    if numbered:
+        found.append(Section("Shown about the setting before, from its matrices alone", numbered))
+    return found
+
+
+def _proofs(certificate: Certificate) -> list[tuple[str, Certificate]]:
     """One proof, or several under names."""
     if "statement" in certificate or "leading coefficient" in certificate:
         return [("", certificate)]
     return [
-        (f"{name}:", part)
+        (name, part)
         for name, part in certificate.items()
         if isinstance(part, Mapping) and "statement" in part
     ]
 
 
-def _established(certificate: Mapping[str, Any]) -> list[str]:
-    facts = certificate.get("established", [])
-    if not facts:
+def _decided(certificate: Certificate) -> list[str]:
+    """The relations in base variables."""
+    if "statement" not in certificate:
         return []
-    numbered = [f"  {n}. {fact}" for n, fact in enumerate(facts, start=1)]
-    return ["", "Established about the setting, from its matrices alone:", *numbered]
-
-
-def _proof(certificate: Mapping[str, Any]) -> list[str]:
-    lines: list[str] = []
-    if "statement" in certificate:
-        lines += _statement(certificate["statement"], certificate.get("quantities", {}))
-    variables = certificate.get("variables", {})
-    if variables:
-        lines.append("Variables: " + ", ".join(f"{k} = {v}" for k, v in variables.items()))
-    if certificate.get("tower"):
-        lines.append("Roots, each t the denominator of its radicand times the root:")
-        lines += [f"  {relation}" for relation in certificate["tower"]]
-    if "leading coefficient" in certificate:
-        lines += [
-            f"Finite limits are roots of {certificate['leading coefficient']} in u0.",
-            f"They are separated by {', '.join(certificate['separating rationals'])}.",
-            f"The value at {certificate['evaluated at']} says which is the limit.",
-        ]
-    if certificate.get("candidates"):
-        joined = ", ".join(certificate["candidates"])
-        lines.append(f"Where anything can change, one of these is zero: {joined}")
-    for place in certificate.get("places", []):
-        balls = f" [{'; '.join(place['balls'])}]" if place["balls"] else ""
-        lines.append(f"  {place['place']}: {place['found']}{balls}")
-    return lines
-
-
-def _statement(data: Mapping[str, Any], quantities: Mapping[str, Any]) -> list[str]:
-    """The relations in base variables; an identity without balls has remainder zero."""
-    statement, boxes, _, labels = statement_from(data)
+    statement, boxes, _, labels = statement_from(certificate["statement"])
     names = {name: symbol(labels.get(name, name)) for name in boxes}
-    statement = statement.mapped(lambda e: substituted(e, names))
+    statement = statement.mapped(lambda e: readable(substituted(e, names)))
     relations = [*statement.relations, *statement.conditions]
-    meanings = {substituted(read_graph(g), names): token for token, g in quantities.items()}
+    quantities = certificate.get("quantities", {})
+    meanings = {
+        readable(substituted(read_graph(graph), names)): token
+        for token, graph in quantities.items()
+    }
     sides = [side for r in relations for side in (r.left, r.right)]
     shared, texts = written(*sides, names=meanings)
     pairs = zip(texts[::2], texts[1::2], strict=True)
-    shown = [f"  {a} {r.operator} {b}" for r, (a, b) in zip(relations, pairs, strict=True)]
+    shown = [_relation(a, r.operator, b) for r, (a, b) in zip(relations, pairs, strict=True)]
     count = len(statement.relations)
-    lines = ["In base variables:", *shown[:count]]
+    lines = list(dict.fromkeys(shown[:count]))
     if statement.conditions:
         word = "exactly where" if statement.connective == "iff" else "where"
-        lines += [word, *shown[count:]]
+        lines += [word, *dict.fromkeys(shown[count:])]
     if shared:
-        lines += ["with", *[f"  {line}" for line in shared]]
+        lines += ["with", *[line for line in shared if line not in shown]]
     domains = [box.text(labels.get(name, name)) for name, box in boxes.items()]
     return [*lines, "for " + "; ".join(domains)] if domains else lines
 
 
-def _witness(title: str, witness: Any) -> list[str]:
-    if not witness:
-        return []
-    if isinstance(witness, str):
-        return ["", f"{title}: {witness}"]
-    where = ", ".join(f"{name} = {value}" for name, value in witness["point"].items()) or "always"
-    lines = ["", f"{title}: {where}"]
-    for side in ("left", "right"):
-        value = witness[side]
-        text = value.get("undefined") or f"{value['midpoint']} +/- {value['radius']}"
-        lines.append(f"  {side:<6}{text}")
-    for name, value in witness.get("values", {}).items():
-        lines.append(f"  where {name} = {value['midpoint']} +/- {value['radius']}")
-    if witness.get("note"):
-        lines.append(f"  {witness['note']}")
+def _relation(left: str, operator: str, right: str) -> str:
+    """A relation in text; `a <= a` is how the judge says that a has a value."""
+    if left == right and operator in ("<=", ">="):
+        return f"{left} has a value"
+    return f"{left} {operator} {right}"
+
+
+def _steps(certificate: Certificate) -> list[str]:
+    names = {"x": _VARIABLE, **certificate.get("variables", {})}
+    lines: list[str] = []
+    tower = certificate.get("tower") or []
+    if tower:
+        lines.append("with roots, each brought to the form root^n = polynomial:")
+        lines += [f"  {_named(relation, names)}" for relation in tower]
+    if "leading coefficient" in certificate:
+        edge = _named(certificate["leading coefficient"], {"x": _LIMIT})
+        fences = ", ".join(certificate["separating rationals"])
+        lines += [
+            f"a finite limit {_LIMIT} has {edge} = 0",
+            f"the numbers with that are separated by {fences}",
+            f"the value at {certificate['evaluated at']} says which of them it is",
+        ]
+    candidates = certificate.get("candidates") or []
+    if candidates:
+        shown = ", ".join(_named(candidate, names) for candidate in candidates)
+        lines.append(f"anything can change only where one of these is zero: {shown}")
+    for place in certificate.get("places", []):
+        balls = f" ({'; '.join(place['balls'])})" if place["balls"] else ""
+        lines.append(f"{place['place']}: {place['found']}{balls}")
     return lines
+
+
+def _named(polynomial: str, names: Mapping[str, str]) -> str:
+    """A polynomial with the source's names, products without a sign."""
+    text = _WORD.sub(lambda word: names.get(word[0], word[0]), polynomial).replace("*", " ")
+    return _NEGATIVE.sub(r"- \1", text)

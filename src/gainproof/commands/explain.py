@@ -18,9 +18,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """0, or 2 for a claim that the file does not have."""
-    from gainproof import judgements
+    from gainproof import judgements, page
     from gainproof.bad_input import unknown_name
-    from gainproof.verify.judge.explain import explain
+    from gainproof.explanation import explanation
     from gainproof.workshop import open_workshop
 
     file = judgements.find(options.file)
@@ -28,5 +28,5 @@ def run(options: argparse.Namespace) -> int:
     claims = {claim["id"]: claim for claim in judgement["claims"]}
     if options.claim not in claims:
         raise unknown_name(f"claim of {judgement['source']['key']}", options.claim, claims)
-    print(explain(claims[options.claim]), end="")
+    print(explanation(claims[options.claim], page.width()), end="")
     return 0

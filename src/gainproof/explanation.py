@@ -1,0 +1,97 @@
+"""The whole proof or witness of one claim as a page a reader can follow."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from gainproof import witness_text
+from gainproof.page import WIDTH, filled
+from gainproof.verdict_reason import reason, solutions
+from gainproof.verify.judge.explain import sections
+
+Claim = Mapping[str, Any]
+_LABEL = 12
+
+
+def explanation(claim: Claim, columns: int = WIDTH) -> str:
+    """Text for a claim in the form of `check --json`: what was shown, on what ground, and where it
+    fails; nothing twice.
+    """
+    certificate: Mapping[str, Any] = claim["evidence"]["certificate"] or {}
+    lines = [f"{claim['id']}: {claim['verdict']}"]
+    lines += filled(" ".join((claim["latex"] or claim["kind"]).split()), "  ", "    ", columns)
+    lines.append("")
+    for label, value in _facts(claim):
+        lines += filled(value, f"{label + ':':<{_LABEL}}", " " * _LABEL, columns)
+    witness = claim["evidence"]["witness"]
+    parts = [("Counterexample", _witness(witness)), ("Nearest true formula", _repairs(claim))]
+    parts += [(section.title, list(section.lines)) for section in sections(certificate)]
+    others = certificate.get("against other conventions", {})
+    parts.append(("Fails under other conventions", _others(others, witness)))
+    for title, inner in parts:
+        if inner:
+            lines += ["", title[0].upper() + title[1:]]
+            for line in inner:
+                indent = " " * (len(line) - len(line.lstrip()) + 2)
+                lines += filled(line.strip(), indent, indent + "    ", columns)
+    return "\n".join(lines) + "\n"
+
+
+def _facts(claim: Claim) -> list[tuple[str, str]]:
+    """Short facts; the result is left out where a section below says it."""
+    shown_below = isinstance(claim["evidence"]["witness"], Mapping)
+    result = "" if shown_below else (reason(claim) or str(claim["reason"] or ""))
+    domain = claim["domain"] if claim["domain"] != "nowhere" else None
+    found = (
+        ("place", claim["place"]),
+        ("convention", claim["convention"]),
+        ("reading", claim["reading"]),
+        ("domain", domain),
+        ("method", claim["evidence"]["method"]),
+        ("result", result),
+        *(("undefined", text) for text in solutions(claim)),
+    )
+    return [(label, str(value)) for label, value in found if value]
+
+
+def _witness(witness: Any) -> list[str]:
+    """The point, both sides and the quantities there, in full."""
+    if not witness:
+        return []
+    if isinstance(witness, str):
+        return [witness]
+    lines = [witness_text.at_point(witness)] if witness["point"] else []
+    for side in ("left", "right"):
+        value = witness[side]
+        text = value.get("undefined") or witness_text.ball(value)
+        lines.append(f"{side} side: {text}")
+    values = witness.get("values", {})
+    lines += [f"with {name} = {witness_text.ball(value)}" for name, value in values.items()]
+    if witness.get("note"):
+        lines.append(str(witness["note"]))
+    return lines
+
+
+def _repairs(claim: Claim) -> list[str]:
+    if not claim["repair"]:
+        return []
+    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
+    under = f" ({told['under']})" if told.get("under") and not claim["convention"] else ""
+    first = {"latex": claim["repair"]["latex"], "changes": told.get("changes", [])}
+    lines = []
+    for offer in (first, *told.get("alternatives", [])):
+        lines.append(offer["latex"])
+        lines += [f"  {change}" for change in offer["changes"]]
+    return [*lines, f"{claim['repair']['verdict']}{under}"]
+
+
+def _others(others: Mapping[str, Any], witness: Any) -> list[str]:
+    """One line for each convention that does not fit, the one shown above left out."""
+    lines = []
+    for name, other in others.items():
+        if isinstance(other, str):
+            lines.append(f"{name}: {other}")
+        elif other != witness:
+            lines.append(f"{name}: {witness_text.in_words(other)}")
+    return lines
