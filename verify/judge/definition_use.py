@@ -79,9 +79,9 @@ def _uses(
     for other in claims:
         is_other = other.setting == claim.setting and other.id != claim.id
         formula = other.formula
-        if is_other and formula is not None and token in formula.symbols:
-            if defined_token(other, setting) != token:
-                yield f"claim {other.id}", formula
+        is_use = is_other and defined_token(other, setting) != token
+        if is_use and formula is not None and token in formula.symbols:
+            yield f"claim {other.id}", formula
     for name, entry in setting.symbols.items():
         known = entry.definition if name != token and entry.unit is not None else None
         if known is not None and token in known.symbols:

@@ -15,6 +15,8 @@ from gainproof.verify.judge.repair.offer import repair_tasks, with_repair
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.task import Models, Task, TrialTask
 from gainproof.verify.judge.trial import Trial
+from gainproof.verify.judge.undefined.choice import fixed_symbols
+from gainproof.verify.judge.undefined.told import used_up_verdict, with_symbols
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 from gainproof.verify.judge.worker import tried_apart
 
@@ -43,16 +45,22 @@ def judge_file(
     Nothing is raised for a claim that cannot be decided: its verdict is `undecided` and says why.
     """
     done = here(models) if seconds is None else apart(models, seconds, processes)
-    claims, settings = claim_file.claims, claim_file.settings
+    claims = claim_file.claims
     wanted = [claim for claim in claims if claim.kind not in WITHOUT_DECISION]
-    trials = done([TrialTask(claim, settings[claim.setting]) for claim in wanted])
+    trials = dict(done([TrialTask(c, claim_file.settings[c.setting]) for c in wanted]))
     found: dict[str, ClaimVerdict] = {}
     tasks: list[Task] = []
-    for setting in settings.values():
-        here_tried = [trials[c.id] for c in wanted if c.setting == setting.name]
-        verdicts = _verdicts(setting, claims, here_tried)
-        found |= {verdict.id: verdict for verdict in verdicts}
-        tasks += repair_tasks(claims, setting, verdicts, admitted(here_tried))
+    for setting in claim_file.settings.values():
+        mine = [claim for claim in wanted if claim.setting == setting.name]
+        setting, fixed = fixed_symbols(setting, mine, done)
+        for symbol in fixed:
+            trials |= symbol.trials
+        used_up = {symbol.consumed for symbol in fixed}
+        tried = [trials[claim.id] for claim in mine if claim.id not in used_up]
+        verdicts = _verdicts(setting, claims, tried)
+        tasks += repair_tasks(claims, setting, verdicts, admitted(tried))
+        verdicts += [used_up_verdict(c, fixed) for c in mine if c.id in used_up]
+        found |= {verdict.id: with_symbols(verdict, fixed) for verdict in verdicts}
     for name, trial in done(tasks).items():
         found[name] = with_repair(found[name], trial)
     for claim in claims:

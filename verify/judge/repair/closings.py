@@ -176,10 +176,10 @@ def _at_point(values: Values, formula: Printed, side: int, path: Path, rule: Rul
             value = combined(node, parts)
         return None if value is None else (value - other).mid()
 
-    return _root(difference)
+    return root(difference)
 
 
-def _root(f: Callable[[Ball], Ball | None]) -> Ball | None:
+def root(f: Callable[[Ball], Ball | None]) -> Ball | None:
     """A zero by secants, from two starts near one; None if none is reached."""
     a, b = flint.arb(flint.fmpq(9, 10)), flint.arb(flint.fmpq(11, 10))
     at_a, at_b = f(a), f(b)
