@@ -108,9 +108,12 @@ def _equivalence(
     parameter: str | None,
     labels: dict[str, str],
 ) -> Finding:
-    """A <=> B: place by place in one variable, otherwise as two implications."""
-    if len(statement.symbols()) == 1 and not rest:
-        return finding_of(settle(statement, boxes, parameter, labels))
+    """A <=> B: place by place or cell by cell, else as two implications."""
+    try:
+        return finding_of(settle(replace(statement, given=rest), boxes, parameter, labels))
+    except Undecided:
+        if len(statement.symbols()) == 1 and not rest:
+            raise
     findings = []
     for hypothesis, conclusion in (
         (statement.relations, statement.conditions),
