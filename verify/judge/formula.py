@@ -5,14 +5,20 @@ Plain data only. An expression graph is `{"nodes": [...], "outputs": {"value": n
 
     ["number", "p/q"]  ["symbol", name]  ["add", i, j, ...]  ["mul", i, j, ...]
     ["div", i, j]  ["neg", i]  ["pow", i, "p/q"]  ["call", name, i, ...]
-    ["derivative", i, symbol]
+    ["derivative", i, symbol]  ["at", i, symbol, j]
+    ["matrix", rows, columns, i, ...]  ["transpose", i]  ["inverse", i]  ["kronecker", i, j]
 
 in which node numbers refer to earlier nodes and the name of a symbol is its canonical LaTeX token,
-for example `\\dot{x}_{sk-1}`. Equal subexpressions share one node, so two graphs are equal when
-they were read from formulas that differ in spelling only.
+for example `\\dot{x}_{sk-1}`. Equal subexpressions share one node and nodes are numbered as they
+are met from left to right, so two graphs are equal when they were read from formulas that differ in
+spelling only. Factors keep their order, since they may be matrices; entries of a matrix may be
+matrices.
 
-Calls made by the reader: `abs(x)`, `sum(summand, index, lower, upper)`, and the functions that a
-claim file declares.
+Calls made by the reader: `abs(x)`, `sum(summand, index, lower, upper)`, `product` and
+`integral(integrand, variable, lower, upper)` likewise, `expectation(x)`, `order(x)` for O(x),
+`power(base, exponent)` where the exponent is no number, the named functions of `reader.words`, and
+the functions that a claim file declares. `["symbol", "infinity"]` may be a bound or the value of an
+`at`.
 """
 
 from __future__ import annotations
@@ -32,21 +38,26 @@ MINUS_INFINITY: Graph = {"nodes": [["symbol", "infinity"], ["neg", 0]], "outputs
 @dataclass(frozen=True)
 class Relation:
     """`left operator right`; the operator is one of `=`, `!=`, `<`, `<=`, `>`, `>=`, `approx`,
-    `->`.
+    `sim` (asymptotically equal), `propto`, `->`.
 
-    A chain `a = b = c` is given as `a = b` and `b = c`.
+    A chain `a = b = c` is given as `a = b` and `b = c`. Where a side is a number as printed, its
+    count of decimals is kept: 2 for `0.50`, 5 for `3.0 \\times 10^{-4}`, 0 for `7`, -3 for
+    `2 \\times 10^3`.
     """
 
     operator: str
     left: Graph
     right: Graph
+    left_decimals: int | None = None
+    right_decimals: int | None = None
 
 
 @dataclass(frozen=True)
 class Reading:
     """One way to read a formula: all of `relations` are said to hold where all of `conditions` do.
 
-    `connective` is `if` for conditions in a trailing parenthesis, `iff` for `A \\Leftrightarrow B`
+    `connective` is `if` for conditions in a trailing parenthesis or after a word such as `for`, and
+    for the `x \\to a` of a `\\lim`; `iff` for `A \\Leftrightarrow B`
     and `implies` for `A \\Rightarrow B`; in the latter two `relations` is A and `conditions` is B.
     Without conditions it is `if`. `text` names the reading, and is None when the formula has only
     this one.
@@ -61,7 +72,7 @@ class Reading:
 @dataclass(frozen=True)
 class Formula:
     """A formula as printed and its readings: several only where a slash stands before juxtaposed
-    factors.
+    factors, or a bar `|_{x=0}` behind several.
 
     `symbols` are the canonical tokens met, in order of appearance.
     """

@@ -15,13 +15,17 @@ GREEK = frozenset(
 )
 ACCENTS = frozenset(
     (
-        "\\dot", "\\ddot", "\\dddot", "\\hat", "\\widehat", "\\tilde", "\\widetilde",
-        "\\bar", "\\vec", "\\underline", "\\overline", "\\mathbf", "\\mathrm", "\\mathit",
-        "\\mathcal", "\\boldsymbol",
+        "\\dot", "\\ddot", "\\dddot", "\\ddddot", "\\hat", "\\widehat", "\\tilde",
+        "\\widetilde", "\\bar", "\\vec", "\\check", "\\breve", "\\acute", "\\grave",
+        "\\mathring", "\\underline", "\\underbar", "\\overline", "\\overrightarrow",
+        "\\mathbf", "\\mathrm", "\\mathit", "\\mathsf", "\\mathtt", "\\mathcal", "\\mathbb",
+        "\\mathfrak", "\\mathscr", "\\boldsymbol", "\\bm", "\\text", "\\textrm",
+        "\\operatorname",
     )
 )
 # fmt: on
 BLANKS = " \t\n"
+DIGITS = frozenset("0123456789")
 
 
 def is_letter(character: str) -> bool:
@@ -42,3 +46,20 @@ def command_at(text: str, position: int) -> str:
     while end < len(text) and is_letter(text[end]):
         end += 1
     return text[position:end] if end > position + 1 else text[position : position + 2]
+
+
+def brace_partners(text: str) -> dict[int, int]:
+    """The position of the closing brace for that of each opening one; `\\{` and `\\}` are none."""
+    found: dict[int, int] = {}
+    waiting: list[int] = []
+    position = 0
+    while position < len(text):
+        if text[position] == "\\":
+            position += 2
+            continue
+        if text[position] == "{":
+            waiting.append(position)
+        elif text[position] == "}" and waiting:
+            found[waiting.pop()] = position
+        position += 1
+    return found

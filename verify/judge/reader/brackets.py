@@ -1,68 +1,78 @@
-"""Brackets paired before parsing: kinds must match, depth is counted, parentheses that hold a
-relation are marked.
-"""
+"""Brackets paired before parsing: kinds must match and depth is counted."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass
 
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DEPTH
 from gainproof.verify.judge.reader.tokens import FormulaToken
 
 _OPENING = {
-    "OPEN": "CLOSE",
-    "LEFT_BRACE": "RIGHT_BRACE",
-    "BAR_OPEN": "BAR_CLOSE",
-    "ROOT_OPEN": "ROOT_CLOSE",
+    "OPEN": ("CLOSE",),
+    "LEFT_BRACE": ("RIGHT_BRACE",),
+    "BAR_OPEN": ("BAR_CLOSE",),
+    "EMPTY_OPEN": ("BAR_CLOSE",),
+    "ROOT_OPEN": ("ROOT_CLOSE",),
+    "MATRIX_OPEN": ("MATRIX_CLOSE",),
 }
-_CLOSING = frozenset(_OPENING.values())
-_PARTNER = {"(": ")", "[": "]", "{": "}", "|": "|"}
-_RELATIONS = frozenset(("EQUAL", "RELATION"))
+_CLOSING = frozenset(kind for kinds in _OPENING.values() for kind in kinds)
+_PARTNER = {"(": ")", "[": "]", "{": "}", "|": "|", ".": "|"}
+_PREFIXES = frozenset(("SUM", "PARTIAL_OPERATOR", "LIM", "INTEGRAL", "NAMED"))
 
 
-def pair_brackets(text: str, tokens: Sequence[FormulaToken]) -> tuple[FormulaToken, ...]:
-    """The tokens again, `OPEN` and `CLOSE` become `CONDITION_OPEN` and `CONDITION_CLOSE` where a
-    relation stands directly between them.
+@dataclass(frozen=True)
+class Pairing:
+    """`closing` maps the number of each opening token to that of its partner; `inside` says for
+    each token the number of the innermost bracket round it, -1 for none (a bracket is not inside
+    itself); `directly` says for each bracket, and for -1, the kinds of tokens that stand in it
+    and in no bracket within.
     """
-    result = list(tokens)
+
+    closing: dict[int, int]
+    inside: tuple[int, ...]
+    directly: dict[int, frozenset[str]]
+
+
+def pair_brackets(text: str, tokens: Sequence[FormulaToken]) -> Pairing:
+    """The pairs of brackets. ReaderError where they do not match or are too deep."""
     stack: list[int] = []
-    holds_relation: set[int] = set()
+    closing: dict[int, int] = {}
+    inside: list[int] = []
+    directly: dict[int, set[str]] = {-1: set()}
     prefixes = 0
     for number, token in enumerate(tokens):
-        prefixes += token.kind in ("SUM", "PARTIAL_OPERATOR")
+        prefixes += token.kind in _PREFIXES
         if prefixes > MOST_DEPTH:
-            problem = f"more than {MOST_DEPTH} sums and derivatives, which nest"
+            problem = f"more than {MOST_DEPTH} sums, derivatives and functions, which nest"
             raise ReaderError(problem, text, token.start, token.value)
-        if token.kind in _OPENING:
-            stack.append(number)
-            if len(stack) > MOST_DEPTH:
-                raise ReaderError(
-                    f"brackets more than {MOST_DEPTH} deep", text, token.start, token.value
-                )
-        elif token.kind in _CLOSING:
+        if token.kind in _CLOSING:
             if not stack:
-                raise ReaderError(
-                    f"the bracket {token.value} was never opened", text, token.start, token.value
-                )
+                problem = f"the bracket {token.value} was never opened"
+                raise ReaderError(problem, text, token.start, token.value)
             opening = stack.pop()
             _check_pair(text, tokens[opening], token)
-            if opening in holds_relation and token.kind == "CLOSE":
-                result[opening] = replace(tokens[opening], kind="CONDITION_OPEN")
-                result[number] = replace(token, kind="CONDITION_CLOSE")
-        elif token.kind in _RELATIONS and stack:
-            holds_relation.add(stack[-1])
+            closing[opening] = number
+        inside.append(stack[-1] if stack else -1)
+        directly[inside[-1]].add(token.kind)
+        if token.kind in _OPENING:
+            stack.append(number)
+            directly[number] = set()
+            if len(stack) > MOST_DEPTH:
+                problem = f"brackets more than {MOST_DEPTH} deep"
+                raise ReaderError(problem, text, token.start, token.value)
     if stack:
         token = tokens[stack[-1]]
-        raise ReaderError(
-            f"the bracket {token.value} is never closed", text, token.start, token.value
-        )
-    return tuple(result)
+        problem = f"the bracket {token.value} is never closed"
+        raise ReaderError(problem, text, token.start, token.value)
+    kinds = {number: frozenset(found) for number, found in directly.items()}
+    return Pairing(closing, tuple(inside), kinds)
 
 
 def _check_pair(text: str, opening: FormulaToken, closing: FormulaToken) -> None:
-    if _OPENING[opening.kind] != closing.kind or _PARTNER[opening.value] != closing.value:
+    wanted = _PARTNER.get(opening.value, opening.value)
+    if closing.kind not in _OPENING[opening.kind] or wanted != closing.value:
         column = opening.start - (text.rfind("\n", 0, opening.start) + 1) + 1
         problem = (
             f"the bracket {opening.value} of column {column} cannot be closed by {closing.value}"

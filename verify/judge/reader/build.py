@@ -2,86 +2,114 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence, Set
 from fractions import Fraction
 
 from lark import Token, Tree
 
 from gainproof.verify.judge.formula import Graph
+from gainproof.verify.judge.reader.build_calculus import (
+    derivative,
+    evaluated,
+    integral,
+    long_sum,
+)
+from gainproof.verify.judge.reader.build_calls import call, named, named_raised
+from gainproof.verify.judge.reader.build_matrix import matrix, transposed
 from gainproof.verify.judge.reader.constant import constant_value
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_EXPONENT
 from gainproof.verify.judge.reader.nodes import NodeList
-from gainproof.verify.judge.reader.slash import factors_under, product_parts, refuse_open_slash
+from gainproof.verify.judge.reader.slash import Part, product_parts
+from gainproof.verify.judge.reader.tree import Branch, children, printed, start, tokens
 
-Branch = Tree[Token]
 
-
-def build_graph(tree: Branch, text: str, extents: Mapping[int, int]) -> Graph:
+def build_graph(
+    tree: Branch, text: str, extents: Mapping[int, int], matrices: Set[str] = frozenset()
+) -> Graph:
     """The graph of one expression. `extents` maps the position of each ambiguous slash to the
-    number of factors it divides by.
+    number of factors it divides by, that of each ambiguous bar to the number it applies to;
+    `matrices` are the declared names whose value is a matrix.
     """
-    builder = _Builder(text, extents)
+    builder = Builder(text, extents, matrices)
     return builder.nodes.graph(builder.value(tree))
 
 
-def children(tree: Branch) -> list[Branch]:
-    """The subtrees among the children."""
-    return [child for child in tree.children if isinstance(child, Tree)]
+class Builder:
+    """Makes the nodes of one expression; the forms that are not arithmetic have modules of their
+    own.
+    """
 
-
-def tokens(tree: Branch, kind: str) -> list[Token]:
-    """The tokens of one kind among the children."""
-    return [child for child in tree.children if isinstance(child, Token) and child.type == kind]
-
-
-class _Builder:
-    def __init__(self, text: str, extents: Mapping[int, int]) -> None:
+    def __init__(self, text: str, extents: Mapping[int, int], matrices: Set[str]) -> None:
         self.text = text
         self.extents = extents
-        self.nodes = NodeList()
+        self.nodes = NodeList(matrices)
 
     def value(self, tree: Branch) -> int:
+        """The number of the node for a tree. ReaderError where the print is open to doubt."""
         add = self.nodes.add
         match tree.data:
             case "number":
                 return add("number", str(Fraction(str(tree.children[0]))))
             case "symbol":
                 return add("symbol", str(tree.children[0]))
-            case "group" | "braced" | "single":
-                return self.value(children(tree)[0])
-            case "absolute":
-                return add("call", "abs", self.value(children(tree)[0]))
-            case "sum" | "minus_sum":
+            case "group" | "braced" | "single" | "bound":
+                inner = children(tree)
+                return self.value(inner[0]) if inner else add("symbol", "infinity")
+            case "infinity":
+                number = add("symbol", "infinity")
+                return add("neg", number) if tokens(tree, "MINUS") else number
+            case "absolute" | "expectation" | "order_of" | "euler":
+                return add("call", _CALLS[tree.data], self.value(children(tree)[0]))
+            case "sum" | "minus_sum" | "plus_sum":
                 return self._sum(tree)
             case "product":
                 return self._product(tree)
             case "times_big":
-                return self._many(
-                    "mul", [self._product(children(tree)[0]), self.value(children(tree)[1])]
-                )
-            case "fraction":
+                return self.many("mul", [self.value(child) for child in children(tree)])
+            case "fraction" | "over":
                 numerator, denominator = children(tree)
                 return add("div", self.value(numerator), self.value(denominator))
             case "raised" | "root":
                 return self._power(tree)
-            case "call":
-                return add(
-                    "call", str(tree.children[0]), *[self.value(child) for child in children(tree)]
-                )
-            case "big_sum":
-                return self._big_sum(tree)
+        return self._form(tree)
+
+    def _form(self, tree: Branch) -> int:
+        match tree.data:
+            case "call" | "call_raised" | "call_transposed":
+                return call(self, tree)
+            case "named":
+                return named(self, tree)
+            case "named_raised":
+                return named_raised(self, tree)
+            case "matrix":
+                return matrix(self, tree)
+            case "transposed":
+                base = children(tree)[0]
+                return transposed(self, self.value(base), tokens(tree, "TRANSPOSE")[0])
+            case "big_sum" | "big_sum_from_above":
+                return long_sum(self, tree)
+            case "integral" | "integral_from_above":
+                return integral(self, tree)
             case "derivative" | "derivative_operator":
-                return self._derivative(tree)
+                return derivative(self, tree)
+            case "evaluated_group":
+                inner, statements = children(tree)
+                return evaluated(self, self.value(inner), statements)
         raise AssertionError(
             f"no rule for {tree.data}"
         )  # pragma: no cover - the grammar has no other rule
 
-    def _many(self, kind: str, numbers: list[int]) -> int:
+    def error(self, problem: str, tree: Branch) -> ReaderError:
+        """An error at a tree."""
+        return ReaderError(problem, self.text, start(tree), printed(tree, self.text))
+
+    def many(self, kind: str, numbers: Sequence[int]) -> int:
+        """A sum or product of nodes; of one node it is the node."""
         return numbers[0] if len(numbers) == 1 else self.nodes.add(kind, *numbers)
 
     def _sum(self, tree: Branch) -> int:
-        negative = tree.data == "minus_sum"
+        negative = False
         numbers: list[int] = []
         for child in tree.children:
             if isinstance(child, Token):
@@ -89,77 +117,75 @@ class _Builder:
             else:
                 number = self.value(child)
                 numbers.append(self.nodes.add("neg", number) if negative else number)
-        return self._many("add", numbers)
+        return self.many("add", numbers)
 
     def _product(self, tree: Branch) -> int:
         """Factors from left to right; a slash divides what came before by as many factors as its
         reading says.
         """
         parts = product_parts(tree, self.text)
+        if len(parts) > 1 and parts[1].operator == "crossed":
+            return self._kronecker(parts)
         factors: list[int] = []
         position = 0
         while position < len(parts):
-            operator, slash, factor = parts[position]
-            if operator != "divided":
-                factors.append(self.value(factor))
+            part = parts[position]
+            if part.operator != "divided":
+                factors.append(self._factor(part))
                 position += 1
                 continue
-            extent = self.extents.get(slash, 1)
-            above = self._many("mul", factors)
-            below = [self.value(part.factor) for part in parts[position : position + extent]]
-            factors = [self.nodes.add("div", above, self._many("mul", below))]
+            extent = self.extents.get(part.place, 1)
+            above = self.many("mul", factors)
+            below = [self._factor(other) for other in parts[position : position + extent]]
+            factors = [self.nodes.add("div", above, self.many("mul", below))]
             position += extent
-        return self._many("mul", factors)
+        whole = self.many("mul", factors)
+        for bar in parts[-1].bars:
+            if self.extents.get(start(bar), 1) > 1:
+                whole = evaluated(self, whole, children(bar)[0])
+        return whole
+
+    def _factor(self, part: Part) -> int:
+        number = self.value(part.factor)
+        for bar in part.bars:
+            if self.extents.get(start(bar), 1) == 1:
+                number = evaluated(self, number, children(bar)[0])
+        return number
+
+    def _kronecker(self, parts: Sequence[Part]) -> int:
+        number = self._factor(parts[0])
+        for part in parts[1:]:
+            number = self.nodes.add("kronecker", number, self._factor(part))
+        return number
 
     def _power(self, tree: Branch) -> int:
         if tree.data == "raised":
-            base, exponent_tree = children(tree)
-            exponent = constant_value(exponent_tree)
-            place = exponent_tree.meta.start_pos
-            if exponent is None:
-                raise ReaderError(
-                    "an exponent must be a number", self.text, place, self._slice(exponent_tree)
-                )
-        else:
-            base = children(tree)[0]
-            place = base.meta.start_pos
-            indices = tokens(tree, "NUMBER")
-            index = Fraction(str(indices[0])) if indices else Fraction(2)
-            if index.denominator != 1 or index < 2:
-                raise ReaderError(
-                    "the index of a root must be 2, 3, ...", self.text, place, str(index)
-                )
-            exponent = 1 / index
+            base, above = children(tree)
+            return self.power(self.value(base), above)
+        base = children(tree)[0]
+        indices = tokens(tree, "NUMBER")
+        index = Fraction(str(indices[0])) if indices else Fraction(2)
+        if index.denominator != 1 or index < 2:
+            raise ReaderError(
+                "the index of a root must be 2, 3, ...", self.text, start(base), str(index)
+            )
+        return self._raised(self.value(base), 1 / index, base)
+
+    def power(self, base: int, above: Tree[Token]) -> int:
+        """A node with an exponent: a number, an inverse of a matrix, or any other expression."""
+        exponent = constant_value(above)
+        if exponent is None:
+            return self.nodes.add("call", "power", base, self.value(above))
+        return self._raised(base, exponent, above)
+
+    def _raised(self, base: int, exponent: Fraction, place: Branch) -> int:
+        if exponent == -1 and self.nodes.is_matrix(base):
+            return self.nodes.add("inverse", base)
         if max(abs(exponent.numerator), exponent.denominator) > MOST_EXPONENT:
-            problem = f"an exponent beyond {MOST_EXPONENT}"
-            raise ReaderError(problem, self.text, place, str(exponent)[:40])
-        return self.nodes.add("pow", self.value(base), str(exponent))
-
-    def _big_sum(self, tree: Branch) -> int:
-        lower, upper, summand = children(tree)
-        index = self.nodes.add("symbol", str(tokens(tree, "SYMBOL")[0]))
-        return self.nodes.add(
-            "call", "sum", self.value(summand), index, self.value(lower), self.value(upper)
-        )
-
-    def _derivative(self, tree: Branch) -> int:
-        parts = {child.data: child for child in children(tree)}
-        symbol = str(tokens(parts.pop("over_symbol"), "SYMBOL")[0])
-        (inner,) = parts.values()
-        return self.nodes.add("derivative", self.value(inner), symbol)
-
-    def _slice(self, tree: Branch) -> str:
-        return self.text[tree.meta.start_pos : tree.meta.end_pos][:40]
+            raise ReaderError(
+                f"an exponent beyond {MOST_EXPONENT}", self.text, start(place), str(exponent)[:40]
+            )
+        return self.nodes.add("pow", base, str(exponent))
 
 
-def extents_of(tree: Branch, text: str) -> dict[int, tuple[int, ...]]:
-    """Every ambiguous slash below `tree` by position, with the numbers of factors that it may
-    divide by.
-    """
-    found: dict[int, tuple[int, ...]] = {}
-    for branch in tree.iter_subtrees():
-        if branch.data == "product":
-            found.update(factors_under(branch, text))
-        elif branch.data == "times_big":
-            refuse_open_slash(branch, text)
-    return found
+_CALLS = {"absolute": "abs", "expectation": "expectation", "order_of": "order", "euler": "exp"}

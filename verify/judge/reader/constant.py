@@ -30,8 +30,9 @@ def constant_value(tree: Tree[Token]) -> Fraction | None:
             first, second = tree.children
             if isinstance(first, Tree) and isinstance(second, Tree) and second.data == "divided":
                 return _quotient(first, second.children[1])
-        case "fraction":
-            return _quotient(tree.children[1], tree.children[2])
+        case "fraction" | "over":
+            above, below = (child for child in tree.children if isinstance(child, Tree))
+            return _quotient(above, below)
     return None
 
 

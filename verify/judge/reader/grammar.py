@@ -18,45 +18,76 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.tokens import FormulaToken
 
 GRAMMAR = r"""
-formula: statements condition* | statements CONNECTIVE statements
+formula: statements condition* | statements CONNECTIVE statements | statements IF statements
 conditions: statements
 single: expression
 
 statements: chain ((COMMA | AND) chain)*
 condition: CONDITION_OPEN statements CONDITION_CLOSE
 chain: side ((EQUAL | RELATION) side)+
-side: expression | infinity
+side: expression | expression ONE_SIDED | infinity | limit
 infinity: INFINITY | MINUS INFINITY | PLUS INFINITY
+limit: LIM UNDER LEFT_BRACE chain RIGHT_BRACE term
 
 expression: term ((PLUS | MINUS) term)* -> sum
           | MINUS term ((PLUS | MINUS) term)* -> minus_sum
+          | PLUS term ((PLUS | MINUS) term)* -> plus_sum
 ?term: product | product big -> times_big | product DOT_BEFORE_BIG big -> times_big | big
-?big: PARTIAL_OPERATOR LEFT_BRACE PARTIAL RIGHT_BRACE over_symbol term -> derivative_operator
-    | SUM UNDER LEFT_BRACE SYMBOL EQUAL expression RIGHT_BRACE POWER argument term -> big_sum
-over_symbol: LEFT_BRACE PARTIAL SYMBOL RIGHT_BRACE
-product: power (juxtaposed | dotted | divided)*
+?big: PARTIAL_OPERATOR LEFT_BRACE PARTIAL order? RIGHT_BRACE below term -> derivative_operator
+    | SUM UNDER index_range POWER bound term -> big_sum
+    | SUM POWER bound UNDER index_range term -> big_sum_from_above
+index_range: LEFT_BRACE SYMBOL EQUAL expression RIGHT_BRACE
+bound: argument | INFINITY | LEFT_BRACE infinity RIGHT_BRACE
+below: LEFT_BRACE over_symbol+ RIGHT_BRACE
+over_symbol: PARTIAL SYMBOL order?
+order: POWER argument
+product: power (juxtaposed | dotted | divided | crossed | evaluated)*
 juxtaposed: power
 dotted: DOT power
 divided: SLASH power
-?power: atom | atom POWER argument -> raised
+crossed: KRON power
+evaluated: AT LEFT_BRACE statements RIGHT_BRACE
+?power: atom
+      | atom POWER argument -> raised
+      | atom TRANSPOSE -> transposed
+      | NAMED arguments -> named
+      | NAMED POWER argument arguments -> named_raised
+      | INTEGRAL UNDER bound POWER bound expression DIFFERENTIAL SYMBOL -> integral
+      | INTEGRAL POWER bound UNDER bound expression DIFFERENTIAL SYMBOL -> integral_from_above
 ?atom: NUMBER -> number
      | SYMBOL -> symbol
      | OPEN expression CLOSE -> group
      | LEFT_BRACE atom RIGHT_BRACE -> braced
+     | OVER_OPEN expression OVER expression OVER_CLOSE -> over
      | BAR_OPEN expression BAR_CLOSE -> absolute
+     | EMPTY_OPEN expression BAR_CLOSE UNDER LEFT_BRACE statements RIGHT_BRACE -> evaluated_group
      | FRAC argument argument -> fraction
-     | FRAC_PARTIAL LEFT_BRACE PARTIAL product RIGHT_BRACE over_symbol -> derivative
+     | FRAC_PARTIAL LEFT_BRACE PARTIAL order? product RIGHT_BRACE below -> derivative
      | SQRT argument -> root
      | SQRT ROOT_OPEN NUMBER ROOT_CLOSE argument -> root
      | FUNCTION OPEN expression (COMMA expression)* CLOSE -> call
+     | FUNCTION POWER argument OPEN expression (COMMA expression)* CLOSE -> call_raised
+     | FUNCTION TRANSPOSE OPEN expression (COMMA expression)* CLOSE -> call_transposed
+     | EXPECT OPEN expression CLOSE -> expectation
+     | ORDER OPEN expression CLOSE -> order_of
+     | EULER POWER argument -> euler
+     | MATRIX_OPEN row (ROW row)* MATRIX_CLOSE -> matrix
+     | ROW_OPEN row ROW_CLOSE -> matrix
+row: expression (CELL expression)*
+arguments: OPEN listed (COMMA listed)* CLOSE | ARGUMENT_OPEN product ARGUMENT_CLOSE
+?listed: expression | infinity
 ?argument: NUMBER -> number
          | SYMBOL -> symbol
          | LEFT_BRACE expression RIGHT_BRACE -> group
+         | OVER_OPEN expression OVER expression OVER_CLOSE -> over
+         | FRAC argument argument -> fraction
 
-%declare NUMBER SYMBOL FUNCTION FRAC FRAC_PARTIAL PARTIAL_OPERATOR PARTIAL SQRT
-%declare ROOT_OPEN ROOT_CLOSE SUM UNDER
-%declare PLUS MINUS DOT DOT_BEFORE_BIG SLASH POWER COMMA AND CONNECTIVE EQUAL RELATION INFINITY
-%declare OPEN CLOSE CONDITION_OPEN CONDITION_CLOSE LEFT_BRACE RIGHT_BRACE BAR_OPEN BAR_CLOSE
+%declare NUMBER SYMBOL FUNCTION NAMED EXPECT ORDER EULER FRAC FRAC_PARTIAL PARTIAL_OPERATOR PARTIAL
+%declare SQRT ROOT_OPEN ROOT_CLOSE SUM INTEGRAL DIFFERENTIAL LIM UNDER OVER AT TRANSPOSE ONE_SIDED
+%declare PLUS MINUS DOT DOT_BEFORE_BIG KRON SLASH POWER COMMA AND IF CONNECTIVE EQUAL RELATION
+%declare INFINITY OPEN CLOSE CONDITION_OPEN CONDITION_CLOSE LEFT_BRACE RIGHT_BRACE BAR_OPEN
+%declare BAR_CLOSE EMPTY_OPEN OVER_OPEN OVER_CLOSE ROW_OPEN ROW_CLOSE MATRIX_OPEN MATRIX_CLOSE
+%declare CELL ROW ARGUMENT_OPEN ARGUMENT_CLOSE
 """
 
 _WANTED = {
@@ -68,6 +99,8 @@ _WANTED = {
     "RIGHT_BRACE": "}",
     "EQUAL": "=",
     "RELATION": "a relation",
+    "DIFFERENTIAL": "\\mathrm{d}",
+    "UNDER": "_",
     "$END": "the end",
 }
 
@@ -125,6 +158,8 @@ def _unexpected(text: str, tokens: Sequence[FormulaToken], error: UnexpectedToke
         return ReaderError(
             "\\infty may only stand alone on the right of an arrow", text, position, token.value
         )
+    if token.type == "UNDER":
+        return ReaderError("this subscript belongs to no symbol", text, position, "_")
     shown = text[position : token.end_pos]
     if token.type == "AND" and shown.startswith("\\"):
         problem = f"{shown} separates relations and cannot stand within one{wanted}"

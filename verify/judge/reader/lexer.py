@@ -4,130 +4,138 @@ place.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
-
-from gainproof.verify.judge.reader.alphabet import command_at, is_letter, skip_space
-from gainproof.verify.judge.reader.brackets import pair_brackets
-from gainproof.verify.judge.reader.characters import refuse_characters
-from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
-from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
-from gainproof.verify.judge.reader.names import scan_base, scan_decorations
-from gainproof.verify.judge.reader.scan import (
+from gainproof.verify.judge.reader.alphabet import (
     DIGITS,
-    end_of_and,
-    fraction_kind,
+    brace_partners,
+    command_at,
+    is_letter,
+    skip_space,
+)
+from gainproof.verify.judge.reader.differential import Differentials
+from gainproof.verify.judge.reader.environments import Environments, line_break_end
+from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
+from gainproof.verify.judge.reader.names import scan_base, scan_decorations
+from gainproof.verify.judge.reader.naming import NameFinder
+from gainproof.verify.judge.reader.scan import (
+    end_of_tag,
+    equation_number_end,
+    evaluation_end,
     scan_mark,
     scan_number,
     scan_sized,
+    skip_idle,
+    word_in_text,
 )
-from gainproof.verify.judge.reader.spaces import settle_wide_spaces
+from gainproof.verify.judge.reader.special import (
+    function_named,
+    sign_of_branch,
+    special_name,
+    transpose_end,
+)
+from gainproof.verify.judge.reader.token_list import TokenList
 from gainproof.verify.judge.reader.tokens import (
     COMMANDS,
+    NO_EXACT_MEANING,
     SIZES,
     SPACES,
-    TAKES_ARGUMENTS,
     WIDE_SPACES,
     FormulaToken,
 )
+from gainproof.verify.judge.reader.vocabulary import Vocabulary
+from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS, JOINING_WORDS
 
 _TEXTS = frozenset(("\\text", "\\mathrm", "\\textrm", "\\mbox"))
-_ENVIRONMENT = "{aligned}"
 
 
-def read_tokens(text: str, functions: Mapping[str, bool]) -> tuple[FormulaToken, ...]:
-    """The tokens of `text`, brackets paired. `functions` maps each declared canonical symbol to
-    whether it is a function.
-    """
-    refuse_characters(text)
-    return settle_wide_spaces(pair_brackets(text, _Lexer(text, functions).run()))
+def scan_tokens(text: str, vocabulary: Vocabulary) -> list[FormulaToken]:
+    """The tokens of `text` in order, brackets not yet paired."""
+    return _Lexer(text, vocabulary).run()
 
 
 class _Lexer:
-    """One pass over one text. `waiting` counts the arguments that a command before still takes:
-    there a digit or a letter stands for itself alone, as in TeX. `outer` keeps the counts of the
-    braces around.
-    """
+    """One pass over one text."""
 
-    def __init__(self, text: str, functions: Mapping[str, bool]) -> None:
+    def __init__(self, text: str, vocabulary: Vocabulary) -> None:
         self.text = text
-        self.functions = functions
-        self.tokens: list[FormulaToken] = []
+        self.vocabulary = vocabulary
+        self.tokens = TokenList(text)
         self.position = 0
-        self.waiting = 0
-        self.outer: list[int] = []
-        self.environments = 0
-        self.longest = min(MOST_NAME_CHARACTERS, max(map(len, (*functions, "and"))))
+        self.partners = brace_partners(text)
+        self.environments = Environments(text)
+        self.names = NameFinder(text, vocabulary, self.partners)
+        self.differentials = Differentials(text, self.partners, self.names.longest)
+        self.continues_until = -1
 
     def run(self) -> list[FormulaToken]:
-        while (start := skip_space(self.text, self.position)) < len(self.text):
+        while (start := skip_space(self.text, self.names.passed(self.position))) < len(self.text):
             self.position = start
             character = self.text[start]
+            if character in ".,;" and self._ends_line():
+                continue
             if character in DIGITS or character == ".":
-                self._add(*scan_number(self.text, start, single=self.waiting > 0))
+                self._add(*scan_number(self.text, start, single=self.tokens.single))
             elif is_letter(character):
                 self._letters()
             elif character == "\\":
                 self._command()
-            elif character == "~" or (character == "&" and self.environments == 1):
+            elif character == "~":
                 self.position += 1
-            elif character == "_" and self.tokens and self.tokens[-1].kind == "SUM":
-                self._add("UNDER", "_", start + 1)
+            elif character == "&" and not self.environments.has_columns():
+                raise self._error("the character '&' has no meaning here", "&")
+            elif character == "^" and (found := transpose_end(self.text, start + 1)) is not None:
+                self._add("TRANSPOSE", *found)
             else:
-                self._add(*scan_mark(self.text, start, self.tokens))
-        if self.environments == 1:
-            raise self._error("\\begin{aligned} is never ended", "\\begin")
-        return self.tokens
+                self._add(*scan_mark(self.text, start, self.tokens.found))
+        self.environments.refuse_open()
+        return self.tokens.found
 
     def _error(self, problem: str, token: str, nearest: tuple[str, ...] = ()) -> ReaderError:
         return ReaderError(problem, self.text, self.position, token, nearest)
 
+    def _ends_line(self) -> bool:
+        """Whether punctuation here ends a line, and is then passed over."""
+        if self.position < self.continues_until:
+            return False
+        end = skip_idle(self.text, self.position)
+        if end == len(self.text) or self.text.startswith(("\\end", "\\\\"), end):
+            self.position = end
+            return True
+        self.continues_until = end
+        return False
+
     def _add(self, kind: str, value: str, end: int) -> None:
-        if kind in ("SUM", "PARTIAL_OPERATOR") and self.tokens and self.tokens[-1].kind == "DOT":
-            # the grammar looks one token ahead: this dot ends a product instead of continuing it
-            self.tokens[-1] = replace(self.tokens[-1], kind="DOT_BEFORE_BIG")
-        self.tokens.append(FormulaToken(kind, value, self.position, end))
+        self.differentials.integrals += (kind == "INTEGRAL") - (kind == "DIFFERENTIAL")
+        self.tokens.add(FormulaToken(kind, value, self.position, end))
         self.position = end
-        if kind == "LEFT_BRACE":
-            self.outer.append(max(0, self.waiting - 1))
-            self.waiting = 0
-        elif kind == "ROOT_OPEN":
-            self.outer.append(self.waiting)
-            self.waiting = 0
-        elif kind in ("RIGHT_BRACE", "ROOT_CLOSE"):
-            self.waiting = self.outer.pop() if self.outer else 0
-        else:
-            self.waiting = TAKES_ARGUMENTS.get(kind, max(0, self.waiting - 1))
 
     def _symbol(self, name: str, end: int) -> None:
-        self._add("FUNCTION" if self.functions[name] else "SYMBOL", name, end)
+        self._add("FUNCTION" if self.vocabulary.is_function(name) else "SYMBOL", name, end)
 
     def _letters(self) -> None:
-        """The longest declared name that begins here; primes and a subscript follow its last
-        letter.
-        """
+        found = self.names.longest(self.position, self.tokens.single)
+        if found is not None:
+            self._symbol(*found)
+            return
         text, start = self.text, self.position
-        most = start + (1 if self.waiting else self.longest + 1)
+        if (mark := self.differentials.kind_at(start)) is not None:
+            self._add(mark, text[start], start + 1)
+            return
         end = start + 1
-        while end < min(len(text), most) and is_letter(text[end]):
+        while end < len(text) and is_letter(text[end]) and end - start <= self.vocabulary.longest:
             end += 1
-        word = text[start:end]
-        name, name_end = (word, end) if self.waiting else scan_decorations(text, word, end)
-        if name in self.functions:
-            self._symbol(name, name_end)
+        if text[start:end] == "and":
+            self._add("AND", "and", end)
             return
-        if name == "and":
-            self._add("AND", "and", name_end)
+        special = special_name(text, text[start], start + 1)
+        if special is not None:
+            self._add(*special)
             return
-        for length in range(len(word) - 1, 0, -1):
-            if word[:length] in self.functions:
-                self._symbol(word[:length], start + length)
-                return
-        raise self._undeclared(name)
-
-    def _undeclared(self, name: str) -> ReaderError:
-        near = nearest_names(name, self.functions)
-        return self._error(f"the symbol {name} is not declared", name, near)
+        name = (
+            text[start:end]
+            if self.tokens.single
+            else scan_decorations(text, text[start:end], end)[0]
+        )
+        raise self.names.undeclared(name, start)
 
     def _command(self) -> None:
         text, start = self.text, self.position
@@ -135,36 +143,77 @@ class _Lexer:
         end = start + len(command)
         if command in SPACES:
             self.position = end
+        elif command == "\\ ":
+            self._add("GAP", command, end)
         elif command in WIDE_SPACES:
-            self._add("WIDE", command, end)
+            self._wide(command, end)
+        elif command in ("\\tag", "\\label"):
+            self.position = end_of_tag(text, end)
+        elif command == "\\\\":
+            self._add("LINE", command, line_break_end(text, end))
         elif command in ("\\begin", "\\end"):
             self._environment(command, end)
         elif command in SIZES:
             self._add(*scan_sized(text, start, command))
-        elif command in _TEXTS and (end_of_word := end_of_and(text, end)) is not None:
-            self._add("AND", "and", end_of_word)
+        elif command in ("\\pm", "\\mp"):
+            self._add(*sign_of_branch(text, start, command, self.vocabulary.branch))
+        elif command in ("\\mid", "\\vert"):
+            self._bar(command)
+        elif command in _TEXTS and self._joins(end):
+            return
+        elif command in NO_EXACT_MEANING:
+            raise self._error(NO_EXACT_MEANING[command], command)
         elif command in COMMANDS:
             kind, value = COMMANDS[command]
-            self._add(fraction_kind(text, end) if kind == "FRAC" else kind, value, end)
-        elif (found := scan_base(text, start)) is not None:
-            name, end = found if self.waiting else scan_decorations(text, *found)
-            if name not in self.functions:
-                raise self._undeclared(name)
-            self._symbol(name, end)
+            self._add(self.differentials.fraction(end) if kind == "FRAC" else kind, value, end)
+        elif command in FUNCTION_COMMANDS:
+            self._add("NAMED", FUNCTION_COMMANDS[command], end)
         else:
-            near = nearest_names(command, [*COMMANDS, *self.functions])
+            self._named_by_command(command)
+
+    def _wide(self, command: str, end: int) -> None:
+        number = equation_number_end(self.text, end)
+        if number is None:
+            self._add("WIDE", command, end)
+        else:
+            self.position = number
+
+    def _bar(self, command: str) -> None:
+        end = evaluation_end(self.text, self.position, command)
+        if end is None:
+            raise self._error(f"{command} needs a subscript that says where", command)
+        self._add("AT", "|_", end)
+
+    def _joins(self, end: int) -> bool:
+        found = word_in_text(self.text, end)
+        if found is None or found[0] not in JOINING_WORDS:
+            return False
+        self._add(*JOINING_WORDS[found[0]], found[1])
+        return True
+
+    def _named_by_command(self, command: str) -> None:
+        text, start = self.text, self.position
+        base = scan_base(text, start)
+        if base is None:
+            near = nearest_names(command, [*COMMANDS, *self.vocabulary.symbols])
             raise self._error(f"the command {command} is not known", command, near)
+        found = self.names.declared(*base, self.tokens.single)
+        if found is not None:
+            self._symbol(*found)
+        elif (mark := self.differentials.kind_of(base[0], start)) is not None:
+            self._add(mark, *base)
+        elif (special := special_name(text, *base) or function_named(*base)) is not None:
+            self._add(*special)
+        else:
+            name = base[0] if self.tokens.single else scan_decorations(text, *base)[0]
+            raise self.names.undeclared(name, start)
 
     def _environment(self, command: str, end: int) -> None:
-        """`aligned` round the whole formula, once: its lines are joined by `and`, its marks `&` say
-        nothing.
-        """
-        place = end + len(_ENVIRONMENT)
         begins = command == "\\begin"
-        if not self.text.startswith(_ENVIRONMENT, end) or self.environments != (not begins):
-            raise self._error("only \\begin{aligned} ... \\end{aligned} is known, once", command)
-        around = self.tokens if begins else self.text[skip_space(self.text, place) :]
-        if around:
-            raise self._error("aligned must stand round the whole formula", command)
-        self.environments += 1
-        self.position = place
+        kind, value, after = self.environments.scan(
+            self.position, end, begins, not self.tokens.found
+        )
+        if kind:
+            self._add(kind, value, after)
+        else:
+            self.position = after

@@ -18,3 +18,7 @@ MOST_NAME_CHARACTERS = 80
 """Length of one symbol with its accents, primes and subscripts."""
 MOST_PRINTED_CHARACTERS = 100_000
 """A graph shares nodes and can stand for a text exponentially longer than itself."""
+MOST_ENTRIES = 600
+"""Separators of entries in all matrices of one formula."""
+MOST_ORDER = 8
+"""Order of a derivative."""

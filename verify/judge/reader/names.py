@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from gainproof.verify.judge.reader.alphabet import (
     ACCENTS,
-    BLANKS,
+    DIGITS,
     GREEK,
     command_at,
     is_letter,
@@ -18,16 +18,19 @@ from gainproof.verify.judge.reader.alphabet import (
 )
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
+from gainproof.verify.judge.reader.marks import Mark, scan_mark_above, scan_mark_behind
+from gainproof.verify.judge.reader.subscripts import scan_subscript
 
-_SUBSCRIPT_CHARACTERS = frozenset("+-,()'*.=/_")
 _MOST_ACCENTS = 6
 
 
 def scan_base(text: str, position: int, accents: int = 0) -> tuple[str, int] | None:
     """One accented or plain letter at `position` as (canonical text, end), or None where no symbol
-    begins.
+    begins. Under an accent a digit is a letter too: `\\mathbf{0}`.
     """
-    if position < len(text) and is_letter(text[position]):
+    if position < len(text) and (
+        is_letter(text[position]) or (accents and text[position] in DIGITS)
+    ):
         return text[position], position + 1
     if position >= len(text) or text[position] != "\\":
         return None
@@ -95,6 +98,9 @@ def scan_decorations(text: str, base: str, position: int) -> tuple[str, int]:
         if character == "'":
             primes += "'"
             position = following + 1
+        elif character == "^" and (end := _prime_above(text, following)) is not None:
+            primes += "'"
+            position = end
         elif character == "_" and not subscript:
             subscript, position = scan_subscript(text, following + 1)
         else:
@@ -104,62 +110,39 @@ def scan_decorations(text: str, base: str, position: int) -> tuple[str, int]:
     return base + primes + subscript, position
 
 
-def scan_subscript(text: str, position: int) -> tuple[str, int]:
-    """The argument of `_` as (canonical text with the underscore, end)."""
-    position = skip_space(text, position)
-    character = text[position : position + 1]
-    if character.isascii() and character.isalnum():
-        return f"_{character}", position + 1
-    if character == "\\":
-        command = command_at(text, position)
-        if command in GREEK or command == "\\infty":
-            return f"_{{{command}}}", position + len(command)
-    if character != "{":
-        raise ReaderError(
-            "a subscript must be a letter, a digit or {...}", text, position, character
-        )
-    inner, end = _braced(text, position)
-    if not inner:
-        raise ReaderError("an empty subscript", text, position, "{}")
-    return (f"_{inner}" if len(inner) == 1 else f"_{{{inner}}}"), end
+def _prime_above(text: str, position: int) -> int | None:
+    """The end of `^\\prime` or `^{\\prime}` at `position`, or None."""
+    start = skip_space(text, position + 1)
+    for spelling in ("\\prime", "{\\prime}"):
+        end = start + len(spelling)
+        if text.startswith(spelling, start) and not is_letter(text[end : end + 1]):
+            return end
+    return None
 
 
-def _braced(text: str, opening: int) -> tuple[str, int]:
-    """What stands between the brace at `opening` and its partner, without blanks, and the end."""
-    depth, position, pieces = 0, opening, [""]
-    while position < len(text):
-        character = text[position]
-        if position - opening > MOST_NAME_CHARACTERS:
-            raise ReaderError(
-                f"a subscript of more than {MOST_NAME_CHARACTERS} characters", text, opening, "_"
-            )
-        if character == "{":
-            depth += 1
-        elif character == "}":
-            depth -= 1
-            if depth == 0:
-                return "".join(pieces)[1:], position + 1
-        elif character == "\\":
-            command = command_at(text, position)
-            if command not in GREEK | ACCENTS | {"\\infty", "\\text"}:
-                raise ReaderError(f"{command} cannot stand in a subscript", text, position, command)
-            pieces.append(command)
-            position += len(command)
-            continue
-        elif character in BLANKS:
-            position += 1
-            continue
-        elif not (
-            character.isascii() and (character.isalnum() or character in _SUBSCRIPT_CHARACTERS)
-        ):
-            raise ReaderError(
-                f"{character!r} cannot stand in a subscript", text, position, character
-            )
-        # a command and a letter after it stay two words
-        blank = " " if pieces[-1].startswith("\\") and is_letter(character) else ""
-        pieces.append(blank + character)
-        position += 1
-    raise ReaderError("a brace is never closed", text, opening, "{")
+def scan_names(text: str, base: str, position: int) -> list[tuple[str, int]]:
+    """The names that may begin with `base`, which ends at `position`, as (canonical name, end): the
+    one with most marks first, the one without marks last.
+    """
+    plain, end = scan_decorations(text, base, position)
+    found = [(plain, end)]
+    above = scan_mark_above(text, end)
+    if above is not None:
+        name, after = plain, above.end
+        if plain.rstrip("'") == base:
+            # the subscript may be printed after the mark
+            name, after = scan_decorations(text, plain, above.end)
+        found.append((name + above.text, after))
+    with_behind = [_with_behind(text, name, after) for name, after in found]
+    found += [item for item in with_behind if item is not None]
+    if any(after - position > MOST_NAME_CHARACTERS for _, after in found):
+        found = [item for item in found if item[1] - position <= MOST_NAME_CHARACTERS]
+    return found[::-1]
+
+
+def _with_behind(text: str, name: str, end: int) -> tuple[str, int] | None:
+    behind: Mark | None = scan_mark_behind(text, end)
+    return None if behind is None else (name + behind.text, behind.end)
 
 
 def canonical_token(text: str) -> str:
@@ -173,10 +156,12 @@ def canonical_token(text: str) -> str:
             start,
             text[start : start + 1],
         )
-    name, end = scan_decorations(text, *found)
-    end = skip_space(text, end)
-    if end != len(text):
+    readings = scan_names(text, *found)
+    ends = [skip_space(text, end) for _, end in readings]
+    if len(text) not in ends:
+        end = max(ends, default=found[1])
         raise ReaderError("more follows after the symbol", text, end, text[end : end + 1])
+    name = readings[ends.index(len(text))][0]
     if len(name) > MOST_NAME_CHARACTERS:
         raise ReaderError(f"a name of more than {MOST_NAME_CHARACTERS} characters", text, start)
     return name

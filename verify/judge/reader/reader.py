@@ -5,80 +5,81 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping
 from math import prod
-from typing import Protocol
 
-from lark import Token, Tree
-
-from gainproof.verify.judge.formula import (
-    INFINITY,
-    MINUS_INFINITY,
-    Formula,
-    Graph,
-    Reading,
-    Relation,
-)
-from gainproof.verify.judge.reader.build import build_graph, children, extents_of
+from gainproof.verify.judge.formula import Formula, Graph, Relation
+from gainproof.verify.judge.reader.build import build_graph
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.grammar import parse_tokens
-from gainproof.verify.judge.reader.lexer import read_tokens
 from gainproof.verify.judge.reader.limits import MOST_AMBIGUOUS_SLASHES, MOST_READINGS
-from gainproof.verify.judge.reader.slash import extent_text
+from gainproof.verify.judge.reader.reading_tokens import read_tokens
+from gainproof.verify.judge.reader.slash import extent_text, extents_of
+from gainproof.verify.judge.reader.statements import read_relations, read_statements
+from gainproof.verify.judge.reader.tree import Branch, children
+from gainproof.verify.judge.reader.vocabulary import Declared, Vocabulary
 
-Branch = Tree[Token]
 
+def read_formula(latex: str, symbols: Mapping[str, Declared], branch: str | None = None) -> Formula:
+    """One or more relations, with conditions in trailing parentheses, behind a word such as `for`,
+    or joined by an arrow.
 
-class Declared(Protocol):
-    """What the reader asks of a declared symbol: the names of its arguments, none unless it is a
-    function.
+    `symbols` maps canonical tokens to their declarations; `branch` says which sign of `\\pm` is
+    meant. Raises ReaderError for anything that is not read whole.
     """
-
-    @property
-    def arguments(self) -> tuple[str, ...]:
-        """Names of the arguments."""
-        ...
+    return _formula(latex, Vocabulary(symbols, branch), plain=False)
 
 
-def read_formula(latex: str, symbols: Mapping[str, Declared]) -> Formula:
-    """One or more relations, with conditions in trailing parentheses or joined by an arrow.
-
-    `symbols` maps canonical tokens to their declarations. Raises ReaderError for anything that is
-    not read whole.
+def read_plain(text: str, symbols: Mapping[str, Declared]) -> Formula:
+    """The same from plain text: `alpha^2/(2 - alpha) = beta`. Names are LaTeX tokens without their
+    backslashes.
     """
-    tree, names = _parse(latex, symbols, "formula")
+    return _formula(text, Vocabulary(symbols), plain=True)
+
+
+def _formula(text: str, vocabulary: Vocabulary, plain: bool) -> Formula:
+    tree, names = _parse(text, vocabulary, "formula", plain)
     readings = tuple(
-        _reading(tree, latex, extents, text) for extents, text in _choices(tree, latex)
+        read_statements(tree, text, extents, vocabulary.matrices, words)
+        for extents, words in _choices(tree, text)
     )
-    return Formula(latex, readings, names)
+    return Formula(text, readings, names)
 
 
 def read_conditions(text: str, symbols: Mapping[str, Declared]) -> tuple[Relation, ...]:
     """Relations joined by commas or `and`, such as a domain. A slash with two readings is refused
     here.
     """
-    tree, _ = _parse(text, symbols, "conditions")
+    vocabulary = Vocabulary(symbols)
+    tree, _ = _parse(text, vocabulary, "conditions", plain=False)
     extents = extents_of(tree, text)
     if extents:
         problem = "a slash before juxtaposed factors has two readings: write \\frac in a condition"
         raise ReaderError(problem, text, min(extents), "/")
-    return tuple(_relations(children(tree)[0], text, {}))
+    return read_relations(children(tree)[0], text, {}, vocabulary.matrices)
 
 
-def read_expression(text: str, symbols: Mapping[str, Declared]) -> tuple[Graph, ...]:
-    """One expression without a relation: a graph for each reading."""
-    tree, _ = _parse(text, symbols, "single")
-    return tuple(build_graph(tree, text, extents) for extents, _ in _choices(tree, text))
+def read_expression(
+    text: str, symbols: Mapping[str, Declared], plain: bool = False
+) -> tuple[Graph, ...]:
+    """One expression without a relation, in LaTeX or in plain text: a graph for each reading."""
+    vocabulary = Vocabulary(symbols)
+    tree, _ = _parse(text, vocabulary, "single", plain)
+    return tuple(
+        build_graph(tree, text, extents, vocabulary.matrices) for extents, _ in _choices(tree, text)
+    )
 
 
 def _parse(
-    text: str, symbols: Mapping[str, Declared], start: str
+    text: str, vocabulary: Vocabulary, start: str, plain: bool
 ) -> tuple[Branch, tuple[str, ...]]:
-    tokens = read_tokens(text, {name: bool(entry.arguments) for name, entry in symbols.items()})
+    tokens = read_tokens(text, vocabulary, plain)
     names = dict.fromkeys(token.value for token in tokens if token.kind in ("SYMBOL", "FUNCTION"))
     return parse_tokens(text, tokens, start), tuple(names)
 
 
 def _choices(tree: Branch, text: str) -> Iterator[tuple[dict[int, int], str | None]]:
-    """Every combination of what the ambiguous slashes may divide by, with words for it."""
+    """Every combination of what ambiguous slashes may divide by and ambiguous bars apply to, with
+    words for it.
+    """
     extents = extents_of(tree, text)
     places = sorted(extents)
     if (
@@ -96,48 +97,5 @@ def _choices(tree: Branch, text: str) -> Iterator[tuple[dict[int, int], str | No
             under = next(
                 filter(None, (extent_text(product, text, place, extent) for product in products))
             )
-            words.append(f"the slash of column {_column(text, place)} divides by {under}")
+            words.append(under)
         yield dict(zip(places, choice, strict=True)), "; ".join(words) or None
-
-
-def _column(text: str, place: int) -> int:
-    return place - text.rfind("\n", 0, place)
-
-
-def _reading(tree: Branch, text: str, extents: Mapping[int, int], words: str | None) -> Reading:
-    first, *rest = children(tree)
-    relations = tuple(_relations(first, text, extents))
-    connectives = [child for child in tree.children if isinstance(child, Token)]
-    conditions: list[Relation] = []
-    for branch in rest:
-        statements = branch if branch.data == "statements" else children(branch)[0]
-        conditions += _relations(statements, text, extents)
-    connective = str(connectives[0]) if connectives else "if"
-    return Reading(relations, tuple(conditions), connective, words)
-
-
-def _relations(statements: Branch, text: str, extents: Mapping[int, int]) -> Iterator[Relation]:
-    for chain in children(statements):
-        sides = children(chain)
-        operators = [child for child in chain.children if isinstance(child, Token)]
-        for number, operator in enumerate(operators):
-            left, right = sides[number], sides[number + 1]
-            inner = children(right)[0]
-            if (inner.data == "infinity" and operator != "->") or children(left)[
-                0
-            ].data == "infinity":
-                raise ReaderError(
-                    "\\infty may only stand alone on the right of an arrow",
-                    text,
-                    operator.start_pos or 0,
-                    "\\infty",
-                )
-            yield Relation(str(operator), _side(left, text, extents), _side(right, text, extents))
-
-
-def _side(side: Branch, text: str, extents: Mapping[int, int]) -> Graph:
-    (inner,) = children(side)
-    if inner.data == "infinity":
-        minus = any(isinstance(child, Token) and child.type == "MINUS" for child in inner.children)
-        return MINUS_INFINITY if minus else INFINITY
-    return build_graph(inner, text, extents)

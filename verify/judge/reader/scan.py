@@ -1,18 +1,17 @@
-"""Tokens that need a look ahead: numbers, sized brackets, fractions with a partial derivative, the
-word `and`.
-"""
+"""Tokens that need a look ahead: numbers, sized brackets, what ends a line, words in text."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from gainproof.verify.judge.reader.alphabet import command_at, skip_space
+from gainproof.verify.judge.reader.alphabet import BLANKS, DIGITS, command_at, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DIGITS
-from gainproof.verify.judge.reader.tokens import COMMANDS, MARKS, FormulaToken
+from gainproof.verify.judge.reader.tokens import COMMANDS, MARKS, SPACES, WIDE_SPACES, FormulaToken
 
-DIGITS = frozenset("0123456789")
+_BARS = frozenset(("|", "\\mid", "\\vert", "\\rvert"))
+_NUMBER_MOST = 8
 
 
 class Scanned(NamedTuple):
@@ -24,11 +23,15 @@ class Scanned(NamedTuple):
 
 
 def scan_number(text: str, start: int, single: bool) -> Scanned:
-    """Digits with at most one point between them; one digit if `single`, as TeX takes it."""
+    """Digits with at most one point between them; one digit if `single`, as TeX takes it. A point
+    that ends the formula or the line is none of the number.
+    """
     if single and text[start] in DIGITS:
         return Scanned("NUMBER", text[start], start + 1)
     end = start
     while end < len(text) and (text[end] in DIGITS or text[end] == "."):
+        if text[end] == "." and text[end + 1 : end + 2] not in DIGITS and ends_line(text, end):
+            break
         end += 1
     value = text[start:end]
     if value.count(".") > 1 or value[0] == "." or value[-1] == ".":
@@ -47,8 +50,12 @@ def scan_sized(text: str, start: int, command: str) -> Scanned:
     mark = command_at(text, bracket) if mark == "\\" else mark
     end = bracket + len(mark)
     sides = {"\\left": "OPEN", "\\right": "CLOSE"}
-    if mark == "|" and command in sides:
+    if mark == "." and command == "\\left":
+        return Scanned("EMPTY_OPEN", ".", end)
+    if mark in _BARS and command in sides:
         return Scanned(f"BAR_{sides[command]}", "|", end)
+    if mark in _BARS and (under := evaluation_end(text, bracket, mark)) is not None:
+        return Scanned("AT", "|_", under)
     kind, value = MARKS.get(mark) or COMMANDS.get(mark) or ("", "")
     if kind not in ("OPEN", "CLOSE", "BAR_OPEN", "BAR_CLOSE"):
         raise ReaderError(f"{command} needs a bracket after it", text, start, command + mark)
@@ -56,6 +63,12 @@ def scan_sized(text: str, start: int, command: str) -> Scanned:
         problem = f"{command} stands before the wrong side of a bracket"
         raise ReaderError(problem, text, start, command + mark)
     return Scanned(kind, value, end)
+
+
+def evaluation_end(text: str, position: int, mark: str) -> int | None:
+    """The end of the `_` after the bar `mark` at `position`, or None where none follows."""
+    under = skip_space(text, position + len(mark))
+    return under + 1 if text[under : under + 1] == "_" else None
 
 
 def scan_mark(text: str, start: int, before: Sequence[FormulaToken]) -> Scanned:
@@ -72,29 +85,69 @@ def scan_mark(text: str, start: int, before: Sequence[FormulaToken]) -> Scanned:
                 kind = "ROOT_CLOSE"
             return Scanned(kind, value, start + len(mark))
     character = text[start]
-    problems = {
-        "_": "this subscript belongs to no symbol",
-        "|": "a bar may mean two things: write \\left| x \\right| or \\lvert x \\rvert",
-    }
-    problem = problems.get(character, f"the character {character!r} has no meaning here")
-    raise ReaderError(problem, text, start, character)
+    if character == "|":
+        end = evaluation_end(text, start, "|")
+        if end is not None:
+            return Scanned("AT", "|_", end)
+        problem = "a bar may mean two things: write \\left| x \\right| or \\lvert x \\rvert"
+        raise ReaderError(problem, text, start, character)
+    raise ReaderError(f"the character {character!r} has no meaning here", text, start, character)
 
 
-def fraction_kind(text: str, end: int) -> str:
-    """What begins with the `\\frac` that ends at `end`: a quotient, `\\frac{\\partial}{...}`, which
-    acts on what follows, or `\\frac{\\partial x}{...}`.
+def ends_line(text: str, position: int) -> bool:
+    """Whether only punctuation and blanks stand from `position` to the end of the formula or of a
+    line of it.
     """
-    brace = skip_space(text, end)
-    inner = skip_space(text, brace + 1)
-    if text[brace : brace + 1] != "{" or command_at(text, inner) != "\\partial":
-        return "FRAC"
-    closing = skip_space(text, inner + len("\\partial"))
-    return "PARTIAL_OPERATOR" if text[closing : closing + 1] == "}" else "FRAC_PARTIAL"
+    end = skip_idle(text, position)
+    return end == len(text) or text.startswith(("\\end", "\\\\"), end)
 
 
-def end_of_and(text: str, start: int) -> int | None:
-    """The end of `{and}` at `start`, or None if something else stands there."""
+def skip_idle(text: str, position: int) -> int:
+    """The first position from `position` on where something other than blanks, punctuation and tags
+    stands.
+    """
+    while position < len(text):
+        character = text[position]
+        if character in BLANKS or character in ".,;~":
+            position += 1
+        elif character == "\\":
+            command = command_at(text, position)
+            if command in ("\\tag", "\\label", "\\tag*"):
+                position = end_of_tag(text, position + len(command))
+            elif command in SPACES or command in WIDE_SPACES or command == "\\ ":
+                position += len(command)
+            else:
+                break
+        else:
+            break
+    return position
+
+
+def end_of_tag(text: str, position: int) -> int:
+    """The end of the `{...}` after `\\tag` or `\\label`. ReaderError where none stands."""
+    opening = skip_space(text, position + (text[position : position + 1] == "*"))
+    closing = text.find("}", opening, opening + 40)
+    if text[opening : opening + 1] != "{" or closing < 0:
+        raise ReaderError("a tag needs {...} of at most 40 characters", text, opening, "\\tag")
+    return closing + 1
+
+
+def equation_number_end(text: str, position: int) -> int | None:
+    """The end of an equation number such as `(16a)` or `(A.4)`, if nothing else stands from
+    `position` to the end of the formula.
+    """
+    start = skip_idle(text, position)
+    closing = text.find(")", start, start + _NUMBER_MOST + 2)
+    inner = text[start + 1 : closing].replace(" ", "")
+    if text[start : start + 1] != "(" or closing < 0 or skip_idle(text, closing + 1) != len(text):
+        return None
+    known = all(c in DIGITS or is_letter(c) or c == "." for c in inner)
+    return len(text) if known and any(c in DIGITS for c in inner) else None
+
+
+def word_in_text(text: str, start: int) -> tuple[str, int] | None:
+    """The word in `{and}` at `start` and the end, or None if something else stands there."""
     closing = text.find("}", start, start + 20)
-    if closing > 0 and text[start:closing].replace(" ", "") == "{and":
-        return closing + 1
+    if closing > 0 and text[start : start + 1] == "{":
+        return text[start + 1 : closing].strip(" ~,"), closing + 1
     return None

@@ -1,28 +1,33 @@
 """What a slash may divide by: `a/bc` is (a/b)c or a/(bc), and a reader who guesses is wrong half of
-the time.
+the time. Likewise what a bar `|_{x=0}` behind several factors applies to.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from dataclasses import dataclass, replace
 
-from lark import Token, Tree
+from lark import Tree
 
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_SLASHES
+from gainproof.verify.judge.reader.neighbours import refuse_neighbours
+from gainproof.verify.judge.reader.tree import Branch, start
 
 
-class Part(NamedTuple):
-    """A factor with the way it joins what stands before: `first`, `juxtaposed`, `dotted` or
-    `divided`; `place` is where the operator or the factor begins.
+@dataclass(frozen=True)
+class Part:
+    """A factor with the way it joins what stands before: `first`, `juxtaposed`, `dotted`, `divided`
+    or `crossed`; `place` is where the operator or the factor begins; `bars` are the evaluations
+    printed behind it.
     """
 
     operator: str
     place: int
-    factor: Tree[Token]
+    factor: Branch
+    bars: tuple[Branch, ...] = ()
 
 
-def product_parts(tree: Tree[Token], text: str) -> list[Part]:
+def product_parts(tree: Branch, text: str) -> list[Part]:
     """The factors of a flat product in order. ReaderError where the print is open to another
     reading.
     """
@@ -31,50 +36,33 @@ def product_parts(tree: Tree[Token], text: str) -> list[Part]:
     for child in tree.children:
         assert isinstance(child, Tree)
         if not parts:
-            parts.append(Part("first", child.meta.start_pos, child))
+            parts.append(Part("first", start(child), child))
+            continue
+        if child.data == "evaluated":
+            parts[-1] = replace(parts[-1], bars=(*parts[-1].bars, child))
             continue
         factor = child.children[-1]
         assert isinstance(factor, Tree)
         if child.data == "juxtaposed":
-            _refuse_digits(parts[-1].factor, factor, text)
+            refuse_neighbours(parts[-1].factor, factor, text)
         slashes += child.data == "divided"
         if slashes > MOST_SLASHES:
             problem = f"more than {MOST_SLASHES} slashes in one product"
-            raise ReaderError(problem, text, child.meta.start_pos, "/")
-        parts.append(Part(str(child.data), child.meta.start_pos, factor))
+            raise ReaderError(problem, text, start(child), "/")
+        parts.append(Part(str(child.data), start(child), factor))
+    operators = {part.operator for part in parts[1:]}
+    if "crossed" in operators and len(operators) > 1:
+        crossed = next(part for part in parts if part.operator == "crossed")
+        problem = "a Kronecker product beside other factors: write brackets"
+        raise ReaderError(problem, text, crossed.place, "\\otimes")
+    for part in parts[1:-1]:
+        if part.bars:
+            problem = "a bar amid a product: write brackets round what it applies to"
+            raise ReaderError(problem, text, start(part.bars[0]), "|")
     return parts
 
 
-def _refuse_digits(before: Tree[Token], factor: Tree[Token], text: str) -> None:
-    """A number right after a factor may be part of an exponent or of a longer number in print, and
-    a number right before a fraction of numbers is a mixed number to some.
-    """
-    base = factor.children[0] if factor.data == "raised" else factor
-    if _is_number(base):
-        problem = "a number right after a factor: brace an exponent or write a dot"
-        raise ReaderError(problem, text, factor.meta.start_pos, text[factor.meta.start_pos])
-    parts = base.children[1:] if isinstance(base, Tree) and base.data == "fraction" else []
-    if _is_number(before) and parts and all(map(_is_number, parts)):
-        problem = "a number before a fraction of numbers: write a dot for a product, + for a sum"
-        raise ReaderError(problem, text, factor.meta.start_pos, "\\frac")
-
-
-def _is_number(tree: object) -> bool:
-    """Whether it is a number, in braces or not."""
-    while isinstance(tree, Tree) and tree.data in ("braced", "group", "sum", "product"):
-        inner = [child for child in tree.children if isinstance(child, Tree)]
-        if len(inner) != 1 or _is_bracketed(tree):
-            return False
-        tree = inner[0]
-    return isinstance(tree, Tree) and tree.data == "number"
-
-
-def _is_bracketed(tree: Tree[Token]) -> bool:
-    first = tree.children[0]
-    return isinstance(first, Token) and first.type == "OPEN"
-
-
-def refuse_open_slash(tree: Tree[Token], text: str) -> None:
+def refuse_open_slash(tree: Branch, text: str) -> None:
     """A slash in a product before a sum or a derivative: whether that stands under it too, nobody
     can tell.
     """
@@ -86,16 +74,18 @@ def refuse_open_slash(tree: Tree[Token], text: str) -> None:
             raise ReaderError(problem, text, part.place, "/")
 
 
-def factors_under(tree: Tree[Token], text: str) -> dict[int, tuple[int, ...]]:
+def factors_under(tree: Branch, text: str) -> dict[int, tuple[int, ...]]:
     """For each ambiguous slash of this product, by position, the numbers of factors that may stand
-    under it.
+    under it; for each ambiguous bar those of the factors it may apply to.
 
-    They are the first factor, the factors that follow it without a dot, and all factors up to the
-    next slash.
+    Under a slash they are the first factor, the factors that follow it without a dot, and all
+    factors up to the next slash; before a bar the last factor, and all.
     """
     parts = product_parts(tree, text)
     found: dict[int, tuple[int, ...]] = {}
     for number, part in enumerate(parts):
+        if number and part.bars:
+            found.update({start(bar): (1, len(parts)) for bar in part.bars})
         if part.operator != "divided":
             continue
         end = number + 1
@@ -110,13 +100,33 @@ def factors_under(tree: Tree[Token], text: str) -> dict[int, tuple[int, ...]]:
     return found
 
 
-def extent_text(tree: Tree[Token], text: str, place: int, extent: int) -> str | None:
-    """The factors that the slash at `place` of this product divides by, as printed; None if it is
-    not there.
+def extent_text(tree: Branch, text: str, place: int, extent: int) -> str | None:
+    """Words for what the slash at `place` of this product divides by, or the bar there applies to;
+    None if neither is there.
     """
     parts = product_parts(tree, text)
     for number, part in enumerate(parts):
         if part.operator == "divided" and part.place == place:
             last = parts[number + extent - 1].factor
-            return " ".join(text[part.factor.meta.start_pos : last.meta.end_pos].split())
+            shown = " ".join(text[start(part.factor) : last.meta.end_pos].split())
+            return f"the slash of column {_column(text, place)} divides by {shown}"
+        if any(start(bar) == place for bar in part.bars):
+            first = parts[number + 1 - extent].factor
+            shown = " ".join(text[start(first) : part.factor.meta.end_pos].split())
+            return f"the bar of column {_column(text, place)} applies to {shown}"
     return None
+
+
+def _column(text: str, place: int) -> int:
+    return place - text.rfind("\n", 0, place)
+
+
+def extents_of(tree: Branch, text: str) -> dict[int, tuple[int, ...]]:
+    """Every ambiguous slash and bar below `tree` by position, with what it may extend over."""
+    found: dict[int, tuple[int, ...]] = {}
+    for branch in tree.iter_subtrees():
+        if branch.data == "product":
+            found.update(factors_under(branch, text))
+        elif branch.data == "times_big":
+            refuse_open_slash(branch, text)
+    return found

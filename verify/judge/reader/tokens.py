@@ -17,22 +17,32 @@ class FormulaToken:
     end: int
 
 
-SPACES = frozenset(("\\,", "\\;", "\\:", "\\!", "\\ ", "\\displaystyle", "\\limits", "\\nolimits"))
-WIDE_SPACES = frozenset(("\\quad", "\\qquad"))
+SPACES = frozenset(
+    (
+        *("\\,", "\\;", "\\:", "\\!", "\\>", "\\/", "\\thinspace", "\\medspace", "\\thickspace"),
+        *("\\displaystyle", "\\textstyle", "\\limits", "\\nolimits", "\\nonumber", "\\notag"),
+    )
+)
+WIDE_SPACES = frozenset(("\\quad", "\\qquad", "\\enspace", "\\hfill"))
 SIZES = frozenset(
     "\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")
-) | {"\\left", "\\right"}
+) | {"\\left", "\\right", "\\middle"}
 COMMANDS = {
     "\\frac": ("FRAC", "\\frac"),
     "\\tfrac": ("FRAC", "\\frac"),
     "\\dfrac": ("FRAC", "\\frac"),
     "\\cfrac": ("FRAC", "\\frac"),
+    "\\over": ("OVER", "\\over"),
     "\\sqrt": ("SQRT", "\\sqrt"),
-    "\\sum": ("SUM", "\\sum"),
+    "\\sum": ("SUM", "sum"),
+    "\\prod": ("SUM", "product"),
+    "\\int": ("INTEGRAL", "\\int"),
+    "\\lim": ("LIM", "\\lim"),
     "\\partial": ("PARTIAL", "\\partial"),
     "\\infty": ("INFINITY", "\\infty"),
     "\\cdot": ("DOT", "\\cdot"),
     "\\times": ("DOT", "\\cdot"),
+    "\\otimes": ("KRON", "\\otimes"),
     "\\lt": ("RELATION", "<"),
     "\\gt": ("RELATION", ">"),
     "\\le": ("RELATION", "<="),
@@ -45,8 +55,15 @@ COMMANDS = {
     "\\geqslant": ("RELATION", ">="),
     "\\ne": ("RELATION", "!="),
     "\\neq": ("RELATION", "!="),
+    "\\equiv": ("EQUAL", "="),
+    "\\triangleq": ("EQUAL", "="),
+    "\\coloneqq": ("EQUAL", "="),
     "\\approx": ("RELATION", "approx"),
     "\\simeq": ("RELATION", "approx"),
+    "\\fallingdotseq": ("RELATION", "approx"),
+    "\\doteq": ("RELATION", "approx"),
+    "\\sim": ("RELATION", "sim"),
+    "\\propto": ("RELATION", "propto"),
     "\\to": ("RELATION", "->"),
     "\\rightarrow": ("RELATION", "->"),
     "\\longrightarrow": ("RELATION", "->"),
@@ -58,7 +75,6 @@ COMMANDS = {
     "\\implies": ("CONNECTIVE", "implies"),
     "\\land": ("AND", "and"),
     "\\wedge": ("AND", "and"),
-    "\\\\": ("AND", "and"),
     "\\{": ("OPEN", "{"),
     "\\lbrace": ("OPEN", "{"),
     "\\}": ("CLOSE", "}"),
@@ -73,6 +89,7 @@ MARKS = {
     ">=": ("RELATION", ">="),
     "!=": ("RELATION", "!="),
     "->": ("RELATION", "->"),
+    ":=": ("EQUAL", "="),
     "<": ("RELATION", "<"),
     ">": ("RELATION", ">"),
     "=": ("EQUAL", "="),
@@ -81,15 +98,37 @@ MARKS = {
     "*": ("DOT", "\\cdot"),
     "/": ("SLASH", "/"),
     "^": ("POWER", "^"),
+    "_": ("UNDER", "_"),
+    "&": ("CELL", "&"),
     ",": ("COMMA", ","),
+    ";": ("COMMA", ","),
     "(": ("OPEN", "("),
     ")": ("CLOSE", ")"),
     "[": ("OPEN", "["),
     "]": ("CLOSE", "]"),
     "{": ("LEFT_BRACE", "{"),
     "}": ("RIGHT_BRACE", "}"),
+    "≤": ("RELATION", "<="),
+    "≥": ("RELATION", ">="),
+    "≠": ("RELATION", "!="),
+    "≈": ("RELATION", "approx"),
+    "→": ("RELATION", "->"),
+    "⇔": ("CONNECTIVE", "iff"),
+    "⇒": ("CONNECTIVE", "implies"),
 }
 """One or two characters; the longer is tried first."""
+
+NO_EXACT_MEANING = {
+    "\\ll": "much less than has no exact meaning: state a limit or an inequality",
+    "\\gg": "much greater than has no exact meaning: state a limit or an inequality",
+    "\\lesssim": "less or about equal has no exact meaning: write \\le or \\approx",
+    "\\gtrsim": "greater or about equal has no exact meaning: write \\ge or \\approx",
+    "\\cdots": "dots stand for a pattern that is not declared: write \\sum, or every term",
+}
+NO_EXACT_MEANING |= dict.fromkeys(
+    ("\\ldots", "\\dots", "\\vdots", "\\ddots", "\\dotsb", "\\dotsc"), NO_EXACT_MEANING["\\cdots"]
+)
+"""Commands that are known and refused, with what to write instead."""
 
 TAKES_ARGUMENTS = {
     "FRAC": 2,

@@ -14,6 +14,7 @@ from gainproof.verify.judge.reader.reader import read_conditions, read_formula
 @dataclass(frozen=True)
 class Declared:
     arguments: tuple[str, ...] = ()
+    shape: object | None = None
 
 
 TOKENS = ("\\alpha", "\\alpha_k", "\\beta", *"kTabcx", "\\dot{x}_{sk-1}")
@@ -61,12 +62,14 @@ def test_undeclared(text: str, line: int, column: int, token: str, nearest: str 
         (r"a = \left b", 5, "needs a bracket"),
         (r"a = \left) b", 5, "wrong side"),
         ("a = |b|", 5, "two things"),
-        ("a = b^c", 7, "an exponent must be a number"),
-        ("a = b^{k+1}", 7, "an exponent must be a number"),
+        ("a = b^T", 6, "the transpose of what is not declared as a matrix"),
+        ("a = b^{-\\top}", 6, "the transpose of what is not declared as a matrix"),
         ("a = b^12", 8, "a number right after a factor"),
         ("a = b 2", 7, "a number right after a factor"),
         ("a = (b + c)2", 12, "a number right after a factor"),
-        ("a = b^2_k", 8, "belongs to no symbol"),
+        ("a = b^2_k", 5, "b_k is not declared"),
+        ("a = (b)_k", 8, "belongs to no symbol"),
+        ("a = S^2(b, c)", 7, "an exponent between S and its brackets"),
         ("a = b^2^3", 8, "cannot stand here"),
         ("a = b + - c", 9, "cannot stand here"),
         ("a = 2{3}", 6, "a number right after a factor"),
@@ -94,7 +97,26 @@ def test_undeclared(text: str, line: int, column: int, token: str, nearest: str 
         ("a = b!", 6, "no meaning here"),
         ("a = b $", 7, "no meaning here"),
         ("a & = b", 3, "no meaning here"),
-        (r"a = \begin{pmatrix} b \end{pmatrix}", 5, "aligned"),
+        (r"a = \begin{aligned} b \end{aligned}", 5, "round the whole formula"),
+        (r"a = \begin{tikz} b \end{tikz}", 5, "not known"),
+        (r"a = \begin{pmatrix} b & c \\ k \end{pmatrix}", 5, "rows of a matrix with 2, 1"),
+        (r"a = \pm b", 5, "declare branch"),
+        (r"a \ll b", 3, "no exact meaning"),
+        (r"a = b + \cdots + c", 9, "pattern"),
+        (r"a = \sin b c", 12, "not clear"),
+        (r"a = \sin^{-1} b", 10, "may be its inverse"),
+        (r"a = \frac{\partial b}{\partial c}(k)", 34, "parentheses after a derivative"),
+        (r"a = \frac{\partial}{\partial c} b|_{c=0}", 33, "a bar behind a derivative"),
+        (r"a = b|_{c}", 10, "wanted"),
+        (r"a = b|_{c<0}", 9, "a symbol = value is wanted"),
+        (r"a = k b|_{c=0} b", 8, "a bar amid a product"),
+        (r"\lim_{k \to 0} a + b = c", 18, "cannot stand here"),
+        (r"\lim_{k \to 0} a < c", 1, "a limit must be said to equal"),
+        (r"a \to 0+", 8, "behind the arrow of a condition"),
+        ("a = b (130)", 7, "a number alone in parentheses"),
+        (r"a = \int_0^1 b dc k", 19, "a factor right after an integral"),
+        (r"a = k b \otimes c", 9, "beside other factors"),
+        (r"a = \frac{\partial^2 b}{\partial c}", 5, "orders above and below"),
         (r"\begin{aligned} a &= b", 23, "never ended"),
         (r"a = \dot{a b}", 12, "must hold one symbol"),
         (r"a = \dot", 9, "needs a letter"),

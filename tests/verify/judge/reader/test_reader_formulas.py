@@ -16,6 +16,7 @@ from gainproof.verify.judge.reader.reader import read_conditions, read_expressio
 @dataclass(frozen=True)
 class Declared:
     arguments: tuple[str, ...] = ()
+    shape: object | None = None
 
 
 TOKENS = (

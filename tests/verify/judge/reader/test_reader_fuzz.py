@@ -19,6 +19,7 @@ SECONDS_EACH = 5.0
 @dataclass(frozen=True)
 class Declared:
     arguments: tuple[str, ...] = ()
+    shape: object | None = None
 
 
 SYMBOLS = {

@@ -21,6 +21,7 @@ from gainproof.verify.judge.reader.reader import read_expression, read_formula
 @dataclass(frozen=True)
 class Declared:
     arguments: tuple[str, ...] = ()
+    shape: object | None = None
 
 
 POINT = {

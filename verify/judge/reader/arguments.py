@@ -1,0 +1,143 @@
+"""What a named function without brackets acts on, and from which side a variable comes.
+
+`\\sin 2\\theta \\cos\\theta` is read; `\\sin \\omega t` is refused: whether t stands under the
+sine, only its author knows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.reader.tokens import TAKES_ARGUMENTS, FormulaToken
+
+_PAIRS = {
+    "OPEN": "CLOSE",
+    "LEFT_BRACE": "RIGHT_BRACE",
+    "OVER_OPEN": "OVER_CLOSE",
+    "ROW_OPEN": "ROW_CLOSE",
+    "BAR_OPEN": "BAR_CLOSE",
+    "EMPTY_OPEN": "BAR_CLOSE",
+    "ROOT_OPEN": "ROOT_CLOSE",
+    "MATRIX_OPEN": "MATRIX_CLOSE",
+    "CONDITION_OPEN": "CONDITION_CLOSE",
+}
+_CLOSES = frozenset(_PAIRS.values())
+_UNCLEAR_AFTER = frozenset(
+    (
+        *("SYMBOL", "NUMBER", "FUNCTION", "FRAC", "SQRT", "SLASH", "TRANSPOSE", "AT", "UNDER"),
+        *("OPEN", "LEFT_BRACE", "OVER_OPEN", "ROW_OPEN", "BAR_OPEN", "MATRIX_OPEN"),
+    )
+)
+
+
+def settle_arguments(text: str, tokens: Sequence[FormulaToken]) -> list[FormulaToken]:
+    """The tokens again, the argument of each named function between `ARGUMENT_OPEN` and
+    `ARGUMENT_CLOSE` unless it has brackets of its own.
+    """
+    opens: dict[int, list[str]] = {}
+    ends = _ends(tokens)
+    for number, token in enumerate(tokens):
+        if token.kind != "NAMED":
+            continue
+        start = _after_power(tokens, number + 1, ends)
+        if start < len(tokens) and tokens[start].kind == "OPEN":
+            continue
+        end = _argument_end(tokens, start, ends)
+        if end == start:
+            raise ReaderError(f"{token.value} of what?", text, token.end, token.value)
+        if end < len(tokens) and tokens[end].kind in _UNCLEAR_AFTER:
+            problem = f"what {token.value} acts on is not clear: write brackets"
+            raise ReaderError(problem, text, tokens[end].start, tokens[end].value)
+        opens.setdefault(start, []).append("ARGUMENT_OPEN")
+        opens.setdefault(end, []).insert(0, "ARGUMENT_CLOSE")
+    result: list[FormulaToken] = []
+    for number in range(len(tokens) + 1):
+        place = tokens[number].start if number < len(tokens) else tokens[-1].end if tokens else 0
+        result += [FormulaToken(kind, "", place, place) for kind in opens.get(number, ())]
+        result += tokens[number : number + 1]
+    return result
+
+
+def _ends(tokens: Sequence[FormulaToken]) -> dict[int, int]:
+    """The number after the closing bracket for that of each opening one."""
+    found: dict[int, int] = {}
+    stack: list[int] = []
+    for number, token in enumerate(tokens):
+        if token.kind in _PAIRS:
+            stack.append(number)
+        elif token.kind in _CLOSES:
+            found[stack.pop()] = number + 1
+    return found
+
+
+def _after_power(tokens: Sequence[FormulaToken], number: int, ends: dict[int, int]) -> int:
+    if number < len(tokens) and tokens[number].kind == "POWER":
+        return _after_one(tokens, number + 1, ends)
+    return number
+
+
+def _after_one(tokens: Sequence[FormulaToken], number: int, ends: dict[int, int]) -> int:
+    """The number after one argument of a command."""
+    if number >= len(tokens):
+        return number
+    kind, number = tokens[number].kind, number + 1
+    if kind == "SQRT" and number < len(tokens) and tokens[number].kind == "ROOT_OPEN":
+        number = ends[number]
+    if kind in ("FRAC", "SQRT"):
+        for _ in range(TAKES_ARGUMENTS[kind]):
+            number = _after_one(tokens, number, ends)
+        return number
+    return ends.get(number - 1, number)
+
+
+def _argument_end(tokens: Sequence[FormulaToken], start: int, ends: dict[int, int]) -> int:
+    """The number after a number, a symbol, a fraction or a root, or one of these after a number."""
+    number = start
+    if number < len(tokens) and tokens[number].kind == "NUMBER":
+        number = _after_power(tokens, number + 1, ends)
+    if number < len(tokens) and tokens[number].kind in ("SYMBOL", "FRAC", "SQRT", "LEFT_BRACE"):
+        number = _after_power(tokens, _after_one(tokens, number, ends), ends)
+    return number
+
+
+def settle_sides(tokens: Sequence[FormulaToken]) -> list[FormulaToken]:
+    """The tokens again; after an arrow `0+`, `0^+`, `0^{+}` and `+0` end with `ONE_SIDED`."""
+    result: list[FormulaToken] = []
+    number, relation = 0, ""
+    while number < len(tokens):
+        if tokens[number].kind in ("EQUAL", "RELATION", "COMMA", "AND", "CONNECTIVE", "IF"):
+            relation = tokens[number].value
+        if relation != "->":
+            result.append(tokens[number])
+            number += 1
+            continue
+        kinds = [token.kind for token in tokens[number : number + 4]]
+        signed = [token for token in tokens[number : number + 4] if token.kind in ("PLUS", "MINUS")]
+        before = result[-1] if result else None
+        length = 0
+        if before is not None and before.value == "->" and kinds[:2] in _SIGNS_FIRST:
+            if tokens[number + 1].value == "0":
+                result.append(tokens[number + 1])
+                length = 2
+        elif kinds[:2] in _SIGNS_ABOVE:
+            length = 2
+        elif kinds[:4] in _SIGNS_BRACED:
+            length = 4
+        elif kinds[:1] in _SIGNS and (len(kinds) == 1 or kinds[1] in _ENDS_SIDE):
+            length = 1
+        if length:
+            sign = signed[0]
+            result.append(FormulaToken("ONE_SIDED", sign.value, sign.start, sign.end))
+            number += length
+            continue
+        result.append(tokens[number])
+        number += 1
+    return result
+
+
+_SIGNS = (["PLUS"], ["MINUS"])
+_SIGNS_FIRST = (["PLUS", "NUMBER"], ["MINUS", "NUMBER"])
+_SIGNS_ABOVE = (["POWER", "PLUS"], ["POWER", "MINUS"])
+_SIGNS_BRACED = tuple(["POWER", "LEFT_BRACE", sign, "RIGHT_BRACE"] for sign in ("PLUS", "MINUS"))
+_ENDS_SIDE = frozenset(("CLOSE", "CONDITION_CLOSE", "RIGHT_BRACE", "COMMA", "AND"))

@@ -1,0 +1,112 @@
+"""Nodes of sums, integrals, derivatives and values at a place."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from gainproof.verify.judge.reader.constant import constant_value
+from gainproof.verify.judge.reader.limits import MOST_ORDER
+from gainproof.verify.judge.reader.tree import Branch, children, sole, tokens
+
+if TYPE_CHECKING:
+    from gainproof.verify.judge.reader.build import Builder
+
+
+def long_sum(builder: Builder, tree: Branch) -> int:
+    """A sum or a product over an index from a lower to an upper bound."""
+    kind = str(tokens(tree, "SUM")[0])
+    parts = children(tree)
+    index_range, upper, summand = parts
+    if tree.data == "big_sum_from_above":
+        upper, index_range, summand = parts
+    index = builder.nodes.add("symbol", str(tokens(index_range, "SYMBOL")[0]))
+    lower = builder.value(children(index_range)[0])
+    return builder.nodes.add(
+        "call", kind, builder.value(summand), index, lower, builder.value(upper)
+    )
+
+
+def integral(builder: Builder, tree: Branch) -> int:
+    """An integral over a variable between two bounds."""
+    lower, upper, integrand = children(tree)
+    if tree.data == "integral_from_above":
+        lower, upper = upper, lower
+    variable = builder.nodes.add("symbol", str(tokens(tree, "SYMBOL")[0]))
+    return builder.nodes.add(
+        "call",
+        "integral",
+        builder.value(integrand),
+        variable,
+        builder.value(lower),
+        builder.value(upper),
+    )
+
+
+def derivative(builder: Builder, tree: Branch) -> int:
+    """A derivative of any small order, partial or not: whether other symbols depend on the variable
+    is for the definitions to say.
+    """
+    parts = children(tree)
+    above = [child for child in parts if child.data == "order"]
+    below = next(child for child in parts if child.data == "below")
+    inner = next(child for child in parts if child.data not in ("order", "below"))
+    if tree.data == "derivative_operator" and _has_bar(inner):
+        problem = "a bar behind a derivative: write \\left. ... \\right|_{x=...} round both"
+        raise builder.error(problem, inner)
+    symbols: list[str] = []
+    for part in children(below):
+        symbols += [str(tokens(part, "SYMBOL")[0])] * _order(builder, children(part))
+    if _order(builder, above) != len(symbols):
+        raise builder.error("orders above and below that differ", tree)
+    number = builder.value(inner)
+    for symbol in reversed(symbols):
+        number = builder.nodes.add("derivative", number, symbol)
+    return number
+
+
+def _order(builder: Builder, orders: list[Branch]) -> int:
+    """The number in `^2`, 1 without it."""
+    if not orders:
+        return 1
+    value = constant_value(children(orders[0])[0])
+    if value is None or value.denominator != 1 or not 1 <= value <= MOST_ORDER:
+        problem = f"the order of a derivative must be a number up to {MOST_ORDER}"
+        raise builder.error(problem, orders[0])
+    return int(value)
+
+
+def _has_bar(tree: Branch) -> bool:
+    """Whether a bar stands in the outermost product of a term."""
+    return tree.data == "product" and any(child.data == "evaluated" for child in children(tree))
+
+
+def evaluated(builder: Builder, number: int, statements: Branch) -> int:
+    """A node with values put in: `x = 0, y = 1`."""
+    found: list[tuple[str, int]] = []
+    for chain in children(statements):
+        sides = children(chain)
+        name = _symbol_name(sides[0])
+        if len(sides) != 2 or name is None or not (tokens(chain, "EQUAL") or _is_arrow(chain)):
+            raise builder.error("after a bar a symbol = value is wanted", chain)
+        (inner,) = children(sides[1])
+        if inner.data == "limit" or len(sides[1].children) > 1:
+            raise builder.error("after a bar a symbol = value is wanted", chain)
+        found.append((name, builder.value(inner)))
+    names = {name for name, _ in found}
+    if len(found) > 1:
+        for _, value in found:
+            if builder.nodes.symbols_in(value) & names:
+                raise builder.error("values that depend on what they replace", statements)
+    for name, value in found:
+        number = builder.nodes.add("at", number, name, value)
+    return number
+
+
+def _is_arrow(chain: Branch) -> bool:
+    return [str(token) for token in tokens(chain, "RELATION")] == ["->"]
+
+
+def _symbol_name(side: Branch) -> str | None:
+    (inner,) = children(side) if len(side.children) == 1 else (side,)
+    found = sole(inner)
+    return str(found.children[0]) if found.data == "symbol" else None

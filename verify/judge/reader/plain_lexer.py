@@ -1,0 +1,174 @@
+"""Tokens of formulas in plain text: `alpha^2/(2 - alpha) = beta`, `sqrt(x)`, `[a, b; c, d]`."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
+from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
+from gainproof.verify.judge.reader.scan import scan_number
+from gainproof.verify.judge.reader.special import special_name
+from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
+from gainproof.verify.judge.reader.vocabulary import Vocabulary
+from gainproof.verify.judge.reader.words import FUNCTION_WORDS, JOINING_WORDS, PLAIN_FORMS
+
+_MARKS = {mark: token for mark, token in MARKS.items() if mark not in ("{", "}", "_", "&")} | {
+    "<=>": ("CONNECTIVE", "iff"),
+    "=>": ("CONNECTIVE", "implies"),
+    "==": ("EQUAL", "="),
+    "~=": ("RELATION", "approx"),
+    "~": ("RELATION", "sim"),
+    "**": ("POWER", "^"),
+    ";": ("LINE", ";"),
+}
+_INFINITY = ("infinity", "inf", "oo")
+_RELATION_WORDS = {"propto": ("RELATION", "propto"), "approx": ("RELATION", "approx")}
+
+
+def scan_plain_tokens(text: str, vocabulary: Vocabulary) -> list[FormulaToken]:
+    """The tokens of `text` in order, brackets not yet paired. ReaderError for anything unknown."""
+    return _PlainLexer(text, vocabulary).run()
+
+
+class _PlainLexer:
+    """One pass over one text. `stack` holds the brackets that are open, and what
+    separates entries in each, all as numbers of tokens.
+    """
+
+    def __init__(self, text: str, vocabulary: Vocabulary) -> None:
+        self.text = text
+        self.vocabulary = vocabulary
+        self.tokens: list[FormulaToken] = []
+        self.position = 0
+        self.stack: list[tuple[int, list[int]]] = []
+
+    def run(self) -> list[FormulaToken]:
+        text = self.text
+        while (start := skip_space(text, self.position)) < len(text):
+            self.position = start
+            character = text[start]
+            if character in DIGITS or character == ".":
+                self._add(*scan_number(text, start, single=False))
+            elif is_letter(character):
+                self._letters()
+            else:
+                self._mark()
+        return self.tokens
+
+    def _error(self, problem: str, token: str, nearest: tuple[str, ...] = ()) -> ReaderError:
+        return ReaderError(problem, self.text, self.position, token, nearest)
+
+    def _add(self, kind: str, value: str, end: int) -> None:
+        self.tokens.append(FormulaToken(kind, value, self.position, end))
+        self.position = end
+
+    def _letters(self) -> None:
+        name, end = self._declared()
+        if name:
+            kind = "FUNCTION" if self.vocabulary.is_function(name) else "SYMBOL"
+            self._add(kind, name, end)
+            return
+        text, start = self.text, self.position
+        word = text[start:end]
+        calls = text.startswith("(", skip_space(text, end))
+        if word in JOINING_WORDS:
+            self._add(*JOINING_WORDS[word], end)
+        elif word in _RELATION_WORDS:
+            self._add(*_RELATION_WORDS[word], end)
+        elif word in _INFINITY:
+            self._add("INFINITY", "\\infty", end)
+        elif calls and word == "sqrt":
+            self._add("SQRT", "\\sqrt", end)
+        elif calls and word in PLAIN_FORMS:
+            self._add("NAMED", word, end)
+        elif calls and word in FUNCTION_WORDS:
+            self._add("NAMED", FUNCTION_WORDS[word], end)
+        elif (special := special_name(text, word, end)) is not None:
+            self._add(*special)
+        else:
+            known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
+            problem = f"the symbol {word[:40]} is not declared"
+            raise self._error(problem, word[:40], nearest_names(word, known))
+
+    def _declared(self) -> tuple[str, int]:
+        """The declared name that begins here, as long as possible, and the end; without one the end
+        of the word.
+        """
+        text, start = self.text, self.position
+        names = self.vocabulary.plain_names
+        for length in range(min(self.vocabulary.longest, len(text) - start), 0, -1):
+            name, end = text[start : start + length], start + length
+            if name not in names or (_is_inner(name[-1]) and _is_inner(text[end : end + 1])):
+                continue
+            tokens = names[name]
+            if len(tokens) > 1:
+                problem = f"{name} may be {' or '.join(tokens)}: write LaTeX"
+                raise self._error(problem, name, tokens)
+            return tokens[0], end
+        end = start
+        while end < len(text) and _is_inner(text[end]):
+            end += 1
+        return "", end
+
+    def _mark(self) -> None:
+        text, start = self.text, self.position
+        mark = next((m for n in (3, 2, 1) if (m := text[start : start + n]) in _MARKS), "")
+        if not mark:
+            problem = f"the character {text[start]!r} has no meaning in plain text"
+            raise self._error(problem, text[start])
+        kind, value = _MARKS[mark]
+        end = start + len(mark)
+        before = self.tokens[-1].kind if self.tokens else ""
+        if kind == "OPEN":
+            if before in ("POWER", "SQRT") and value == "(":
+                kind, value = "LEFT_BRACE", "{"
+            self.stack.append((len(self.tokens), []))
+        elif kind == "CLOSE" and self.stack:
+            kind, value = self._closed(*self.stack.pop(), value)
+        elif kind in ("COMMA", "LINE") and self.stack:
+            self.stack[-1][1].append(len(self.tokens))
+        elif kind == "POWER" and (power := _power_end(text, end)) is not None:
+            self._power(*power)
+            return
+        self._add(kind, value, end)
+
+    def _closed(self, opening: int, separators: list[int], value: str) -> tuple[str, str]:
+        """What closes the bracket `opening`: square brackets with a semicolon hold a matrix."""
+        if self.tokens[opening].kind == "LEFT_BRACE" and value == ")":
+            return "RIGHT_BRACE", "}"
+        if value != "]" or all(self.tokens[number].kind == "COMMA" for number in separators):
+            return "CLOSE", value
+        self.tokens[opening] = replace(self.tokens[opening], kind="MATRIX_OPEN", value="matrix")
+        for number in separators:
+            if self.tokens[number].kind == "COMMA":
+                self.tokens[number] = replace(self.tokens[number], kind="CELL")
+        return "MATRIX_CLOSE", "matrix"
+
+    def _power(self, digits: int, end: int) -> None:
+        """`^-1` and `^T`: `digits` is where a number begins, -1 for the mark of a transpose."""
+        if digits < 0:
+            self._add("TRANSPOSE", "T", end)
+            return
+        self._add("POWER", "^", digits - 1)
+        self._add("LEFT_BRACE", "{", digits - 1)
+        self._add("MINUS", "-", digits)
+        self._add(*scan_number(self.text, digits, single=False))
+        self._add("RIGHT_BRACE", "}", self.position)
+
+
+def _is_inner(character: str) -> bool:
+    """Whether a character would go on with a word."""
+    return is_letter(character) or character in DIGITS or character == "_"
+
+
+def _power_end(text: str, position: int) -> tuple[int, int] | None:
+    """After `^`: the place of a number behind a minus sign and the end of the sign, or -1 and the
+    end of `T`; None for anything else.
+    """
+    start = skip_space(text, position)
+    following = text[start + 1 : start + 2]
+    if text[start : start + 1] == "-" and following in DIGITS:
+        return start + 1, start + 1
+    if text[start : start + 1] == "T" and not _is_inner(following):
+        return -1, start + 1
+    return None

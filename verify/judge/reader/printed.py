@@ -1,0 +1,74 @@
+"""What the printers of LaTeX and of plain text share: how tightly a text binds, numbers, the order
+of nodes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from itertools import takewhile
+from typing import NamedTuple
+
+from gainproof.verify.judge.formula import Graph, Relation
+from gainproof.verify.judge.reader.decimals import power_of_ten
+from gainproof.verify.judge.reader.limits import MOST_PRINTED_CHARACTERS
+
+SUM, PRODUCT, POWER, ATOM = range(4)
+
+
+class Printed(NamedTuple):
+    """The text of a node, how tightly it binds, whether it begins with a digit or is a negated
+    term.
+    """
+
+    text: str
+    level: int
+    digit: bool = False
+    negated: bool = False
+
+
+PrintNode = Callable[[Sequence[str | int], Sequence[Printed]], Printed]
+
+
+def print_graph(graph: Graph, output: str, node_text: PrintNode) -> Printed:
+    """One output of a graph, its nodes printed in their order, without recursion: a deep graph is
+    no danger. ValueError if the text is too long.
+    """
+    printed: list[Printed] = []
+    for node in graph["nodes"]:
+        printed.append(node_text(node, printed))
+        if len(printed[-1].text) > MOST_PRINTED_CHARACTERS:
+            raise ValueError(f"a formula of more than {MOST_PRINTED_CHARACTERS} characters")
+    value: int = graph["outputs"][output]
+    return printed[value]
+
+
+def decimal(value: Fraction) -> str | None:
+    """A number that is not negative with a decimal point, or None where it does not end."""
+    twos = fives = 0
+    rest = value.denominator
+    while rest % 2 == 0:
+        rest, twos = rest // 2, twos + 1
+    while rest % 5 == 0:
+        rest, fives = rest // 5, fives + 1
+    if rest != 1:
+        return None
+    places = max(twos, fives)
+    digits = str(value.numerator * 10**places // value.denominator).rjust(places + 1, "0")
+    return f"{digits[:-places]}.{digits[-places:]}" if places else digits
+
+
+def with_decimals(graph: Graph, text: str, decimals: int | None) -> str:
+    """A side that is one number, with as many decimals as the print showed: `0.50`, not `0.5`."""
+    power = power_of_ten(graph)
+    if decimals is None or power is None or decimals + power <= 0:
+        return text
+    sign = "-" if text.startswith("-") else ""
+    digits = "".join(takewhile(lambda c: c.isdigit() or c == ".", text[len(sign) :]))
+    whole, _, places = digits.partition(".")
+    return f"{sign}{whole}.{places.ljust(decimals + power, '0')}{text[len(sign + digits) :]}"
+
+
+def is_continued(before: Relation, relation: Relation) -> bool:
+    """Whether `a = b` and then `b = c` may be printed as one chain."""
+    return before.right == relation.left and "->" not in (relation.operator, before.operator)

@@ -1,0 +1,103 @@
+"""Names that mean something where nobody declared them: E[...], O(...), e^x, named functions; the
+mark of a transpose; the sign of a branch.
+"""
+
+from __future__ import annotations
+
+from gainproof.verify.judge.reader.alphabet import command_at, skip_space
+from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.reader.scan import Scanned
+from gainproof.verify.judge.reader.tokens import SIZES
+from gainproof.verify.judge.reader.words import (
+    EULER_NAMES,
+    EXPECTATION_NAMES,
+    FUNCTION_WORDS,
+    ORDER_NAMES,
+    TRANSPOSE_MARKS,
+)
+
+
+def special_name(text: str, name: str, end: int) -> Scanned | None:
+    """The expectation, the order of a term or Euler's number, where what follows shows that it is
+    meant: `E[` or `E\\{`, `O(`, `e^`.
+    """
+    following = _bracket_after(text, end)
+    if name in EXPECTATION_NAMES and following in ("[", "\\{"):
+        return Scanned("EXPECT", "expectation", end)
+    if name in ORDER_NAMES and following == "(":
+        return Scanned("ORDER", "order", end)
+    if name in EULER_NAMES and following == "^":
+        return Scanned("EULER", "exp", end)
+    return None
+
+
+def function_named(base: str, end: int) -> Scanned | None:
+    """`\\operatorname{tr}`, `\\mathrm{diag}` and the like."""
+    word = base[base.find("{") + 1 : -1]
+    if word in FUNCTION_WORDS and base.startswith(("\\operatorname", "\\mathrm", "\\text")):
+        return Scanned("NAMED", FUNCTION_WORDS[word], end)
+    return None
+
+
+def _bracket_after(text: str, position: int) -> str:
+    """The next mark after blanks and the size of a bracket."""
+    position = skip_space(text, position)
+    if text[position : position + 1] == "\\":
+        command = command_at(text, position)
+        if command not in SIZES:
+            return command
+        position = skip_space(text, position + len(command))
+    mark = text[position : position + 1]
+    return command_at(text, position) if mark == "\\" else mark
+
+
+def transpose_end(text: str, position: int) -> tuple[str, int] | None:
+    """The mark of a transpose after `^`, `T` or `-T` with that of an inverse before it, and the
+    end; None for any other exponent.
+    """
+    start = skip_space(text, position)
+    braced = text[start : start + 1] == "{"
+    if braced:
+        start = skip_space(text, start + 1)
+    inverse = braced and text[start : start + 1] == "-"
+    if inverse:
+        start = skip_space(text, start + 1)
+    end = _end_of_mark(text, start)
+    if end is None:
+        return None
+    if braced:
+        end = skip_space(text, end)
+        if text[end : end + 1] != "}":
+            return None
+        end += 1
+    return ("-T" if inverse else "T"), end
+
+
+def _end_of_mark(text: str, start: int) -> int | None:
+    if text[start : start + 1] == "T":
+        return start + 1
+    if text[start : start + 1] != "\\":
+        return None
+    command = command_at(text, start)
+    end = start + len(command)
+    if command in TRANSPOSE_MARKS:
+        return end
+    argument = skip_space(text, end)
+    braced = text[argument : argument + 1] == "{"
+    letter = skip_space(text, argument + 1) if braced else argument
+    if f"{command}{{{text[letter : letter + 1]}}}" not in TRANSPOSE_MARKS:
+        return None
+    end = letter + 1
+    if braced:
+        end = skip_space(text, end)
+        return end + 1 if text[end : end + 1] == "}" else None
+    return end
+
+
+def sign_of_branch(text: str, start: int, command: str, branch: str | None) -> Scanned:
+    """`\\pm` or `\\mp` in the declared branch. ReaderError where none is declared."""
+    if branch is None:
+        problem = f'{command} stands for two formulas: declare branch = "upper" or branch = "lower"'
+        raise ReaderError(problem, text, start, command)
+    plus = (branch == "upper") == (command == "\\pm")
+    return Scanned("PLUS" if plus else "MINUS", "+" if plus else "-", start + len(command))

@@ -1,0 +1,63 @@
+"""What a text may say: the declared symbols, and which branch of `\\pm` is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
+from gainproof.verify.judge.reader.plain_names import plain_table
+from gainproof.verify.judge.reader.words import BRANCHES
+
+
+class Declared(Protocol):
+    """What the reader asks of a declared symbol: the names of its arguments, none unless it is a
+    function; its shape, None unless it is a matrix.
+    """
+
+    @property
+    def arguments(self) -> tuple[str, ...]:
+        """Names of the arguments."""
+        ...
+
+    @property
+    def shape(self) -> object | None:
+        """Rows and columns, or None for a number."""
+        ...
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """Declared symbols by canonical token, and the branch of `\\pm`, if one is declared."""
+
+    symbols: Mapping[str, Declared]
+    branch: str | None = None
+
+    def __post_init__(self) -> None:
+        if self.branch not in (None, *BRANCHES):
+            wanted = " or ".join(map(repr, BRANCHES))
+            raise ValueError(f"branch: wanted {wanted}, got {self.branch!r}")
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.symbols
+
+    def is_function(self, name: str) -> bool:
+        """Whether a declared name takes arguments."""
+        return bool(self.symbols[name].arguments)
+
+    @cached_property
+    def longest(self) -> int:
+        """Most letters that one name may take."""
+        return min(MOST_NAME_CHARACTERS, max(map(len, (*self.symbols, "and"))))
+
+    @cached_property
+    def plain_names(self) -> dict[str, tuple[str, ...]]:
+        """What names in plain text may stand for."""
+        return plain_table(self.symbols)
+
+    @cached_property
+    def matrices(self) -> frozenset[str]:
+        """The names whose value is a matrix."""
+        return frozenset(name for name, entry in self.symbols.items() if entry.shape is not None)

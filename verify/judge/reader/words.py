@@ -1,0 +1,73 @@
+"""Words with a meaning of their own: named functions, what joins statements, what stands round
+lines and matrices.
+"""
+
+from __future__ import annotations
+
+# fmt: off
+FUNCTION_COMMANDS = {
+    "\\sin": "sin", "\\cos": "cos", "\\tan": "tan", "\\cot": "cot", "\\sec": "sec",
+    "\\csc": "csc", "\\arcsin": "asin", "\\arccos": "acos", "\\arctan": "atan",
+    "\\sinh": "sinh", "\\cosh": "cosh", "\\tanh": "tanh", "\\exp": "exp", "\\ln": "log",
+    "\\log": "log", "\\det": "det", "\\max": "max", "\\min": "min",
+}
+FUNCTION_WORDS = {
+    "sin": "sin", "cos": "cos", "tan": "tan", "cot": "cot", "sec": "sec", "csc": "csc",
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "asin": "asin", "acos": "acos",
+    "atan": "atan", "atan2": "atan2", "sinh": "sinh", "cosh": "cosh", "tanh": "tanh",
+    "exp": "exp", "ln": "log", "log": "log", "det": "det", "max": "max", "min": "min",
+    "tr": "trace", "trace": "trace", "rank": "rank", "diag": "diag",
+    "blkdiag": "block_diagonal", "cov": "covariance", "var": "variance", "sgn": "sign",
+    "sign": "sign", "erf": "erf",
+}
+# fmt: on
+"""Names of functions by the word printed: `\\ln` and `\\log` are both the natural logarithm."""
+
+MATRIX_VALUED = frozenset(("diag", "block_diagonal"))
+CARRIES_SHAPE = frozenset(("expectation", "covariance", "sum", "product", "integral"))
+"""Functions whose value is a matrix always, and where their first argument is one."""
+
+MADE_BY_READER = frozenset(
+    (
+        *("abs", "sum", "product", "integral", "expectation", "order", "power"),
+        *FUNCTION_WORDS.values(),
+    )
+)
+"""Names of calls that are the reader's own: no declared function may have one of them."""
+
+PLAIN_FORMS = {
+    "abs": 1,
+    "sqrt": 1,
+    "transpose": 1,
+    "inverse": 1,
+    "matrix": 1,
+    "kron": 2,
+    "diff": 2,
+    "at": 3,
+    "sum": 4,
+    "product": 4,
+    "integral": 4,
+}
+"""Words of plain text for what LaTeX prints with signs, with the number of their arguments."""
+
+JOINING_WORDS = {"and": ("AND", "and")} | dict.fromkeys(
+    ("if", "as", "for", "when", "where", "with"), ("IF", "if")
+)
+"""Words between statements: what they join, or that a condition follows."""
+
+LINE_ENVIRONMENTS = frozenset(
+    (
+        *("aligned", "align", "align*", "split", "gathered", "gather", "gather*"),
+        *("equation", "equation*", "eqnarray", "eqnarray*", "multline", "multline*"),
+    )
+)
+MATRIX_ENVIRONMENTS = frozenset(
+    ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array", "vmatrix")
+)
+TRANSPOSE_MARKS = ("T", "\\top", "\\intercal", "\\mathsf{T}", "\\mathrm{T}", "\\mathtt{T}")
+DIFFERENTIAL_MARKS = ("\\mathrm{d}", "\\text{d}", "\\operatorname{d}")
+EXPECTATION_NAMES = frozenset(("E", "\\mathrm{E}", "\\mathbb{E}", "\\operatorname{E}"))
+ORDER_NAMES = frozenset(("O", "\\mathcal{O}", "\\mathrm{O}"))
+EULER_NAMES = frozenset(("e", "\\mathrm{e}"))
+BRANCHES = ("upper", "lower")
+"""Which sign of `\\pm` and `\\mp` is meant."""
