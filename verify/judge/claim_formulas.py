@@ -9,7 +9,12 @@ from gainproof.verify.judge.claim_record import SymbolEntry
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.reader import read_conditions, read_expression, read_formula
+from gainproof.verify.judge.reader.reader import (
+    read_conditions,
+    read_expression,
+    read_formula,
+    read_plain,
+)
 
 Symbols = Mapping[str, SymbolEntry]
 
@@ -20,6 +25,14 @@ def formula_of(fields: Fields, field: str, latex: str, symbols: Symbols) -> Form
         return read_formula(latex, symbols)
     except ReaderError as error:
         raise _moved(fields, field, latex, error) from error
+
+
+def plain_formula_of(fields: Fields, field: str, text: str, symbols: Symbols) -> Formula:
+    """The formula that `field` holds in plain text."""
+    try:
+        return read_plain(text, symbols)
+    except ReaderError as error:
+        raise _moved(fields, field, text, error) from error
 
 
 def conditions_of(

@@ -7,10 +7,11 @@ from collections.abc import Mapping, Sequence
 from gainproof.verify.judge.claim_domains import contradiction, relations_of
 from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields, nearest_hint
-from gainproof.verify.judge.claim_formulas import conditions_of, formula_of
+from gainproof.verify.judge.claim_formulas import conditions_of, formula_of, plain_formula_of
 from gainproof.verify.judge.claim_kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
 from gainproof.verify.judge.claim_record import CLAIM_KINDS, Claim, Setting
 from gainproof.verify.judge.formula import Formula
+from gainproof.verify.judge.reader.latex import reading_to_latex
 
 MOST_CLAIMS = 2000
 MOST_GIVEN = 20
@@ -141,7 +142,8 @@ def _formula(fields: Fields, kind: str, setting: Setting) -> tuple[str, str | No
     if latex is not None:
         return latex, None, formula_of(fields, "latex", latex, setting.symbols)
     if plain is not None:
-        raise fields.fail("plain", "formulas in plain text are not read yet")
+        formula = plain_formula_of(fields, "plain", plain, setting.symbols)
+        return reading_to_latex(formula.readings[0]), plain, formula
     if kind not in WITHOUT_FORMULA:
         raise fields.fail("latex", f"this field is missing: a claim of kind {kind} is a formula")
     return "", None, None

@@ -18,6 +18,7 @@ from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token
 from gainproof.verify.judge.reader.reader import read_conditions, read_formula
+from gainproof.verify.judge.reader.words import MADE_BY_READER
 
 MOST_SYMBOLS = 500
 MOST_ARGUMENTS = 8
@@ -34,7 +35,7 @@ FIELDS = (
     "shape",
 )
 """Fields of a symbol."""
-RESERVED = frozenset(("infinity", "abs", "sum", "select", "and"))
+RESERVED = frozenset(("infinity", "select", "and")) | MADE_BY_READER
 
 
 @dataclass(frozen=True)

@@ -158,3 +158,13 @@ def test_a_form_of_gain_that_reaches_no_symbol(gain: str) -> None:
 def test_conventions_refused(line: str) -> None:
     with pytest.raises(ClaimFileError, match=r"settings\.steady\."):
         setting(line)
+
+
+def test_plain_text_is_read_to_the_same_graphs() -> None:
+    found = claim("identity", "plain = 'a^2/(2 - a) = b'\n")
+    printed = claim("identity", "latex = '\\frac{a^2}{2 - a} = b'\n")
+    assert found.plain == "a^2/(2 - a) = b"
+    assert found.formula is not None
+    assert printed.formula is not None
+    assert found.formula.readings == printed.formula.readings
+    assert found.latex == "\\frac{a^{2}}{2 - a} = b"
