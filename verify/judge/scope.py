@@ -104,6 +104,9 @@ class Scope:
         return found
 
     def _meaning(self, token: str, entry: SymbolEntry) -> Expr:
+        if entry.shape is not None:
+            # as a number it would commute with everything
+            raise Undecided(f"{token} is a matrix, and claims about matrices are not covered")
         match entry.role:
             case "quantity":
                 name = entry.quantity or ""

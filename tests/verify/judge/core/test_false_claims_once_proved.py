@@ -28,6 +28,8 @@ kind = "algebra"
 'w' = { definition = 'x + 1', meaning = "w" }
 'q' = { definition = 'i + 1', meaning = "q" }
 'r' = { arguments = ["a"], definition = 'a i', meaning = "r" }
+'M' = { unit = "1", shape = [2, 2], meaning = "matrix" }
+'N' = { unit = "1", shape = [2, 2], meaning = "matrix" }
 [settings.line]
 title = "least-squares line"
 kind = "growing_memory"
@@ -42,6 +44,12 @@ place = "here"
 """
 
 FALSE = [
+    ("algebra", "identity", "M N = N M", ""),
+    ("algebra", "inequality", r"M^2 \geq 0", ""),
+    ("algebra", "identity", r"\frac{M N}{M} = N", ""),
+    ("algebra", "limit", r"\lim_{x \to 0} \frac{\left| x \right|}{x} = 1", ""),
+    ("algebra", "limit", r"\lim_{x \to 0-} \frac{\left| x \right|}{x} = 1", ""),
+    ("algebra", "limit", r"\lim_{x \to 0+} \frac{1}{x} = -\infty", ""),
     ("algebra", "identity", "f(3) = 0", ""),
     ("algebra", "identity", "f(y) = 0", ""),
     ("algebra", "identity", "g(3) = x + 4", ""),
