@@ -29,8 +29,9 @@ def begin_from(tex: str, out: str | None) -> str:
         return found.text
     _write(path, found.text)
     read = found.equations - found.unread
+    equations = f"{found.equations} equation{'s' if found.equations != 1 else ''}"
     return (
-        f"{places.shown(path)}: {found.equations} equations, {read} read, {found.unread} left as "
+        f"{places.shown(path)}: {equations}, {read} read, {found.unread} left as "
         f"comments; say what is marked TODO, then: gainproof check {out}\n"
     )
 

@@ -124,7 +124,7 @@ def _ids(found: Sequence[Equation]) -> list[str]:
 def _claim(equation: Equation, met: Met, name: str) -> list[str]:
     number = f"equation ({equation.number})"
     place = number if equation.number else f"equation without a number, line {equation.line}"
-    label = f", \\label{{{equation.label}}}" if equation.label else ""
+    label = f", label {equation.label}" if equation.label else ""
     lines = [
         "[[claims]]",
         f"id = {quoted(name)}",

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof.verdict_reason import reason, solutions
+from gainproof.verdict_reason import reason, repair_of, solutions
 from gainproof.verdicts import Judgement
 
 CANNOT_STAND = frozenset({"refuted", "conditional", "undefined"})
@@ -41,7 +41,7 @@ def entries(judgement: Judgement) -> list[Entry]:
         remarks += [("Fixed by the other claims", text) for text in solutions(claim)]
         if claim["convention"]:
             remarks.append(("Convention", claim["convention"]))
-        repair = claim["repair"] or {"latex": "", "verdict": ""}
+        repair = repair_of(claim) or {"latex": "", "verdict": ""}
         named = claim["id"] in claim["place"]
         title = claim["place"] if named else f"{claim['place']}, {claim['id']}"
         found.append(

@@ -7,7 +7,7 @@ from typing import Any
 
 from gainproof import witness_text
 from gainproof.page import WIDTH, filled
-from gainproof.verdict_reason import reason, solutions
+from gainproof.verdict_reason import reason, repair_of, solutions
 from gainproof.verify.judge.explain import sections
 
 Claim = Mapping[str, Any]
@@ -74,16 +74,19 @@ def _witness(witness: Any) -> list[str]:
 
 
 def _repairs(claim: Claim) -> list[str]:
-    if not claim["repair"]:
+    repair = repair_of(claim)
+    if repair is None:
         return []
-    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
-    under = f" ({told['under']})" if told.get("under") and not claim["convention"] else ""
-    first = {"latex": claim["repair"]["latex"], "changes": told.get("changes", [])}
+    certificate = claim["evidence"]["certificate"] or {}
+    told = certificate.get("repair", {})
+    is_open = "against other conventions" in certificate
+    under = f" ({told['under']})" if is_open and told.get("under") else ""
+    first = {"latex": repair["latex"], "changes": told.get("changes", [])}
     lines = []
     for offer in (first, *told.get("alternatives", [])):
         lines.append(offer["latex"])
         lines += [f"  {change}" for change in offer["changes"]]
-    return [*lines, f"{claim['repair']['verdict']}{under}"]
+    return [*lines, f"{repair['verdict']}{under}"]
 
 
 def _others(others: Mapping[str, Any], witness: Any) -> list[str]:

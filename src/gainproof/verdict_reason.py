@@ -27,12 +27,23 @@ def reasons(claim: Claim) -> list[str]:
     return found + repaired(claim) + solutions(claim)
 
 
+def repair_of(claim: Claim) -> Mapping[str, str] | None:
+    """The nearest true formula, unless the claim comes with something better: where an inequality
+    is true says more than another inequality.
+    """
+    if claim["verdict"] == "conditional" and claim["kind"] == "inequality":
+        return None
+    repair: Mapping[str, str] | None = claim["repair"]
+    return repair
+
+
 def repaired(claim: Claim) -> list[str]:
     """The nearest true formula with what was changed, or that none was found."""
-    if not claim["repair"]:
+    repair = repair_of(claim)
+    if not repair:
         missing = NO_REPAIR if NO_REPAIR in str(claim["reason"]) else ""
         return [missing] if missing and missing not in reason(claim) else []
-    repair, told = claim["repair"], (claim["evidence"]["certificate"] or {}).get("repair", {})
+    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
     changes = "; ".join([repair["verdict"], *told.get("changes", [])])
     return [f"nearest true formula: {repair['latex']} ({changes})"]
 

@@ -24,7 +24,7 @@ def test_a_draft_is_written_or_printed(tmp_path: Path, capsys: Capture) -> None:
     tex, out = tmp_path / "paper.tex", tmp_path / "paper.toml"
     tex.write_text(TEX)
     assert cli.main(["check", "--draft", str(tex), "--out", str(out)]) == 0
-    assert "1 equations, 1 read, 0 left as comments" in capsys.readouterr().out
+    assert "1 equation, 1 read, 0 left as comments" in capsys.readouterr().out
     assert cli.main(["check", "--draft", str(tex)]) == 0
     assert capsys.readouterr().out == out.read_text()
     assert cli.main(["check", str(out)]) == 2

@@ -62,7 +62,9 @@ def test_repairs_with_their_changes() -> None:
         {"latex": "c = d", "changes": ["a symbol"]}
     ]}  # fmt: skip
     repair = {"latex": "a = b", "verdict": "proved"}
-    text = explanation(claim(repair=repair, certificate={"repair": told}))
+    text = explanation(
+        claim(repair=repair, certificate={"repair": told, "against other conventions": {}})
+    )
     assert "  a = b\n    sign of a term\n  c = d\n    a symbol\n  proved (noise A)\n" in text
 
 

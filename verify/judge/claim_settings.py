@@ -17,12 +17,19 @@ SETTING_KINDS = ("steady_state", "growing_memory", "algebra")
 CONVENTIONS: Mapping[str, tuple[str, ...]] = {
     "gain": ("filter", "predictor", "search"),
     "third_gain": ("1", "1/2", "2", "search"),
-    "power_of_T": ("0", "1", "2", "search"),
+    "power_of_T": ("1", "0", "2", "search"),
     "noise": ("deviation", "variance", "ratio", "search"),
     "index_origin": ("0", "1", "search"),
     "covariance": ("predicted", "updated", "search"),
 }
-"""What a source may mean by its symbols; `search` where it does not say."""
+"""What a source may mean by its symbols, the usual first; `search` where it does not say."""
+FIXED_NAMES: Mapping[str, tuple[str, tuple[str, ...]]] = {
+    "gain": ("gain.", ("filter_gain.",)),
+    "third_gain": ("gain.3", ("filter_gain.3", "predictor_gain.3")),
+    "power_of_T": ("gain.2", ("filter_gain.2", "predictor_gain.2")),
+    "covariance": ("covariance.", ("predicted_covariance.", "updated_covariance.")),
+}
+"""What a convention acts on, and the quantities beside them on which it never does."""
 FIELDS = ("kind", "title", "model", "degree", "note", "symbols", *MATRICES, *CONVENTIONS)
 """Fields of a setting."""
 
@@ -67,7 +74,7 @@ def _setting(
     fault = contradiction(relations_of(symbols, symbols), symbols)
     if fault is not None:
         raise fields.fail("", f"the domains of its symbols contradict one another: {fault}")
-    _check_gain(fields, symbols)
+    _check_conventions(fields, symbols)
     return Setting(
         name=name,
         kind=kind,
@@ -103,21 +110,23 @@ def _conventions(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> dict[str
     return found
 
 
-def _check_gain(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> None:
-    """A convention of gains says what `gain.i` is; beside names that say it themselves it would
-    have no effect, or contradict them.
+def _check_conventions(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> None:
+    """A convention says what `gain.i` and `covariance.i.j` are; beside names that say it themselves
+    it would have no effect, or contradict them.
     """
-    said = fields.take("gain")
     quantities = {entry.quantity: entry.latex for entry in symbols.values() if entry.quantity}
-    if said not in ("predictor", "search") or any(q.startswith("gain.") for q in quantities):
-        return
-    for quantity, token in quantities.items():
-        if quantity.startswith("filter_gain."):
-            problem = (
-                f"{said!r} does not reach {token}, declared as {quantity}, which is always the "
-                f"gain of the filter: declare it as {quantity.removeprefix('filter_')}"
-            )
-            raise fields.fail("gain", problem)
+    for name, (reached, fixed) in FIXED_NAMES.items():
+        said = fields.take(name)
+        usual = (None, CONVENTIONS[name][0])
+        if str(said) in map(str, usual) or any(q.startswith(reached) for q in quantities):
+            continue
+        for quantity, token in quantities.items():
+            if quantity.startswith(fixed):
+                problem = (
+                    f"{said!r} does not reach {token}, declared as {quantity}, which is always "
+                    f"that: declare it as {quantity[quantity.index(reached) :]}"
+                )
+                raise fields.fail(name, problem)
 
 
 def _check_kind(

@@ -154,6 +154,23 @@ def test_a_form_of_gain_that_reaches_no_symbol(gain: str) -> None:
         setting(f"gain = '{gain}'", "filter_gain.1")
 
 
+@pytest.mark.parametrize(
+    ("line", "quantity", "name"),
+    [
+        ("third_gain = 2", "filter_gain.3", "gain.3"),
+        ("power_of_T = 0", "predictor_gain.2", "gain.2"),
+        ("covariance = 'search'", "updated_covariance.1.2", "covariance.1.2"),
+    ],
+)
+def test_conventions_that_reach_no_symbol(line: str, quantity: str, name: str) -> None:
+    with pytest.raises(ClaimFileError, match=rf"does not reach \\alpha, .* as {name}$"):
+        setting(line, quantity)
+
+
+def test_the_usual_convention_may_be_said() -> None:
+    assert setting("gain = 'filter'\npower_of_T = 1", "filter_gain.2").gain == "filter"
+
+
 @pytest.mark.parametrize("line", ["third_gain = 3", "noise = 'loud'", "index_origin = true"])
 def test_conventions_refused(line: str) -> None:
     with pytest.raises(ClaimFileError, match=r"settings\.steady\."):

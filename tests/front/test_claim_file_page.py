@@ -1,0 +1,113 @@
+"""docs/claim-files.md against the code: every field and every word that is read is documented, and
+nothing else is.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from gainproof.verify.judge import (
+    claim_file,
+    claim_kinds,
+    claim_list,
+    claim_models,
+    claim_settings,
+    claim_symbols,
+)
+from gainproof.verify.judge.claim_record import CLAIM_KINDS, LOCATIONS, TRENDS
+from gainproof.verify.judge.quantity_names import quantity_names
+
+PAGE = (Path(__file__).resolve().parents[2] / "docs" / "claim-files.md").read_text("utf-8")
+KIND_FIELDS = {name for names in claim_kinds.OWN_FIELDS.values() for name in names}
+
+
+def part(title: str) -> str:
+    """The page from a heading to the next."""
+    start = PAGE.index(f"\n## {title}\n")
+    end = PAGE.find("\n## ", start + 1)
+    return PAGE[start : end if end >= 0 else len(PAGE)]
+
+
+def rows(text: str, head: str) -> dict[str, str]:
+    """The table with this heading: the words in code of the first column, and the rest."""
+    table = text[text.index(f"| {head} |") :].split("\n\n")[0]
+    found: dict[str, str] = {}
+    for line in table.split("\n")[2:]:
+        first, _, rest = line.removeprefix("| ").partition(" | ")
+        found |= dict.fromkeys(re.findall(r"`([^`]+)`", first), rest)
+    return found
+
+
+def test_parts_of_the_file() -> None:
+    shown = {re.split(r"[.\]]", name.strip("["))[0] for name in rows(part("The parts"), "part")}
+    assert shown == set(claim_file.TABLES)
+
+
+def test_fields_of_the_source() -> None:
+    assert set(rows(part("[source]"), "field")) == set(claim_file.SOURCE_FIELDS)
+
+
+def test_fields_of_symbols() -> None:
+    assert set(rows(part("[symbols]"), "field")) == set(claim_symbols.FIELDS)
+
+
+def test_quantities() -> None:
+    shown = rows(part("[symbols]"), "quantity")
+    known = quantity_names()
+    assert set(shown) <= set(known)
+    starts = {re.sub(r"[.\d]+$", "", name) for name in shown}
+    assert starts == {re.sub(r"[.\d]+$", "", name) for name in known}
+
+
+def test_fields_of_settings() -> None:
+    text = part("[settings.NAME]")
+    conventions = rows(text[text.index("Conventions say") :], "field")
+    assert set(conventions) == set(claim_settings.CONVENTIONS)
+    for name, choices in claim_settings.CONVENTIONS.items():
+        said = re.findall(r"`([^`]+)`", conventions[name])
+        assert set(choices) - {"search"} <= set(said), name
+    others = rows(text, "field")
+    assert set(others) | set(conventions) == set(claim_settings.FIELDS)
+    assert set(claim_models.MATRICES) < set(others)
+    assert all(f"`{kind}`" in others["kind"] for kind in claim_settings.SETTING_KINDS)
+
+
+def test_fields_of_claims() -> None:
+    assert set(rows(part("[[claims]]"), "field")) == set(claim_list.FIELDS) - KIND_FIELDS
+
+
+def test_kinds_of_claims_with_their_fields() -> None:
+    shown = rows(part("[[claims]]"), "kind")
+    assert list(shown) == list(CLAIM_KINDS)
+    for kind, names in claim_kinds.OWN_FIELDS.items():
+        own = shown[kind].split(" | ")[1]
+        assert all(f"`{name}`" in own for name in names), kind
+    assert all(f"`{trend}`" in shown["monotone"] for trend in TRENDS)
+    assert all(f"`{place}`" in shown["location"] for place in LOCATIONS)
+
+
+@pytest.mark.parametrize(
+    "limit",
+    [
+        f"{claim_list.MOST_CLAIMS} claims",
+        f"{claim_symbols.MOST_SYMBOLS} symbols",
+        f"{claim_settings.MOST_SETTINGS}\nsettings",
+    ],
+)
+def test_limits(limit: str) -> None:
+    assert limit in part("Limits")
+
+
+def test_the_example_is_read() -> None:
+    (example,) = re.findall(r"^```toml\n(.*?)^```$", PAGE, flags=re.MULTILINE | re.DOTALL)
+    file = claim_file.read_claim_text(example)
+    assert [claim.id for claim in file.claims] == ["1", "2", "3"]
+    assert claim_file.FORMAT in example
+
+
+def test_prose_fits() -> None:
+    prose = [line for line in PAGE.splitlines() if not line.startswith("|")]
+    assert max(map(len, prose)) <= 130

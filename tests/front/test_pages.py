@@ -1,0 +1,60 @@
+"""Pages of docs/ are run from top to bottom: files are written as shown, commands print what is
+shown below them.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+PAGES = sorted(path for path in DOCS.glob("*.md") if "```console" in path.read_text("utf-8"))
+BLOCK = re.compile(r"^```(toml|latex|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+COMMAND = re.compile(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
+SECONDS = re.compile(r"\d+\.\d+ s\b")
+
+
+def printed(command: str, folder: Path) -> str:
+    """What a command writes, errors included."""
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(
+        command,
+        shell=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+        cwd=folder,
+        env={**os.environ, "PATH": path},
+    )
+    return SECONDS.sub("? s", done.stdout)
+
+
+def test_there_is_a_page() -> None:
+    assert "check-a-formula.md" in [page.name for page in PAGES]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="the pages use a POSIX shell")
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_page(page: Path, tmp_path: Path) -> None:
+    commands = 0
+    for language, content in BLOCK.findall(page.read_text("utf-8")):
+        if language == "console":
+            for command, output in COMMAND.findall(content):
+                commands += 1
+                assert printed(command, tmp_path) == SECONDS.sub("? s", output), command
+        else:
+            name = content.partition("\n")[0].lstrip("#% ")
+            (tmp_path / name).write_text(content, encoding="utf-8")
+    assert commands
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_lines_fit(page: Path) -> None:
+    prose = BLOCK.sub("", page.read_text("utf-8"))
+    assert max(map(len, prose.splitlines())) <= 130
