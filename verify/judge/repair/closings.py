@@ -61,7 +61,8 @@ def closings(context: Context) -> Iterator[Change]:
         for path, node in places(formula.sides[side]):
             if context.is_late:
                 return
-            for rule, make, weight, what in _holes(node):
+            above = _above(formula.sides[side], path)
+            for rule, make, weight, what in _holes(node, above):
                 found = _solved(context, side, path, rule)
                 if found is None:
                     continue
@@ -74,8 +75,18 @@ def closings(context: Context) -> Iterator[Change]:
 Make = Callable[[Sequence[Ball], Sequence[str], Sequence[Sequence[Ball]]], Expr | None]
 
 
-def _holes(node: Expr) -> Iterator[tuple[Rule, Make, int, str]]:
-    """How a hole enters at a node, and the node with the hole filled."""
+def _above(expr: Expr, path: Path) -> str:
+    """The kind of the node that holds the one at `path`; empty for a whole side."""
+    kind = ""
+    for k in path:
+        kind, expr = expr.kind, expr.parts[k]
+    return kind
+
+
+def _holes(node: Expr, above: str) -> Iterator[tuple[Rule, Make, int, str]]:
+    """How a hole enters at a node, and the node with the hole filled. A factor of a factor is one
+    of the whole product.
+    """
     if node.kind == "number":
         yield lambda _, h: h, _number, PLAIN, "a number"
         return
@@ -86,12 +97,13 @@ def _holes(node: Expr) -> Iterator[tuple[Rule, Make, int, str]]:
             PLAIN,
             "an exponent",
         )
-    yield (
-        lambda x, h: h * x,
-        lambda found, names, at: _times(node, monomial(found, names, at)),
-        LARGE,
-        "a factor",
-    )
+    if above not in ("mul", "div", "neg"):
+        yield (
+            lambda x, h: h * x,
+            lambda found, names, at: _times(node, monomial(found, names, at)),
+            LARGE,
+            "a factor",
+        )
     yield (
         lambda x, h: h + x,
         lambda found, names, at: _plus(node, monomial(found, names, at)),
@@ -138,7 +150,17 @@ def _gathered(*factors: Expr) -> tuple[Fraction, list[Expr]]:
     value = Fraction(1)
     for part in parts:
         value *= part.fraction if part.kind == "number" else 1
-    return value, [part for part in parts if part.kind != "number"]
+    return value, _powers([part for part in parts if part.kind != "number"])
+
+
+def _powers(factors: Sequence[Expr]) -> list[Expr]:
+    """Equal bases once, their whole exponents added."""
+    found: dict[Expr, Fraction] = {}
+    for factor in factors:
+        is_power = factor.kind == "pow" and factor.fraction.denominator == 1
+        base, exponent = (factor.parts[0], factor.fraction) if is_power else (factor, Fraction(1))
+        found[base] = found.get(base, Fraction(0)) + exponent
+    return [raised(base, exponent) for base, exponent in found.items()]
 
 
 def _plus(node: Expr, term: Expr | None) -> Expr | None:

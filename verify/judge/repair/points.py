@@ -26,10 +26,16 @@ Point = Mapping[str, Fraction]
 
 
 def generic_points(
-    claim: Claim, conditions: Sequence[Relation], scope: Scope, count: int
+    claim: Claim,
+    conditions: Sequence[Relation],
+    scope: Scope,
+    count: int,
+    *,
+    far: bool = False,
 ) -> tuple[list[Point], dict[str, Expr]]:
     """Up to `count` points where all conditions of the claim hold, and what equations among these
-    say of variables. Raises Undecided.
+    say of variables; `far` ones reach from near the ends of the domain to large numbers. Raises
+    Undecided.
     """
     stated = [scope.relation(r) for r in conditions]
     stated += [scope.relation(r) for r in claim.domain]
@@ -40,7 +46,7 @@ def generic_points(
     boxes, rest = bounded(scope.boxes(), stated)
     replaced, left = _solved(rest, boxes, scope)
     found: list[Point] = []
-    for point in _random(boxes, TRIES):
+    for point in _random(boxes, TRIES, far=far):
         if all(_holds(rel, point) for rel in left):
             found.append(point)
             if len(found) == count:
@@ -67,24 +73,26 @@ def _solved(
     return found, rest
 
 
-def _random(boxes: Mapping[str, Box], tries: int) -> Iterator[Point]:
+def _random(boxes: Mapping[str, Box], tries: int, *, far: bool) -> Iterator[Point]:
     source = Random(SEED)
     for attempt in range(tries):
         size = 1 + attempt // 60
-        yield {name: _inside(box, source, size) for name, box in boxes.items()}
+        yield {name: _inside(box, source, size, far=far) for name, box in boxes.items()}
 
 
-def _inside(box: Box, source: Random, size: int) -> Fraction:
+def _inside(box: Box, source: Random, size: int, *, far: bool) -> Fraction:
     """A number of the box with a denominator that no formula has."""
     share = Fraction(source.randrange(1, 997), 997)
+    scale = Fraction(10) ** source.randrange(-5, 6) if far else Fraction(1)
     if box.integer:
         low = 0 if box.lower is None else ceil(box.lower) + int(box.lower_open)
         if box.upper is None:
-            return Fraction(low + source.randrange(1, 12 * size))
+            return Fraction(low + source.randrange(1, 12 * size) * max(1, int(scale)))
         return Fraction(low + source.randrange(0, max(1, int(box.upper) - low + 1)))
     if box.lower is not None and box.upper is not None:
-        return box.lower + (box.upper - box.lower) * share
-    reach = share * source.choice((2, 5, 9 * size)) + Fraction(1, 89)
+        near = share * scale / (1 + share * scale) if far else share
+        return box.lower + (box.upper - box.lower) * near
+    reach = (share * source.choice((2, 5, 9 * size)) + Fraction(1, 89)) * scale
     if box.lower is not None:
         return box.lower + reach
     if box.upper is not None:

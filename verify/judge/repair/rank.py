@@ -8,6 +8,7 @@ from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.expression import Expr, symbols_of, walk
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.repair.edit import LARGE
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.trivial import sorted_key
 from gainproof.verify.judge.repair.whole import Change
@@ -35,7 +36,7 @@ def _parts(*sides: Expr) -> set[bytes]:
 
 def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[object, ...]:
     """Fewest changes, then what other claims say too, then the same symbols, then the smallest part
-    touched, then the same left sides, which say what the formula is for.
+    touched and the same left sides.
     """
     before, after = formula.sides, change.printed.sides
     gained = len((_parts(*after) - _parts(*before)) & said)
@@ -43,7 +44,9 @@ def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[obje
     size = abs(_size(after) - _size(before))
     touched = sum(_size((node,)) for s in change.steps if (node := s.part or s.before))
     named = sum(before[n] != after[n] for n in {link.left for link in formula.links})
-    return (len(change.steps), -gained, other_names, touched, named, size)
+    # a missing factor or term is put where the left side stays what the formula is for
+    last = (touched, named) if change.weight < LARGE else (named, touched)
+    return (len(change.steps), -gained, other_names, *last, size)
 
 
 def _size(sides: tuple[Expr, ...]) -> int:

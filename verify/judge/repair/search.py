@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.dimension import reading_fault
@@ -18,6 +19,7 @@ from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, with_formula
 from gainproof.verify.judge.repair.rank import parts_of_claims, rank
+from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
 from gainproof.verify.judge.repair.two import two_changes
@@ -27,6 +29,7 @@ from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment
 
 POINTS = 5
+FAR_POINTS = 80
 LEAST_AGREED = 3
 MOST_PROOFS = 40
 MOST_OFFERED = 4
@@ -86,6 +89,14 @@ class Search:
             raise Undecided("no generic point of the domain was found")
         self.points = [Values(self.scope, point, put_in) for point in points]
 
+    @cached_property
+    def far(self) -> list[Values]:
+        """Points from near the ends of the domain to far out."""
+        points, put_in = generic_points(
+            self.claim, self.reading.conditions, self.scope, FAR_POINTS, far=True
+        )
+        return [Values(self.scope, point, put_in) for point in points]
+
     def offers(self, stage: int) -> list[Offer]:
         """The proved formulas of the least weight at which there is one, best first: one edit
         away, with one thing solved for, two edits away.
@@ -139,6 +150,9 @@ class Search:
                 break
             if any(same_equation(o.change.printed, change.printed, self.off) for o in found):
                 continue
+            weaker = any(is_weaker(change.printed, o.change.printed, self.off) for o in found)
+            if weaker and self.claim.kind == "inequality":
+                continue
             offer = self._offer(change)
             if offer is not None and offer.formula.latex not in {o.formula.latex for o in found}:
                 found.append(offer)
@@ -149,6 +163,8 @@ class Search:
         if formula is None or reading_fault(formula.readings[0], self.setting) is not None:
             return None
         if self.off.is_trivial(printed(formula.readings[0])):
+            return None
+        if self.by_values and not is_sharp(self.formula, change.printed, self.far):
             return None
         if not is_proved(with_formula(self.claim, formula), self.setting, self.environment):
             return None

@@ -98,12 +98,20 @@ def test_nearest_true_formula(setting: str, latex: str, expected: str) -> None:
     [
         ("inequality", r"\alpha > 1", r"\alpha < 1"),
         ("inequality", r"\beta \le 0", r"\beta > 0"),
+        ("inequality", r"\beta < \frac{\alpha^2}{2}", r"\beta > \frac{\alpha^{2}}{2}"),
+        ("inequality", r"2 < \beta", r"2 > \beta"),
         ("limit", r"\alpha \to 1 \quad (\Lambda \to 0)", r"\alpha \to 0 \quad ( \Lambda \to 0 )"),
     ],
 )
 def test_other_kinds(kind: str, latex: str, expected: str) -> None:
     _, found, _ = repair(RV, latex, kind)
     assert " ".join(found.split()) == expected
+
+
+def test_bounds_that_nothing_comes_near_are_not_offered() -> None:
+    verdict, _, told = repair(RV, r"\alpha > 1", "inequality")
+    assert verdict.repair == {"latex": r"\alpha < 1", "verdict": "proved"}
+    assert "alternatives" not in told
 
 
 def test_repair_of_a_repair_is_nothing() -> None:
