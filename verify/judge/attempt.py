@@ -8,7 +8,7 @@ from dataclasses import replace
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.kinds import judge_determines, judge_reading
+from gainproof.verify.judge.kinds.catalogue import judge_reading
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.verdict import Finding
@@ -35,14 +35,8 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
 def _attempts(
     claim: Claim, setting: Setting, environment: Environment
 ) -> Iterator[tuple[str | None, Callable[[], Finding]]]:
-    if claim.kind == "determines":
-        yield None, lambda: judge_determines(claim, Scope(setting, environment))
-        return
     if claim.formula is None:
-        yield (
-            None,
-            lambda: Finding("undecided", f"a claim of kind {claim.kind} in words is not covered"),
-        )
+        yield None, lambda: judge_reading(claim, None, Scope(setting, environment))
         return
     readings, fault = fitting_readings(claim.formula, setting)
     if fault is not None:

@@ -90,7 +90,8 @@ class SymbolEntry:
       ...]`;
     * `undefined`: printed by the source and never defined by it.
 
-    `shape` is (rows, columns) for a matrix, None for a number.
+    `shape` is (rows, columns) for a matrix, None for a number. With a `variance` a free symbol is a
+    noise with mean zero, independent of all other noises.
     """
 
     latex: str
@@ -103,6 +104,7 @@ class SymbolEntry:
     arguments: tuple[str, ...] = ()
     integer: bool = False
     shape: tuple[int, int] | None = None
+    variance: Graph | None = None
 
 
 @dataclass(frozen=True)

@@ -13,11 +13,11 @@ from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields, nearest_hint
 from gainproof.verify.judge.claim_record import SymbolEntry, Unit
 from gainproof.verify.judge.claim_units import read_unit
-from gainproof.verify.judge.formula import Formula, Relation
+from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.reader import read_conditions, read_formula
+from gainproof.verify.judge.reader.reader import read_conditions, read_expression, read_formula
 from gainproof.verify.judge.reader.words import MADE_BY_READER
 
 MOST_SYMBOLS = 500
@@ -33,6 +33,7 @@ FIELDS = (
     "arguments",
     "integer",
     "shape",
+    "variance",
 )
 """Fields of a symbol."""
 RESERVED = frozenset(("infinity", "select", "and")) | MADE_BY_READER
@@ -47,6 +48,7 @@ class Declaration:
     line: int | None
     definition: str | None
     domain: str | None
+    variance: str | None
 
 
 def read_declarations(
@@ -89,6 +91,9 @@ def _declaration(fields: Fields, name: str) -> Declaration:
     unit_text, domain = fields.text_or_none("unit"), fields.text_or_none("domain")
     arguments = fields.texts("arguments", MOST_ARGUMENTS)
     integer = fields.flag("integer")
+    variance = fields.text_or_none("variance")
+    if variance is not None and role != "free":
+        raise fields.fail("variance", "only a free symbol can be a noise")
     if arguments and role != "definition":
         raise fields.fail("arguments", "only a definition can have arguments")
     if role == "free" and unit_text is None:
@@ -106,7 +111,7 @@ def _declaration(fields: Fields, name: str) -> Declaration:
         integer=integer or quantity == "sample_number",
         shape=_shape(fields),
     )
-    return Declaration(entry, fields.where, fields.line, definition, domain)
+    return Declaration(entry, fields.where, fields.line, definition, domain, variance)
 
 
 def _shape(fields: Fields) -> tuple[int, int] | None:
@@ -162,6 +167,7 @@ def complete_symbols(
             entry,
             definition=_definition(text, declaration, bare),
             domain=_domain(text, declaration, bare),
+            variance=_variance(text, declaration, bare),
         )
     circle = find_circle(complete)
     if circle:
@@ -214,3 +220,18 @@ def _domain(
     except ReaderError as error:
         where = f"{declaration.where}.domain"
         raise text.formula_error(where, declaration.domain, error, declaration.line) from error
+
+
+def _variance(
+    text: FileText, declaration: Declaration, symbols: Mapping[str, SymbolEntry]
+) -> Graph | None:
+    if declaration.variance is None:
+        return None
+    where = f"{declaration.where}.variance"
+    try:
+        graph, *others = read_expression(declaration.variance, symbols)
+    except ReaderError as error:
+        raise text.formula_error(where, declaration.variance, error, declaration.line) from error
+    if others:
+        raise text.error(where, "two readings: write \\frac", declaration.line)
+    return graph

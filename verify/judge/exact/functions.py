@@ -27,9 +27,6 @@ SLOPES: Mapping[str, Callable[[Expr], Expr]] = MappingProxyType(
         "cos": lambda x: neg(_one("sin", x)),
         "tan": lambda x: add(number(1), power(_one("tan", x), 2)),
         "atan": lambda x: div(number(1), add(number(1), power(x, 2))),
-        "sinh": lambda x: _one("cosh", x),
-        "cosh": lambda x: _one("sinh", x),
-        "tanh": lambda x: add(number(1), neg(power(_one("tanh", x), 2))),
     }
 )
 """Functions of one argument, with their derivatives."""

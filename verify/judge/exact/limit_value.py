@@ -26,6 +26,10 @@ from gainproof.verify.judge.exact.witness import value_ball
 UNKNOWN = "limit value"
 
 
+class NoValueNear(Undecided):
+    """There is no limit because the expression has no value close to the point."""
+
+
 @dataclass(frozen=True)
 class Limit:
     """A limit: a real algebraic number, or `sign` times infinity."""
@@ -84,7 +88,7 @@ def _last_place(tower: Tower, expr: Expr, box: Box) -> Place:
         raise Undecided("the domain is bounded")
     why = Local(tower, last).undefined(expr)
     if why is not None:
-        raise Undecided(f"the expression has no value near the limit: {why}")
+        raise NoValueNear(f"the expression has no value near the limit: {why}")
     return last
 
 

@@ -39,7 +39,7 @@ class Environment:
 
     `missing` says why a quantity that has a name is not determined by the setting. `continued` are
     rational functions equal to quantities wherever these have a value, and defined where their
-    formula still is.
+    formula still is. `assigned` are free symbols of the source that the setting's model fixes.
     """
 
     name: str
@@ -49,6 +49,7 @@ class Environment:
     facts: tuple[Fact, ...] = ()
     missing: Mapping[str, str] = field(default_factory=dict)
     continued: Mapping[str, Expr] = field(default_factory=dict)
+    assigned: Mapping[str, Expr] = field(default_factory=dict)
 
 
 def algebra() -> Environment:

@@ -1,0 +1,103 @@
+"""The algebraic statement that a statement with functions becomes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import rebuilt
+from gainproof.verify.judge.exact.expression import Expr, mul, number, power, walk
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.freed.atoms import Atoms, Positive, angle_terms, is_opaque
+
+MOST_MULTIPLE = 12
+
+Pair = tuple[Expr, Expr]
+
+
+@dataclass(frozen=True)
+class Freed:
+    """An algebraic statement that implies the given one; `boxes` hold those of the new variables
+    too, `labels` say what these were.
+    """
+
+    statement: Statement
+    boxes: Mapping[str, Box]
+    labels: Mapping[str, str]
+
+
+def has_functions(statement: Statement) -> bool:
+    """Whether a function value stands anywhere in the statement."""
+    return any(node.kind == "call" for node in walk(*statement.exprs()))
+
+
+def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive) -> Freed:
+    """The statement with every function value a variable. Raises Undecided."""
+    if statement.connective != "if":
+        raise Undecided("an equivalence between function values is not covered")
+    atoms = Atoms(boxes, is_positive)
+    atoms.collect(*statement.exprs())
+
+    def changed(expr: Expr) -> Expr:
+        return rebuilt(expr, lambda node, _: _free(node, atoms) if node.kind == "call" else None)
+
+    moved = statement.mapped(changed)
+    if atoms.has_angles:
+        _refuse_open_relations(statement)
+    return Freed(moved, {**boxes, **atoms.made}, atoms.labels())
+
+
+def _refuse_open_relations(statement: Statement) -> None:
+    """The tangent of the half angle misses one angle, which only continuity reaches."""
+    if any(r.operator in ("<", ">", "!=") for r in statement.relations):
+        raise Undecided("a strict relation between angles is not covered")
+    sides = [side for r in statement.conditions for side in (r.left, r.right)]
+    if any(node.kind == "call" for node in walk(*sides)):
+        raise Undecided("a condition on function values is not covered")
+
+
+def _free(node: Expr, atoms: Atoms) -> Expr:
+    if is_opaque(node):
+        return atoms.whole(node)
+    if node.name in ("exp", "power"):
+        return _product(node, atoms)
+    cosine, sine = number(1), number(0)
+    for key, c in angle_terms(node):
+        t, divisor = atoms.half_angle(key[2])
+        multiple = c * divisor
+        if abs(multiple) > MOST_MULTIPLE:
+            raise Undecided(f"a multiple of an angle beyond {MOST_MULTIPLE}")
+        cosine, sine = _together((cosine, sine), _multiple(_unit(t), int(multiple)))
+    return {"sin": sine, "cos": cosine}.get(node.name) or sine / cosine
+
+
+def _product(node: Expr, atoms: Atoms) -> Expr:
+    factors = []
+    for key, c in atoms.exponents(node):
+        variable, divisor = atoms.power(key)
+        n = int(c * divisor)
+        if key[1] == number(-1):
+            n %= 2  # the square of (-1)^m is 1
+        if n:
+            factors.append(variable if n == 1 else power(variable, n))
+    return mul(*factors) if factors else number(1)
+
+
+def _unit(t: Expr) -> Pair:
+    """Cosine and sine of the angle of which t is the tangent of the half."""
+    below = 1 + power(t, 2)
+    return (1 - power(t, 2)) / below, 2 * t / below
+
+
+def _together(a: Pair, b: Pair) -> Pair:
+    (c, s), (d, r) = a, b
+    return c * d - s * r, s * d + c * r
+
+
+def _multiple(unit: Pair, n: int) -> Pair:
+    total: Pair = (number(1), number(0))
+    for _ in range(abs(n)):
+        total = _together(total, unit)
+    return total if n >= 0 else (total[0], -total[1])

@@ -1,0 +1,1 @@
+"""The kinds of claims: one file a kind, each saying what has to be decided."""

@@ -1,0 +1,161 @@
+"""Where a limit or an expansion goes: its variable, its point, the sides from which it comes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import differentiated, substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import Expr, neg, number, power, symbol, symbols_of
+from gainproof.verify.judge.exact.limit import decide_limit
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.formula import Graph, Reading, Relation
+from gainproof.verify.judge.kinds.framing import Frame
+from gainproof.verify.judge.scope import Scope
+
+SMALL = "distance to the limit"
+End = Expr | str
+"""A point, or "infinity" or "-infinity"."""
+
+
+@dataclass(frozen=True)
+class Approach:
+    """A base variable and where it goes; `text` is the condition as printed, for messages."""
+
+    name: str
+    point: End
+    box: Box
+    label: str
+
+    @property
+    def text(self) -> str:
+        """Readable."""
+        value = self.point if isinstance(self.point, str) else constant_value(self.point)
+        return f"-> {'the point' if value is None else value}"
+
+    def sides(self) -> tuple[int, ...]:
+        """1 for from above, -1 for from below. Raises Undecided for a point outside the domain."""
+        if isinstance(self.point, str):
+            return (1,)
+        value = constant_value(self.point)
+        if value is None:
+            return (1, -1)
+        below = self.box.lower is None or self.box.lower < value
+        above = self.box.upper is None or self.box.upper > value
+        if not (above and below) and value not in (self.box.lower, self.box.upper):
+            raise Undecided(f"{value} is not in the domain of {self.label}")
+        return (*((1,) if above else ()), *((-1,) if below else ()))
+
+    def moved(self, expr: Expr, side: int) -> Expr:
+        """The expression in the small positive distance to the point."""
+        u = symbol(SMALL)
+        if isinstance(self.point, str):
+            far = power(u, -1)
+            return substituted(expr, {self.name: neg(far) if self.point[0] == "-" else far})
+        return substituted(expr, {self.name: self.point + (u if side > 0 else neg(u))})
+
+    def distance(self) -> Expr:
+        """The distance itself, of the variable."""
+        x = symbol(self.name)
+        return power(x, -1) if isinstance(self.point, str) else x - self.point
+
+
+def arrow_of(reading: Reading) -> tuple[Relation, tuple[Relation, ...]]:
+    """The one condition with an arrow, and the others. Raises Undecided."""
+    arrows = [r for r in reading.conditions if r.operator == "->"]
+    if len(arrows) != 1 or len(reading.relations) != 1:
+        raise Undecided("wanted: one relation and one condition with an arrow")
+    return arrows[0], tuple(r for r in reading.conditions if r is not arrows[0])
+
+
+def end_of(graph: Graph, scope: Scope) -> End:
+    """A point or an infinity."""
+    nodes = [list(n) for n in graph["nodes"]]
+    if ["symbol", "infinity"] in nodes:
+        if len(nodes) == 1:
+            return "infinity"
+        if len(nodes) == 2 and nodes[1][0] == "neg":
+            return "-infinity"
+        raise Undecided("infinity inside an expression")
+    return scope.expression(graph)
+
+
+def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
+    """How the base variable goes when `variable` goes to the point.
+
+    A variable that is an expression of one base variable must be strictly monotone in it; then it
+    goes to the point as the base variable goes to one of its ends. Raises Undecided.
+    """
+    if variable.kind == "symbol":
+        name = variable.name
+        if not isinstance(point, str) and name in symbols_of(point):
+            raise Undecided("a variable that tends to something that holds it")
+        return Approach(name, point, frame.boxes[name], frame.labels.get(name, name))
+    names = symbols_of(variable)
+    if len(names) != 1 or not (isinstance(point, str) or not symbols_of(point)):
+        raise Undecided("a limit in a quantity that depends on several variables")
+    (name,) = names
+    slope = differentiated(variable, name)
+    if not any(frame.holds(Rel(op, slope, number(0))) for op in (">", "<")):
+        raise Undecided("a limit in a quantity that is not strictly monotone")
+    label, box = frame.labels.get(name, name), frame.boxes[name]
+    ends: list[Fraction | str] = [
+        "-infinity" if box.lower is None else box.lower,
+        "infinity" if box.upper is None else box.upper,
+    ]
+    for end in ends:
+        try:
+            found = decide_limit(variable, name, box, end, point, label)
+        except Undecided:
+            continue
+        if found.verdict == "proved":
+            return Approach(name, end if isinstance(end, str) else number(end), box, label)
+    raise Undecided("a limit in a quantity that does not tend to its point at an end")
+
+
+def others_frame(frame: Frame, name: str) -> tuple[Frame, bool]:
+    """The frame without the variable of the limit, and whether conditions on it were left out."""
+    kept = tuple(c for c in frame.conditions if name not in symbols_of(c.left, c.right))
+    boxes: Mapping[str, Box] = {n: b for n, b in frame.boxes.items() if n != name}
+    return replace(frame, boxes=boxes, conditions=kept), len(kept) < len(frame.conditions)
+
+
+class Coefficients:
+    """What a frame knows of coefficients: the oracle of expansions."""
+
+    def __init__(self, frame: Frame) -> None:
+        self._frame = frame
+        self._known: dict[tuple[str, Expr], bool] = {}
+
+    def is_zero(self, coefficient: Expr) -> bool:
+        """Zero always, or never. Raises Undecided."""
+        value = constant_value(coefficient)
+        if value is not None:
+            return value == 0
+        if self._holds("=", coefficient):
+            return True
+        if self._holds("!=", coefficient):
+            return False
+        raise Undecided(
+            "a coefficient of the expansion may be zero for some values of the other symbols"
+        )
+
+    def is_positive(self, coefficient: Expr) -> bool:
+        """Positive always; False also where that is not known."""
+        value = constant_value(coefficient)
+        return self._holds(">", coefficient) if value is None else value > 0
+
+    def _holds(self, operator: str, coefficient: Expr) -> bool:
+        key = (operator, coefficient)
+        if key not in self._known:
+            self._known[key] = self._frame.holds(Rel(operator, coefficient, number(0)))
+        return self._known[key]
+
+
+def equal(left: Expr, right: Expr) -> Statement:
+    """That two expressions are equal."""
+    return Statement((Rel("=", left, right),))

@@ -1,0 +1,158 @@
+"""Asymptotics: f = a + b x + O(x^n), an order stated apart, and f ~ g."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.calculus import rebuilt
+from gainproof.verify.judge.exact.expression import Expr, mul, neg, number, power, symbol, walk
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Enclosure, Witness
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.approach import (
+    SMALL,
+    Approach,
+    Coefficients,
+    approach_of,
+    arrow_of,
+    end_of,
+    equal,
+    others_frame,
+)
+from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.limit import DEPTHS
+from gainproof.verify.judge.meaning.expansion import coefficients
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.series.of_expression import expanded
+from gainproof.verify.judge.series.series import EXACT, Series, leading
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+METHOD = "expansion near the limit"
+
+
+def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """Whether both sides agree to the order stated; without an order, whether their ratio tends to
+    1.
+    """
+    arrow, others = arrow_of(reading)
+    relation = reading.relations[0]
+    variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
+    left, right = scope.expression(relation.left), scope.expression(relation.right)
+    frame = framed(claim, scope, resolved(others, scope))
+    approach = approach_of(variable, point, frame)
+    around, dropped = others_frame(frame, approach.name)
+    rest, errors = _without_orders(left + neg(right))
+    if claim.order is not None:
+        errors.append(power(_distance(variable, approach), claim.order))
+    if relation.operator == "=" and not errors:
+        raise Undecided("asymptotics without an order: O(...) or the field `order` says it")
+    finding: Finding | None = None
+    for side in approach.sides():
+        if errors:
+            finding = _agree(rest, errors, approach, side, around)
+        else:
+            finding = _equivalent(left, right, approach, side, around)
+        if finding.verdict != "proved":
+            if dropped:
+                raise Undecided("asymptotics under conditions on the variable: false without them")
+            return finding
+    if finding is None:
+        raise Undecided("the point is not in the domain")
+    return replace(finding, domain=f"as {approach.label} {approach.text}")
+
+
+def _distance(variable: Expr, approach: Approach) -> Expr:
+    """What the power of a stated order is one of: the variable's own distance to its point."""
+    if variable == symbol(approach.name):
+        return approach.distance()
+    raise Undecided("a stated order in a quantity: write it as O(...)")
+
+
+def _without_orders(expr: Expr) -> tuple[Expr, list[Expr]]:
+    """The expression without its O(...) terms, and what these are multiples of."""
+    calls = {n.key: n for n in walk(expr) if n.kind == "call" and n.name == "order"}
+    names = {key: f"order {k}" for k, key in enumerate(calls)}
+    plain = rebuilt(expr, lambda node, _: symbol(names[node.key]) if node.key in names else None)
+    errors = []
+    for key, call in calls.items():
+        known = coefficients(plain, names[key])
+        if known is None or not set(known) <= {0, 1}:
+            raise Undecided("an order inside anything but a sum of terms")
+        errors.append(mul(known.get(1, number(0)), call.parts[0]))
+        plain = known.get(0, number(0))
+    if any(n.kind == "symbol" and n.name in names.values() for e in errors for n in walk(e)):
+        raise Undecided("a product of orders")
+    return plain, errors
+
+
+def _agree(rest: Expr, errors: list[Expr], approach: Approach, side: int, around: Frame) -> Finding:
+    """Whether what is left is of the order of the errors."""
+    oracle = Coefficients(around)
+    order = min(_exponent(approach.moved(e, side), oracle) for e in errors)
+    series = _reaching(approach.moved(rest, side), oracle, order)
+    for exponent in series.exponents():
+        if exponent >= order:
+            break
+        outcome = around.decide(equal(series.terms[exponent], number(0)))
+        if outcome.verdict == "proved":
+            continue
+        finding = finding_of(outcome)
+        reason = f"the difference has a term of order {exponent}, not {order}: {outcome.reason}"
+        if outcome.witness is not None:
+            note = f"coefficient of order {exponent} of the difference"
+            where = {approach.label: approach.text, **outcome.witness.point}
+            finding = replace(finding, witness=replace(outcome.witness, point=where, note=note))
+        return replace(finding, reason=reason, method=METHOD)
+    certificate = {"order": str(order), "terms below it": "all zero"}
+    return Finding("proved", f"the difference is of order {order}", None, METHOD, None, certificate)
+
+
+def _exponent(error: Expr, oracle: Coefficients) -> Fraction:
+    """The order of an error term, in the distance to the limit."""
+    for depth in DEPTHS:
+        found = leading(expanded(error, SMALL, oracle, depth), oracle)
+        if found is not None:
+            return found[0]
+    raise Undecided("an order of something that cancels")
+
+
+def _reaching(expr: Expr, oracle: Coefficients, order: Fraction) -> Series:
+    for depth in DEPTHS:
+        series = expanded(expr, SMALL, oracle, depth + abs(order))
+        if series.order >= min(order, EXACT):
+            return series
+    raise Undecided("an expansion that cancels before the order stated")
+
+
+def _equivalent(left: Expr, right: Expr, approach: Approach, side: int, around: Frame) -> Finding:
+    """Whether both sides have the same leading term."""
+    oracle = Coefficients(around)
+    firsts = []
+    for expr in (left, right):
+        found = None
+        for depth in DEPTHS:
+            found = leading(expanded(approach.moved(expr, side), SMALL, oracle, depth), oracle)
+            if found is not None:
+                break
+        if found is None:
+            raise Undecided("an expansion that cancels to the order reached")
+        firsts.append(found)
+    (e, c), (f, d) = firsts
+    if e != f:
+        where = {approach.label: approach.text}
+        shown = [Enclosure("", "", f"of order {order}") for order in (e, f)]
+        reason = f"the sides are of different orders, {e} and {f}, in the distance to the limit"
+        witness = Witness(where, "sim", shown[0], shown[1], exact=True, note=reason)
+        return Finding("refuted", reason, "nowhere", METHOD, witness)
+    outcome = around.decide(equal(c, d))
+    finding = finding_of(outcome)
+    if outcome.verdict == "proved":
+        return replace(finding, reason="both sides have the same leading term", method=METHOD)
+    if outcome.witness is not None:
+        where = {approach.label: approach.text, **outcome.witness.point}
+        note = "the leading coefficients of both sides"
+        finding = replace(finding, witness=replace(outcome.witness, point=where, note=note))
+    return replace(finding, reason=f"other leading terms: {outcome.reason}", method=METHOD)

@@ -1,0 +1,89 @@
+"""All kinds of claims that are decided, and the finding on a claim of any of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.graph import graph_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.points import with_values
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.asymptotics import judge_asymptotics
+from gainproof.verify.judge.kinds.determines import judge_determines
+from gainproof.verify.judge.kinds.equivalence import judge_equivalence
+from gainproof.verify.judge.kinds.identity import judge_identity
+from gainproof.verify.judge.kinds.implication import judge_implication
+from gainproof.verify.judge.kinds.limit import judge_limit
+from gainproof.verify.judge.kinds.location import judge_location
+from gainproof.verify.judge.kinds.monotone import judge_monotone
+from gainproof.verify.judge.kinds.steady_state import judge_steady_state
+from gainproof.verify.judge.kinds.value import judge_value
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.verdict import Finding
+
+Judge = Callable[[Claim, Reading, Scope], Finding]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of claim and how it is decided; `in_fields` says that it needs no formula."""
+
+    name: str
+    judge: Judge
+    in_fields: bool = False
+
+
+KINDS = (
+    Kind("identity", judge_identity),
+    Kind("inequality", judge_identity),
+    Kind("recursion", judge_identity),
+    Kind("definition", judge_identity),
+    Kind("implication", judge_implication),
+    Kind("equivalence", judge_equivalence),
+    Kind("limit", judge_limit),
+    Kind("asymptotics", judge_asymptotics),
+    Kind("value", judge_value),
+    Kind("monotone", judge_monotone, in_fields=True),
+    Kind("location", judge_location, in_fields=True),
+    Kind("steady_state", judge_steady_state),
+    Kind("determines", judge_determines, in_fields=True),
+)
+NO_FORMULA = Reading(())
+
+
+def judge_reading(claim: Claim, reading: Reading | None, scope: Scope) -> Finding:
+    """The finding on a claim under one reading of its formula, None where it has no formula.
+
+    Raises Undecided, UndefinedSymbol, Malformed.
+    """
+    finding = _kind(claim, reading).judge(claim, reading or NO_FORMULA, scope)
+    meanings = {
+        token: value
+        for token, value in scope.used.items()
+        if isinstance(value, Expr)
+        and value.kind != "symbol"
+        and scope.setting.symbols[token].role == "quantity"
+    }
+    if meanings and finding.certificate:
+        graphs = {token: graph_of(expr) for token, expr in meanings.items()}
+        finding = replace(finding, certificate={**finding.certificate, "quantities": graphs})
+    if meanings and finding.witness is not None:
+        finding = replace(finding, witness=with_values(finding.witness, meanings, scope.labels()))
+    return finding
+
+
+def _kind(claim: Claim, reading: Reading | None) -> Kind:
+    """What is said decides where it can be seen: an arrow makes a limit, `<=>` an equivalence."""
+    name = claim.kind
+    if name in ("identity", "inequality", "recursion", "definition") and reading is not None:
+        if any(r.operator == "->" for r in (*reading.relations, *reading.conditions)):
+            name = "limit"
+        elif reading.connective in ("iff", "implies"):
+            name = "equivalence" if reading.connective == "iff" else "implication"
+    found = next((kind for kind in KINDS if kind.name == name), None)
+    if found is None or (reading is None and not found.in_fields):
+        raise Undecided(f"a claim of kind {claim.kind} in words is not covered")
+    return found

@@ -1,0 +1,43 @@
+"""Quantities of which each fixes the others."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.calculus import differentiated
+from gainproof.verify.judge.exact.expression import number
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.framing import framed
+from gainproof.verify.judge.meaning.evaluation import number_of
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+
+def judge_determines(claim: Claim, reading: Reading, scope: Scope) -> Finding:  # noqa: ARG001  # the signature of all kinds
+    """Each of the quantities fixes the others: each is strictly monotone in the one parameter of
+    the setting.
+    """
+    parameter = scope.environment.parameter
+    if parameter is None:
+        raise Undecided("no model with one parameter")
+    found: list[Finding] = []
+    for token in claim.about:
+        value = number_of(scope.symbol(token))
+        slope = differentiated(value, parameter)
+        frame = framed(claim, scope)
+        if frame.conditions:
+            raise Undecided("a domain that is no interval of the parameter")
+        for operator in (">", "<"):
+            rel = Rel(operator, slope, number(0))
+            outcome = frame.decide(Statement((rel,), needed=(value,)))
+            if outcome.verdict == "proved":
+                found.append(finding_of(outcome))
+                break
+        else:
+            raise Undecided(f"{token} is not strictly monotone in the parameter of the setting")
+    certificate = {token: dict(f.certificate) for token, f in zip(claim.about, found, strict=True)}
+    method = "each quantity is strictly monotone in the one parameter, so each fixes all others"
+    return replace(found[0], method=method, certificate=certificate)

@@ -1,0 +1,50 @@
+"""Equivalences: each side holds exactly where the other does."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Statement
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+
+def judge_equivalence(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """Whether both sides say the same: place by place or cell by cell, else as two
+    implications.
+    """
+    left, right = resolved(reading.relations, scope), resolved(reading.conditions, scope)
+    frame = framed(claim, scope)
+    return decide_equivalence(Statement(left, right, "iff", tuple(scope.needed)), frame)
+
+
+def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
+    """The finding on A <=> B in a frame. Raises Undecided."""
+    try:
+        return finding_of(frame.decide_alone(replace(statement, given=frame.conditions)))
+    except Undecided:
+        if len(statement.symbols()) == 1 and not frame.conditions:
+            raise
+    findings = [
+        finding_of(frame.decide(Statement(conclusion, hypothesis, "if", statement.needed)))
+        for hypothesis, conclusion in (
+            (statement.relations, statement.conditions),
+            (statement.conditions, statement.relations),
+        )
+    ]
+    wrong = [f for f in findings if f.verdict != "proved"]
+    if not wrong:
+        certificate = {
+            "there": dict(findings[0].certificate),
+            "back": dict(findings[1].certificate),
+        }
+        return replace(
+            findings[0], certificate=certificate, method="each side solved and put into the other"
+        )
+    worst = next((f for f in wrong if f.verdict != "held"), wrong[0])
+    return replace(worst, reason=f"one direction only: {worst.reason}")

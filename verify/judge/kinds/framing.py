@@ -1,0 +1,118 @@
+"""The domain of a claim: where it is said to hold, and what the formula itself rests on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.domain import bounded
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import number, symbols_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.deciding import decided
+from gainproof.verify.judge.hypothesis import without_equations
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.setting.environment import SAMPLE
+
+PLAIN = ("=", "!=", "<", "<=", ">", ">=")
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Domains of the base variables, further conditions, and names for messages."""
+
+    boxes: Mapping[str, Box]
+    conditions: tuple[Rel, ...]
+    parameter: str | None
+    labels: Mapping[str, str]
+
+    def decide(self, statement: Statement) -> Outcome:
+        """The statement under the conditions of the frame. Raises Undecided."""
+        whole = replace(statement, conditions=(*statement.conditions, *self.conditions))
+        return self.decide_alone(whole)
+
+    def decide_alone(self, statement: Statement) -> Outcome:
+        """The statement without the conditions of the frame, its equations solved and put in."""
+        if statement.connective == "if":
+            statement = without_equations(statement, self.boxes, self.parameter, self.labels)
+        return decided(statement, self.boxes, self.parameter, self.labels)
+
+    def holds(self, *relations: Rel) -> bool:
+        """Whether relations are proved on the whole domain; False also where nothing is known."""
+        try:
+            return self.decide(Statement(relations)).verdict == "proved"
+        except Undecided:
+            return False
+
+
+def only_plain(relations: Iterable[Rel]) -> None:
+    """Raises Undecided for relations that are neither equations nor orders."""
+    for rel in relations:
+        if rel.operator not in PLAIN:
+            raise Undecided(f"the relation {rel.operator} is not covered here")
+
+
+def framed(
+    claim: Claim, scope: Scope, printed: Iterable[Rel] = (), used: Iterable[Rel] = ()
+) -> Frame:
+    """The domain from `printed` conditions, the fields `domain` and `given`, and the symbols.
+
+    To be called once the formulas are resolved. `used` are relations that may speak of the sample
+    before. Raises Undecided.
+    """
+    stated = [*printed, *[scope.relation(r) for r in claim.domain]]
+    for formula in claim.given:
+        if len(formula.readings) != 1:
+            raise Undecided("a hypothesis with several readings")
+        for relation in formula.readings[0].relations:
+            stated += scope.relations(relation)
+    done: set[str] = set()
+    while pending := [token for token in scope.used if token not in done]:
+        for token in pending:
+            done.add(token)
+            stated += [scope.relation(r) for r in scope.setting.symbols[token].domain]
+    only_plain(stated)
+    boxes = scope.boxes()
+    before = {s for rel in used for s in symbols_of(rel.left, rel.right)}
+    if SAMPLE in boxes and any(name.startswith("previous_state") for name in before):
+        # there is no sample before the first one
+        lower = boxes[SAMPLE].lower
+        boxes[SAMPLE] = replace(boxes[SAMPLE], lower=max(lower or Fraction(0), Fraction(1)))
+    boxes, rest = bounded({**boxes, **scope.bound_domains}, stated)
+    frame = Frame(boxes, rest, scope.environment.parameter, scope.labels())
+    return _with_required(frame, scope.required)
+
+
+def _with_required(frame: Frame, required: Iterable[Rel]) -> Frame:
+    """The frame where sums have their bounds in order and series converge. Raises Undecided.
+
+    A symbol of which nothing was said begins where its sum has a term.
+    """
+    for rel in required:
+        narrowed = _beginning(rel, frame.boxes)
+        if narrowed is not None:
+            frame = replace(frame, boxes={**frame.boxes, **narrowed})
+        elif not frame.holds(rel):
+            raise Undecided(
+                "a sum with its bounds turned round, or a sum or integral without a value, is not "
+                "excluded by the domain that is stated"
+            )
+    return frame
+
+
+def _beginning(rel: Rel, boxes: Mapping[str, Box]) -> dict[str, Box] | None:
+    """For `k + constant >= -1` with an integer k of no stated domain: k + constant >= 0."""
+    names = symbols_of(rel.left)
+    if rel.operator != ">=" or rel.right != number(-1) or len(names) != 1:
+        return None
+    (name,) = names
+    box = boxes.get(name, Box())
+    at = [constant_value(substituted(rel.left, {name: number(n)})) for n in (0, 1)]
+    if box.stated or not box.integer or at[0] is None or at[1] is None or at[1] - at[0] != 1:
+        return None
+    return {name: Box(lower=-at[0], lower_open=False, integer=True)}

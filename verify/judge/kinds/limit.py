@@ -1,0 +1,147 @@
+"""Limits: of algebraic expressions in one variable, and by expansion in several."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
+from gainproof.verify.judge.exact.limit import decide_limit
+from gainproof.verify.judge.exact.limit_value import NoValueNear
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Witness
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.approach import (
+    SMALL,
+    Approach,
+    Coefficients,
+    End,
+    approach_of,
+    arrow_of,
+    end_of,
+    equal,
+    others_frame,
+)
+from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.series.of_expression import expanded
+from gainproof.verify.judge.series.series import leading
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+DEPTHS = (Fraction(3), Fraction(8), Fraction(16))
+
+
+def judge_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """Whether the left side tends to the right one where the arrow says."""
+    arrow, others = arrow_of(reading)
+    relation = reading.relations[0]
+    if relation.operator not in ("->", "="):
+        raise Undecided(f"the relation {relation.operator} in a limit is not covered")
+    variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
+    expr, claimed = scope.expression(relation.left), end_of(relation.right, scope)
+    frame = framed(claim, scope, resolved(others, scope))
+    approach = approach_of(variable, point, frame)
+    if not isinstance(claimed, str) and approach.name in symbols_of(claimed):
+        raise Undecided("a limit that holds the variable itself: say it as asymptotics")
+    single = symbols_of(expr) <= {approach.name} and not frame.conditions
+    if single and (isinstance(claimed, str) or not symbols_of(claimed)):
+        try:
+            return finding_of(_algebraic(expr, approach, claimed))
+        except Undecided as reason:
+            if isinstance(reason, NoValueNear) or not _has_calls(expr):
+                raise
+    return _by_expansion(expr, approach, claimed, frame)
+
+
+def _has_calls(expr: Expr) -> bool:
+    return any(node.kind == "call" for node in walk(expr))
+
+
+def _algebraic(expr: Expr, approach: Approach, claimed: End) -> Outcome:
+    """In one variable; where nothing was said of it, a side without values does not count."""
+    point = approach.point
+    value = point if isinstance(point, str) else constant_value(point)
+    if value is None:
+        raise Undecided("the point of a limit must be a rational number or infinity")
+    box = approach.box
+    try:
+        return decide_limit(expr, approach.name, box, value, claimed, approach.label)
+    except NoValueNear:
+        if box.stated or isinstance(value, str):
+            raise
+    for side in (Box(lower=value), Box(upper=value)):
+        try:
+            return decide_limit(expr, approach.name, side, value, claimed, approach.label)
+        except NoValueNear:
+            continue
+    raise NoValueNear("the expression has no value near the limit")
+
+
+def _by_expansion(expr: Expr, approach: Approach, claimed: End, frame: Frame) -> Finding:
+    around, dropped = others_frame(frame, approach.name)
+    finding: Finding | None = None
+    for side in approach.sides():
+        found = limit_by_expansion(approach.moved(expr, side), around)
+        finding = _compared(found, claimed, approach, around)
+        if finding.verdict != "proved":
+            if dropped:
+                raise Undecided("a limit under conditions on its variable that fails without them")
+            return finding
+    if finding is None:
+        raise Undecided("the point is not in the domain")
+    return finding
+
+
+def limit_by_expansion(expr: Expr, around: Frame) -> End:
+    """The limit as the small distance goes to zero from above. Raises Undecided."""
+    oracle = Coefficients(around)
+    for depth in DEPTHS:
+        series = expanded(expr, SMALL, oracle, depth)
+        first = leading(series, oracle)
+        if first is not None and first[0] < 0:
+            if oracle.is_positive(first[1]):
+                return "infinity"
+            if oracle.is_positive(-first[1]):
+                return "-infinity"
+            raise Undecided("a limit that is infinite, of a sign that is not known")
+        if series.order > 0:
+            return number(0) if first is None or first[0] > 0 else first[1]
+    raise Undecided("an expansion that cancels to the order reached")
+
+
+def _compared(found: End, claimed: End, approach: Approach, around: Frame) -> Finding:
+    where = {approach.label: approach.text}
+    method = "expansion near the limit"
+    if isinstance(found, str) or isinstance(claimed, str):
+        if found == claimed:
+            reason = "the limit is the claimed one"
+            return Finding("proved", reason, f"as {approach.label} {approach.text}", method)
+        left, right = (_shown(end) for end in (found, claimed))
+        witness = Witness(
+            where, "->", left, right, exact=True, note=f"the limit is {left.undefined}"
+        )
+        return Finding("refuted", witness.note, "nowhere", method, witness)
+    outcome = around.decide(equal(found, claimed))
+    if outcome.verdict == "proved":
+        domain = f"as {approach.label} {approach.text}, {outcome.domain}"
+        return replace(
+            finding_of(outcome),
+            reason="the limit is the claimed one",
+            domain=domain.removesuffix(", everywhere"),
+            method=f"{method}; {outcome.method}",
+        )
+    if outcome.witness is not None:
+        witness = replace(outcome.witness, point={**where, **outcome.witness.point}, operator="->")
+        outcome = replace(outcome, witness=witness)
+    return replace(finding_of(outcome), reason=f"the limit is another: {outcome.reason}")
+
+
+def _shown(end: End) -> Enclosure:
+    if isinstance(end, str):
+        return Enclosure("", "", {"-infinity": "minus infinity"}.get(end, end))
+    value = constant_value(end)
+    return Enclosure("", "", "finite") if value is None else Enclosure("", "", str(value))

@@ -1,0 +1,111 @@
+"""Where the roots of a polynomial lie, for all its parameters; and lists of its roots."""
+
+from __future__ import annotations
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power, symbols_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.formula import Graph, Reading
+from gainproof.verify.judge.kinds.framing import framed
+from gainproof.verify.judge.kinds.hurwitz import circle_moved, left_half_plane
+from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.meaning.evaluation import number_of
+from gainproof.verify.judge.meaning.expansion import coefficients
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+
+def judge_location(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """Whether the roots lie where the claim says; roots that are listed must be all of them."""
+    conditions = resolved(reading.conditions, scope)
+    relations: list[Rel] = []
+    listed = [scope.expression(r.right) for r in reading.relations]
+    for relation, root in zip(reading.relations, listed, strict=True):
+        left = scope.expression(relation.left)
+        if left.kind != "symbol" or relation.operator != "=" or left.name in symbols_of(*listed):
+            relations.append(Rel(relation.operator, left, root))
+    known: list[Expr] | None = None
+    if claim.polynomial is not None and claim.variable is not None:
+        known = _coefficients(claim.polynomial, claim.variable, scope)
+        if listed:
+            relations += _all_roots(known, listed)
+    elif not listed:
+        raise Undecided("neither a polynomial nor its roots are given")
+    if claim.where is not None:
+        whole = known if known is not None else _from_roots(listed)
+        relations += located(whole, claim.where)
+    frame = framed(claim, scope, conditions)
+    return finding_of(frame.decide(Statement(tuple(relations), (), "if", tuple(scope.needed))))
+
+
+def _coefficients(polynomial: Graph, token: str, scope: Scope) -> list[Expr]:
+    """From power 0 up; the highest is not asked to differ from zero here."""
+    variable, expr = number_of(scope.symbol(token)), scope.expression(polynomial)
+    if variable.kind != "symbol":
+        raise Undecided(f"{token} is no free symbol")
+    known = coefficients(expr, variable.name)
+    if known is None or not known or max(known) == 0:
+        raise Undecided(f"no polynomial in {token}")
+    return [known.get(k, number(0)) for k in range(max(known) + 1)]
+
+
+def _from_roots(roots: list[Expr]) -> list[Expr]:
+    """The polynomial with these roots and leading coefficient 1."""
+    found = [number(1)]
+    for root in roots:
+        shifted = [number(0), *found]
+        lowered = [*(mul(neg(root), c) for c in found), number(0)]
+        found = [add(a, b) for a, b in zip(shifted, lowered, strict=True)]
+    return found
+
+
+def _all_roots(known: list[Expr], roots: list[Expr]) -> list[Rel]:
+    """The polynomial is its leading coefficient times the product of z - root."""
+    if len(roots) != len(known) - 1:
+        raise Undecided(
+            f"a polynomial of degree {len(known) - 1} has as many roots; {len(roots)} are listed"
+        )
+    made = _from_roots(roots)
+    pairs = zip(known, made, strict=True)
+    return [Rel("!=", known[-1], number(0)), *(Rel("=", a, known[-1] * b) for a, b in pairs)]
+
+
+def located(known: list[Expr], where: str) -> list[Rel]:
+    """Conditions on the coefficients (from power 0 up) that are true exactly where the roots lie
+    there. Raises Undecided beyond the degrees covered.
+    """
+    lead = known[-1]
+    positive = [mul(lead, c) for c in known]
+    # with a leading coefficient zero all of these are zero, and none of the conditions holds
+    if where == "inside the unit circle":
+        return left_half_plane(circle_moved(positive))
+    if where == "left half plane":
+        return left_half_plane(positive)
+    proper = [] if constant_value(lead) else [Rel("!=", lead, number(0))]
+    operator = {"real": ">=", "complex": "<", "equal": "="}[where]
+    degree = len(known) - 1
+    if degree == 1 and where != "complex":
+        return [*proper, Rel("=", lead, lead)]
+    if degree == 2:
+        return [*proper, Rel(operator, _discriminant(known), number(0))]
+    if degree == 3 and where == "real":
+        return [*proper, Rel(operator, _cubic_discriminant(known), number(0))]
+    raise Undecided(f"roots of a polynomial of degree {degree} that are {where}: not covered")
+
+
+def _discriminant(known: list[Expr]) -> Expr:
+    c, b, a = known
+    return power(b, 2) - 4 * a * c
+
+
+def _cubic_discriminant(known: list[Expr]) -> Expr:
+    d, c, b, a = known
+    return add(
+        mul(number(18), a, b, c, d),
+        neg(mul(number(4), power(b, 3), d)),
+        mul(power(b, 2), power(c, 2)),
+        neg(mul(number(4), a, power(c, 3))),
+        neg(mul(number(27), power(a, 2), power(d, 2))),
+    )

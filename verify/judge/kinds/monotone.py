@@ -1,0 +1,103 @@
+"""Growth and fall of an expression with a symbol, or from each sample to the next."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import differentiated, substituted
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.identity import judge_identity, resolved
+from gainproof.verify.judge.meaning.evaluation import number_of
+from gainproof.verify.judge.meaning.expansion import coefficients
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+SIGNS = {"increasing": ">", "decreasing": "<", "nondecreasing": ">=", "nonincreasing": "<="}
+
+
+def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """Whether the subject changes as the trend says, over the whole domain of its variable."""
+    if claim.subject is None or claim.trend is None or len(claim.about) != 2:
+        raise Undecided("what changes, and how, is not said")
+    if reading.relations and (said := judge_identity(claim, reading, scope)).verdict != "proved":
+        return said
+    stated = resolved(reading.conditions, scope)
+    subject = scope.expression(claim.subject)
+    variable = number_of(scope.symbol(claim.about[1]))
+    operator = SIGNS[claim.trend]
+    if variable.kind == "symbol" and scope.boxes().get(variable.name, Box()).integer:
+        return _from_sample_to_sample(claim, subject, variable, operator, scope, stated)
+    slope = number_of(scope.derivative(subject, claim.about[1], scope.root))
+    frame = framed(claim, scope, stated)
+    names = symbols_of(variable)
+    _refuse_gaps(frame, names)
+    if variable.kind != "symbol" and not _one_way(variable, names, frame):
+        raise Undecided(f"{claim.about[1]} is not strictly monotone itself")
+    # defined everywhere, hence continuous; where it has corners its slope is not asked for
+    boxes = {n: replace(b, stated=b.stated or n in names) for n, b in frame.boxes.items()}
+    defined = replace(frame, boxes=boxes).decide(Statement((Rel("=", subject, subject),)))
+    if defined.verdict != "proved":
+        reason = f"no value everywhere between the ends of the domain: {defined.reason}"
+        return replace(finding_of(defined), reason=reason)
+    inside = replace(frame, boxes={n: _opened(b) for n, b in frame.boxes.items()})
+    finding = finding_of(inside.decide(Statement((Rel(operator, slope, number(0)),))))
+    if finding.verdict != "proved" and operator in "<>" and _nearly(operator, slope, inside):
+        weak = inside.decide(Statement((Rel(f"{operator}=", slope, number(0)),)))
+        finding = finding_of(weak)
+    return replace(finding, method=f"sign of the derivative; {finding.method}")
+
+
+def _refuse_gaps(frame: Frame, names: set[str]) -> None:
+    """Raises Undecided unless the variable runs through an interval: conditions linear in it."""
+    for rel in frame.conditions:
+        for name in symbols_of(rel.left, rel.right) & names:
+            known = coefficients(rel.left - rel.right, name)
+            if known is None or max(known, default=0) > 1 or rel.operator in ("=", "!="):
+                raise Undecided("a domain that may be no interval of the variable")
+
+
+def _one_way(variable: Expr, names: set[str], frame: Frame) -> bool:
+    if len(names) != 1:
+        return False
+    slope = differentiated(variable, next(iter(names)))
+    return any(frame.holds(Rel(op, slope, number(0))) for op in (">", "<"))
+
+
+def _opened(box: Box) -> Box:
+    """The inside of a domain; a point without slope is left out, the subject has a value there."""
+    return replace(box, lower_open=True, upper_open=True, stated=False)
+
+
+def _nearly(operator: str, slope: Expr, frame: Frame) -> bool:
+    """Whether a slope never has the other sign and is zero at isolated points only."""
+    if len(Statement((Rel("=", slope, slope),)).symbols()) != 1:
+        return False
+    if not frame.holds(Rel(f"{operator}=", slope, number(0))):
+        return False
+    flat = frame.decide(Statement((Rel("=", slope, number(0)),)))
+    return flat.verdict == "refuted"
+
+
+def _from_sample_to_sample(
+    claim: Claim,
+    subject: Expr,
+    variable: Expr,
+    operator: str,
+    scope: Scope,
+    stated: tuple[Rel, ...],
+) -> Finding:
+    frame = framed(claim, scope, stated)
+    box = frame.boxes[variable.name]
+    if box.upper is not None:
+        frame = replace(
+            frame, boxes={**frame.boxes, variable.name: replace(box, upper=box.upper - 1)}
+        )
+    following = substituted(subject, {variable.name: symbol(variable.name) + 1})
+    outcome = frame.decide(Statement((Rel(operator, following, subject),)))
+    return replace(finding_of(outcome), method="from each sample to the next")

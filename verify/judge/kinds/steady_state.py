@@ -1,0 +1,98 @@
+"""Steady states of recursions: fixed points, in the domain, that the recursion does not leave."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.calculus import differentiated, substituted
+from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.formula import Reading, Relation
+from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.meaning.domains import free_name
+from gainproof.verify.judge.meaning.evaluation import number_of
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+BEFORE = "the value before"
+
+
+def judge_steady_state(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """Whether the formula's value is mapped to itself, lies in its symbol's domain and attracts
+    its neighbours: the derivative of the recursion there lies between -1 and 1.
+    """
+    if claim.recursion is None or claim.previous is None or len(reading.relations) != 1:
+        raise Undecided("a steady state needs one formula, a recursion and the symbol before it")
+    if len(claim.recursion.readings) != 1:
+        raise Undecided("a recursion with several readings")
+    before = symbol(BEFORE)
+    rule = claim.recursion.readings[0].relations[0].right
+    following = scope.expression(rule, scope.root.having({claim.previous: before}))
+    conditions = list(resolved(reading.conditions, scope))
+    value = _value(reading.relations[0], conditions, scope)
+    within = _domain(claim, reading.relations[0], value, scope)
+    frame = framed(claim, scope, conditions)
+    fixed = Rel("=", substituted(following, {BEFORE: value}), value)
+    finding = finding_of(frame.decide(Statement((fixed, *within))))
+    if finding.verdict != "proved":
+        return finding
+    slope = substituted(differentiated(following, BEFORE), {BEFORE: value})
+    return _with_attraction(finding, slope, frame)
+
+
+def _value(relation: Relation, conditions: list[Rel], scope: Scope) -> Expr:
+    """The right side, for a formula `p = ...`; else its left symbol, the formula a hypothesis."""
+    left = scope.expression(relation.left)
+    right = scope.expression(relation.right)
+    token = _token(relation)
+    if token is not None and left == symbol(free_name(token)):
+        changed = substituted(right, {left.name: number(0)})
+        if changed == right:
+            return right
+        conditions.append(Rel("=", left, right))
+        return left
+    if token is None:
+        raise Undecided("the formula of a steady state must have its symbol on the left")
+    conditions.append(Rel("=", left, right))
+    return left
+
+
+def _token(relation: Relation) -> str | None:
+    nodes = relation.left["nodes"]
+    return str(nodes[0][1]) if len(nodes) == 1 and nodes[0][0] == "symbol" else None
+
+
+def _domain(claim: Claim, relation: Relation, value: Expr, scope: Scope) -> list[Rel]:
+    """What the domains of the symbol and of the one before it say of the value."""
+    found = []
+    for token in dict.fromkeys((_token(relation), claim.previous)):
+        if token is None:
+            continue
+        inner = scope.root.having({token: value})
+        for stated in scope.setting.symbols[token].domain:
+            sides = [scope.value(side, inner) for side in (stated.left, stated.right)]
+            found.append(Rel(stated.operator, number_of(sides[0]), number_of(sides[1])))
+    return found
+
+
+def _with_attraction(finding: Finding, slope: Expr, frame: Frame) -> Finding:
+    square = Statement((Rel("<", power(slope, 2), number(1)),))
+    try:
+        attracts = finding_of(frame.decide(square))
+    except Undecided:
+        attracts = None
+    if attracts is not None and attracts.verdict == "proved":
+        certificate = {
+            "fixed point": dict(finding.certificate),
+            "derivative of the recursion there": dict(attracts.certificate),
+        }
+        reason = "a fixed point that attracts its neighbours"
+        return replace(finding, reason=reason, certificate=certificate)
+    fails = attracts is not None and attracts.verdict in ("refuted", "conditional")
+    if fails and attracts and not frame.holds(Rel("<=", power(slope, 2), number(1))):
+        reason = f"a fixed point that does not attract: its slope squared {attracts.reason}"
+        return replace(attracts, reason=reason)
+    return replace(finding, reason="a fixed point; whether it attracts is not decided")

@@ -1,0 +1,132 @@
+"""Printed numbers: the exact value lies within half a unit of the last digit shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+
+import flint
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.poly import rational
+from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+PRECISION = 512
+
+
+def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """Whether every printed number is the rounded value of the other side."""
+    sides = [(scope.expression(r.left), scope.expression(r.right)) for r in reading.relations]
+    printed = tuple(scope.relation(r) for r in reading.conditions)
+    only_plain(printed)
+    frame = framed(claim, scope, printed)
+    finding: Finding | None = None
+    for exact, shown in map(_turned, sides):
+        half = Fraction(1, 2 * 10 ** shown_decimals(claim.plain or claim.latex, shown))
+        finding = _within(exact, shown, half, frame)
+        if finding.verdict != "proved":
+            return finding
+    if finding is None:
+        raise Undecided("no number is printed")
+    return finding
+
+
+def _turned(sides: tuple[Expr, Expr]) -> tuple[Expr, Fraction]:
+    """The exact side, and the number printed."""
+    left, right = (constant_value(side) for side in sides)
+    if right is not None:
+        return sides[0], right
+    if left is None:
+        raise Undecided("neither side is a printed number")
+    return sides[1], left
+
+
+def shown_decimals(text: str, value: Fraction) -> int:
+    """How many digits are printed after the point of the number that has this value."""
+    found = [
+        len(part) for whole, part in _decimals(text) if Fraction(f"{whole}.{part}0") == abs(value)
+    ]
+    if found:
+        return max(found)
+    if value.denominator == 1:
+        return 0
+    raise Undecided("the printed number shows no digits after a point")
+
+
+def _decimals(text: str) -> Iterable[tuple[str, str]]:
+    """Digits before and after each decimal point of a formula."""
+    digits = ""
+    before: str | None = None
+    for sign in text + " ":
+        if sign.isascii() and sign.isdigit():
+            digits += sign
+            continue
+        if before is not None and digits:
+            yield before, digits
+        before = (digits or "0") if sign == "." else None
+        digits = ""
+
+
+def _within(exact: Expr, shown: Fraction, half: Fraction, frame: Frame) -> Finding:
+    point = _point(frame.conditions)
+    if symbols_of(exact) <= set(point):
+        found = _by_ball(exact, shown, half, point, frame)
+        if found is not None:
+            return found
+    low, high = number(shown - half), number(shown + half)
+    return finding_of(frame.decide(Statement((Rel("<=", low, exact), Rel("<=", exact, high)))))
+
+
+def _point(conditions: Iterable[Rel]) -> dict[str, Fraction]:
+    """Symbols that a condition sets to a number."""
+    found = {}
+    for rel in conditions:
+        for side, other in ((rel.left, rel.right), (rel.right, rel.left)):
+            value = constant_value(other)
+            if rel.operator == "=" and side.kind == "symbol" and value is not None:
+                found[side.name] = value
+    return found
+
+
+def _by_ball(
+    exact: Expr, shown: Fraction, half: Fraction, point: Mapping[str, Fraction], frame: Frame
+) -> Finding | None:
+    """The finding where a ball lies inside the interval of the digits shown, or outside of it."""
+    used = {n: v for n, v in point.items() if n in symbols_of(exact)}
+    outside = [n for n, v in used.items() if n in frame.boxes and not frame.boxes[n].holds(v)]
+    if outside or len(point) != len(frame.conditions):
+        return None
+    try:
+        ball = enclosed(exact, used, PRECISION)
+    except (NoValue, Unresolved):
+        return None
+    with flint.ctx.workprec(PRECISION):
+        above = ball - flint.arb(rational(shown - half))
+        below = flint.arb(rational(shown + half)) - ball
+    value = enclosure(ball, 15)
+    where = {frame.labels.get(n, n): str(v) for n, v in used.items()}
+    interval = f"{shown - half} to {shown + half}"
+    if above > 0 and below > 0:
+        certificate = {"point": where, "value": value.to_json(), "interval": interval}
+        reason = f"the exact value {value.midpoint} lies in the interval of the digits shown"
+        return Finding("proved", reason, _text(where), "a ball round the value", None, certificate)
+    if above < 0 or below < 0:
+        printed = Enclosure(str(float(shown)), str(float(half)))
+        witness = Witness(where, "approx", value, printed, note=f"the digits stand for {interval}")
+        return Finding(
+            "refuted", f"fails {witness.text()}", "nowhere", "a ball round the value", witness
+        )
+    return None
+
+
+def _text(where: Mapping[str, str]) -> str:
+    return ", ".join(f"{n} = {v}" for n, v in where.items()) or "everywhere"

@@ -1,0 +1,186 @@
+"""The value of a formula as read: node by node, with names bound where the formula binds them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import Protocol
+
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import Expr, absolute, neg, power, symbol
+from gainproof.verify.judge.exact.functions import is_known
+from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
+from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.square import determinant, inverse, raised, trace
+from gainproof.verify.judge.meaning.value import (
+    Value,
+    added,
+    divided,
+    kronecker,
+    mapped,
+    multiplied,
+    negated,
+    shape_text,
+    stacked,
+    transposed,
+)
+
+SAME: Mapping[str, str] = MappingProxyType({"ln": "log", "arctan": "atan", "Tr": "trace"})
+"""Names of one function."""
+OF_MATRICES: Mapping[str, Callable[[Value], Value]] = MappingProxyType(
+    {"det": determinant, "tr": trace, "trace": trace}
+)
+HYPERBOLIC = ("sinh", "cosh", "tanh")
+
+
+class Names(Protocol):
+    """What an evaluation asks of the table of symbols."""
+
+    def symbol(self, token: str, bindings: Bindings) -> Value:
+        """What a symbol stands for."""
+
+    def is_declared(self, token: str) -> bool:
+        """Whether the table of symbols has it."""
+
+    def function(self, name: str, arguments: Sequence[Value], bindings: Bindings) -> Value:
+        """The value of a declared function."""
+
+    def derivative(self, value: Value, token: str, bindings: Bindings) -> Value:
+        """The derivative with respect to a symbol."""
+
+    def bound(
+        self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
+    ) -> Value:
+        """A sum or an integral of `body` over the bound name `token`."""
+
+    def expectation(self, value: Value) -> Value:
+        """The expectation."""
+
+
+def evaluated(tree: Expr, names: Names, bindings: Bindings) -> Value:
+    """What a tree stands for under the bindings. Raises Undecided."""
+    if tree.key not in bindings.trees:
+        bindings.trees[tree.key] = _value(tree, names, bindings)
+    return bindings.trees[tree.key]
+
+
+def number_of(value: Value, what: str = "a number") -> Expr:
+    """The value, which must be a number. Raises Undecided."""
+    if not isinstance(value, Expr):
+        raise Undecided(f"{shape_text(value)} stands where {what} is wanted")
+    return value
+
+
+def _value(node: Expr, names: Names, bindings: Bindings) -> Value:
+    def part(place: int) -> Value:
+        return evaluated(node.parts[place], names, bindings)
+
+    match node.kind:
+        case "number":
+            return node
+        case "symbol":
+            return names.symbol(node.name, bindings)
+        case "add":
+            return added([evaluated(p, names, bindings) for p in node.parts])
+        case "mul":
+            return multiplied([evaluated(p, names, bindings) for p in node.parts])
+        case "div":
+            return divided(part(0), part(1))
+        case "neg":
+            return negated(part(0))
+        case "pow":
+            return _power(part(0), node)
+        case "derivative":
+            return names.derivative(part(0), node.name, bindings)
+        case "at":
+            return _at(part(0), node.name, part(1), names, bindings)
+        case "matrix":
+            columns = int(node.name.split()[1])
+            entries = [evaluated(p, names, bindings) for p in node.parts]
+            starts = range(0, len(entries), columns)
+            return stacked([entries[s : s + columns] for s in starts])
+        case "transpose":
+            return transposed(part(0))
+        case "inverse":
+            return inverse(part(0))
+        case "kronecker":
+            return kronecker(part(0), part(1))
+        case "call":
+            return _call(node, names, bindings)
+        case _:
+            raise Undecided(f"{node.kind} is not covered")
+
+
+def _power(base: Value, node: Expr) -> Value:
+    if isinstance(base, Expr):
+        return Expr("pow", node.fraction, (base,))
+    if node.fraction.denominator != 1:
+        raise Undecided("a root of a matrix is not covered")
+    return raised(base, int(node.fraction))
+
+
+def _at(value: Value, token: str, place: Value, names: Names, bindings: Bindings) -> Value:
+    target = names.symbol(token, bindings)
+    if not isinstance(target, Expr) or target.kind != "symbol":
+        raise Undecided(f"substitution for {token}, which is no free symbol")
+    put_in = {target.name: number_of(place)}
+    return mapped(value, lambda entry: substituted(entry, put_in))
+
+
+def _call(node: Expr, names: Names, bindings: Bindings) -> Value:
+    name = node.name
+    if names.is_declared(name):
+        arguments = [evaluated(p, names, bindings) for p in node.parts]
+        return names.function(name, arguments, bindings)
+    if name in ("sum", "integral"):
+        return _bound(node, names, bindings)
+    values = [evaluated(p, names, bindings) for p in node.parts]
+    if name == "expectation" and len(values) == 1:
+        return names.expectation(values[0])
+    if name in OF_MATRICES and len(values) == 1:
+        return OF_MATRICES[name](values[0])
+    numbers = [number_of(v) for v in values]
+    if name == "order" and len(numbers) == 1:
+        return Expr("call", "order", tuple(numbers))
+    if name == "abs" and len(numbers) == 1:
+        return absolute(numbers[0])
+    if name == "power" and len(numbers) == 2:
+        return general_power(*numbers)
+    name = SAME.get(name, name)
+    if name in HYPERBOLIC and len(numbers) == 1:
+        return _hyperbolic(name, numbers[0])
+    if is_known(name, len(numbers)):
+        return Expr("call", name, tuple(numbers))
+    raise Undecided(f"the function {name} is not covered")
+
+
+def general_power(base: Expr, exponent: Expr) -> Expr:
+    """base^exponent: an algebraic power where the exponent is a number, else a call."""
+    value = constant_value(exponent)
+    if value is None:
+        return Expr("call", "power", (base, exponent))
+    if max(abs(value.numerator), value.denominator) > DEFAULT_LIMITS.exponent:
+        raise Undecided(f"an exponent beyond {DEFAULT_LIMITS.exponent}")
+    return power(base, value)
+
+
+def _hyperbolic(name: str, x: Expr) -> Expr:
+    """In exponentials, so that identities between them are identities of these."""
+    up, down = Expr("call", "exp", (x,)), Expr("call", "exp", (neg(x),))
+    sinh, cosh = (up - down) / 2, (up + down) / 2
+    return {"sinh": sinh, "cosh": cosh}.get(name, sinh / cosh)
+
+
+def _bound(node: Expr, names: Names, bindings: Bindings) -> Value:
+    if len(node.parts) != 4 or node.parts[1].kind != "symbol":
+        raise Undecided(f"a {node.name} needs a body, a variable and both bounds")
+    token = node.parts[1].name
+    low, high = (_edge(p, names, bindings) for p in node.parts[2:])
+    return names.bound(node.name, node.parts[0], token, low, high, bindings)
+
+
+def _edge(node: Expr, names: Names, bindings: Bindings) -> Value:
+    if node.kind == "symbol" and node.name == "infinity":
+        return symbol("infinity")
+    return evaluated(node, names, bindings)

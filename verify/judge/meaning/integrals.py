@@ -1,0 +1,70 @@
+"""Definite integrals of polynomials, and of polynomials times an exponential of a linear term."""
+
+from __future__ import annotations
+
+from math import factorial
+
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    add,
+    mul,
+    neg,
+    number,
+    power,
+    symbol,
+    symbols_of,
+)
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.meaning.expansion import coefficients, products
+
+
+def integral_of(integrand: Expr, name: str, low: Expr, high: Expr) -> tuple[Expr, tuple[Rel, ...]]:
+    """The integral over the bound symbol `name`, and what must not vanish. Raises Undecided."""
+    known = coefficients(integrand, name)
+    if known is not None:
+        return _between(_primitive(known, name), name, low, high), ()
+    terms: list[Expr] = []
+    needed: list[Rel] = []
+    for product in products(integrand, [name]):
+        rates = [f for f in product if f.kind == "call" and f.name == "exp"]
+        rates = [f for f in rates if name in symbols_of(f)]
+        factor = [f for f in product if f not in rates]
+        polynomial = coefficients(mul(*factor) if factor else number(1), name)
+        if polynomial is None:
+            raise Undecided("an integral of anything but polynomials and exponentials of them")
+        if not rates:
+            terms.append(_primitive(polynomial, name))
+            continue
+        exponent = add(*[f.parts[0] for f in rates])
+        line = coefficients(exponent, name)
+        if line is None or not set(line) <= {0, 1} or 1 not in line:
+            raise Undecided("an integral of an exponential whose exponent is not linear")
+        needed.append(Rel("!=", line[1], number(0)))
+        terms.append(_with_exponential(polynomial, name, exponent, line[1]))
+    return _between(add(*terms), name, low, high), tuple(needed)
+
+
+def _primitive(known: dict[int, Expr], name: str) -> Expr:
+    t = symbol(name)
+    terms = [mul(c, power(t, m + 1)) / (m + 1) for m, c in known.items()]
+    return add(*terms) if terms else number(0)
+
+
+def _with_exponential(known: dict[int, Expr], name: str, exponent: Expr, rate: Expr) -> Expr:
+    """Of t^m exp(rate t): exp(rate t) times the sum of (-1)^j m!/(m-j)! t^(m-j) / rate^(j+1)."""
+    t = symbol(name)
+    whole = Expr("call", "exp", (exponent,))
+    terms = []
+    for m, c in known.items():
+        for j in range(m + 1):
+            weight = (-1) ** j * factorial(m) // factorial(m - j)
+            rest = power(t, m - j) if m > j else number(1)
+            terms.append(mul(number(weight), c, rest, whole) / power(rate, j + 1))
+    return add(*terms)
+
+
+def _between(primitive: Expr, name: str, low: Expr, high: Expr) -> Expr:
+    upper, lower = (substituted(primitive, {name: bound}) for bound in (high, low))
+    return add(upper, neg(lower))

@@ -1,0 +1,77 @@
+"""Which names the definitions of a table of symbols use, directly or through others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from gainproof.verify.judge.claim_record import SymbolEntry
+from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.graph import read_tree
+from gainproof.verify.judge.exact.limits import Undecided
+
+
+class Reach:
+    """Answers what a token's definition uses; each is worked out once."""
+
+    def __init__(self, symbols: Mapping[str, SymbolEntry]) -> None:
+        self._symbols = symbols
+        self._direct: dict[str, frozenset[str]] = {}
+        self._whole: dict[str, frozenset[str]] = {}
+
+    def meets(self, token: str, names: Iterable[str]) -> bool:
+        """Whether a token's definition uses one of the names."""
+        return not self.of(token).isdisjoint(names)
+
+    def of(self, token: str) -> frozenset[str]:
+        """All names that a token's definition uses, itself left out."""
+        if token not in self._whole:
+            found: set[str] = set()
+            pending = [token]
+            while pending:
+                for name in self._directly(pending.pop()):
+                    if name not in found:
+                        found.add(name)
+                        pending.append(name)
+            self._whole[token] = frozenset(found)
+        return self._whole[token]
+
+    def _directly(self, token: str) -> frozenset[str]:
+        if token not in self._direct:
+            entry = self._symbols.get(token)
+            definition = None if entry is None else entry.definition
+            readings = () if definition is None else definition.readings
+            self._direct[token] = frozenset(
+                name
+                for reading in readings
+                for name in names_in(read_tree(reading.relations[0].right))
+            )
+        return self._direct[token]
+
+    def refuse_indexed(self, body: Expr, index: str) -> None:
+        """Raises Undecided if a symbol below has the bound name as its index: x_i has no values."""
+        for name in set(names_in(body)):
+            for each in {name, *self.of(name)}:
+                if each != index and index in indices_of(each):
+                    raise Undecided(f"a sum over {index} of {each}, a symbol with that index")
+
+
+def names_in(tree: Expr) -> Iterator[str]:
+    """Names of symbols, functions and variables of derivatives."""
+    for node in walk(tree):
+        if node.kind in ("symbol", "call", "derivative", "at"):
+            yield node.name
+
+
+def indices_of(token: str) -> set[str]:
+    """Letters and commands in the subscript of a token: those of `x_{sk-1}` are s and k."""
+    found: set[str] = set()
+    _, mark, rest = token.partition("_")
+    while mark and rest:
+        letter, rest = rest[0], rest[1:]
+        if letter == "\\":
+            size = next((k for k, c in enumerate(rest) if not c.isalpha()), len(rest))
+            found.add(letter + rest[:size])
+            rest = rest[size:]
+        elif letter.isalpha():
+            found.add(letter)
+    return found

@@ -1,0 +1,131 @@
+"""Sums: written out, in closed form for polynomials and geometric series, else kept."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    add,
+    mul,
+    neg,
+    number,
+    power,
+    symbol,
+    symbols_of,
+)
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.meaning.expansion import coefficients, products
+from gainproof.verify.judge.setting.growing_memory import power_sum
+
+MOST_TERMS = 200
+MOST_POLYNOMIAL = 12
+INFINITE = symbol("infinity")
+EULERIAN = ((1,), (0, 1), (0, 1, 1), (0, 1, 4, 1))
+"""Sum of j^m c^j over j >= 0 is this polynomial of c over (1 - c)^(m + 1)."""
+
+
+def sum_of(summand: Expr, index: str, low: Expr, high: Expr) -> tuple[Expr, tuple[Rel, ...]]:
+    """A sum over the bound symbol `index`, and what must hold for it: bounds in order, convergence.
+
+    A sum without a closed form here is kept as a call. Raises Undecided.
+    """
+    if high == INFINITE:
+        return _endless(summand, index, low)
+    first, last = constant_value(low), constant_value(high)
+    if first is not None and last is not None:
+        return _written_out(summand, index, first, last), ()
+    ordered = (Rel(">=", high - low, number(-1)),)
+    known = coefficients(summand, index)
+    if known is None or max(known, default=0) > MOST_POLYNOMIAL:
+        return Expr("call", "sum", (summand, symbol(index), low, high)), ordered
+    terms = [
+        mul(c, add(_power_sum(m, high), neg(_power_sum(m, low - 1)))) for m, c in known.items()
+    ]
+    return (add(*terms) if terms else number(0)), ordered
+
+
+def _written_out(summand: Expr, index: str, first: Fraction, last: Fraction) -> Expr:
+    if first.denominator != 1 or last.denominator != 1:
+        raise Undecided("a sum whose bounds are not whole numbers")
+    if not -1 <= last - first < MOST_TERMS:
+        raise Undecided(f"a sum of more than {MOST_TERMS} terms, or with its bounds turned round")
+    numbers = range(int(first), int(last) + 1)
+    terms = [substituted(summand, {index: number(n)}) for n in numbers]
+    return add(*terms) if terms else number(0)
+
+
+def _power_sum(m: int, upper: Expr) -> Expr:
+    """Sum of j^m for j = 0..upper, a polynomial that is 0 for upper = -1."""
+    terms = [
+        mul(number(c), power(upper, k)) if k else number(c) for k, c in enumerate(power_sum(m)) if c
+    ]
+    return add(*terms)
+
+
+def _endless(summand: Expr, index: str, low: Expr) -> tuple[Expr, tuple[Rel, ...]]:
+    """A geometric series, whose terms may have a polynomial of the index as factor."""
+    terms: list[Expr] = []
+    needed: list[Rel] = []
+    for product in products(summand, [index]):
+        outside: list[Expr] = []
+        ratio: list[Expr] = []
+        inside: list[Expr] = []
+        for factor in product:
+            if index not in symbols_of(factor):
+                outside.append(factor)
+            elif factor.kind == "call" and factor.name == "power":
+                base, constant, slope = _geometric(factor, index)
+                outside.append(constant)
+                ratio.append(power(base, slope))
+            else:
+                inside.append(factor)
+        if not ratio:
+            raise Undecided("a sum to infinity that is no geometric series")
+        c = mul(*ratio)
+        needed.append(Rel("<", power(c, 2), number(1)))
+        # from j = 0 on, with index = low + j
+        shifted = substituted(mul(*inside), {index: low + symbol(index)}) if inside else number(1)
+        known = coefficients(shifted, index)
+        if known is None or max(known) >= len(EULERIAN):
+            raise Undecided("a geometric series with such a factor")
+        start = Expr("call", "power", (c, low)) if constant_value(low) is None else _raised(c, low)
+        for m, coefficient in known.items():
+            top = add(
+                *[
+                    number(e) * power(c, k) if k else number(e)
+                    for k, e in enumerate(EULERIAN[m])
+                    if e
+                ]
+            )
+            whole = top / power(1 - c, m + 1)
+            terms.append(mul(coefficient, *outside, start, whole))
+    return add(*terms), tuple(needed)
+
+
+def _raised(c: Expr, low: Expr) -> Expr:
+    value = constant_value(low)
+    if value is None or value.denominator != 1:
+        raise Undecided("a sum whose bounds are not whole numbers")
+    return power(c, value) if value else number(1)
+
+
+def _geometric(factor: Expr, index: str) -> tuple[Expr, Expr, int]:
+    """base^(a + b index): base, base^a and b."""
+    base, exponent = factor.parts
+    known = coefficients(exponent, index)
+    if index in symbols_of(base) or known is None or not set(known) <= {0, 1}:
+        raise Undecided("a sum to infinity that is no geometric series")
+    slope = constant_value(known.get(1, number(0)))
+    if slope is None or slope.denominator != 1:
+        raise Undecided("a geometric series whose exponent is not a whole multiple of its index")
+    rest = known.get(0)
+    if rest is None:
+        return base, number(1), int(slope)
+    value = constant_value(rest)
+    if value is None:
+        return base, Expr("call", "power", (base, rest)), int(slope)
+    return base, power(base, value), int(slope)

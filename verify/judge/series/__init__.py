@@ -1,0 +1,3 @@
+"""Expansions of expressions in powers of a small positive number, with other symbols in the
+coefficients.
+"""
