@@ -55,7 +55,8 @@ class OffTheModel:
 
 def _means_something(scope: Scope, name: str) -> bool:
     try:
-        return scope.symbol(name).kind != "symbol"
+        value = scope.symbol(name)
+        return not isinstance(value, Expr) or value.kind != "symbol"
     except (Undecided, Malformed, UndefinedSymbol):
         return True
 

@@ -13,6 +13,7 @@ from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.poly import Ball, rational
+from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.repair.printed import Link, Printed
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 
@@ -48,7 +49,7 @@ class Values:
 
     def _base(self, name: str) -> Ball | None:
         try:
-            return self._enclosed(self.scope.symbol(name))
+            return self._enclosed(number_of(self.scope.symbol(name)))
         except (Undecided, Malformed, UndefinedSymbol):
             return None
 
@@ -116,8 +117,10 @@ def combined(expr: Expr, parts: list[Ball]) -> Ball | None:
             return -parts[0]
         case "div":
             return None if parts[1].contains(0) else parts[0] / parts[1]
-        case _:
+        case "pow":
             return power(parts[0], expr.fraction)
+        case _:
+            return None
 
 
 def power(base: Ball, exponent: Fraction) -> Ball | None:
