@@ -117,8 +117,8 @@ def _check_conventions(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> No
     quantities = {entry.quantity: entry.latex for entry in symbols.values() if entry.quantity}
     for name, (reached, fixed) in FIXED_NAMES.items():
         said = fields.take(name)
-        usual = (None, CONVENTIONS[name][0])
-        if str(said) in map(str, usual) or any(q.startswith(reached) for q in quantities):
+        unusual = str(said) in CONVENTIONS[name][1:]
+        if not unusual or any(quantity.startswith(reached) for quantity in quantities):
             continue
         for quantity, token in quantities.items():
             if quantity.startswith(fixed):
