@@ -71,6 +71,10 @@ def _power(base: Any, exponent: Fraction) -> Any:
         if not base > 0:
             raise Unclear
         base = base.sqrt()
+    if exponent.denominator == 3 and not base.is_zero():
+        if base.contains(0):
+            raise Unclear
+        base = base.root(3) if base > 0 else -((-base).root(3))
     product = flint.arb(1)
     for _ in range(exponent.numerator):
         product = product * base
@@ -96,6 +100,12 @@ def holds(rel: Rel, point: Point) -> bool:
 
 def truth_at(statement: Statement, point: Point) -> str:
     """The truth of a statement at a point. Raises Unclear."""
+    if statement.connective == "iff":
+        try:
+            sides = [holds(rel, point) for rel in statement.all_relations()]
+        except NoValue:
+            return NO_VALUE
+        return TRUE if sides[0] == sides[1] else FALSE
     try:
         if not all(holds(rel, point) for rel in statement.conditions):
             return SKIPPED
@@ -153,7 +163,7 @@ def _faults(case: Trial, verdict: str, cloud: list[Point], limits: Limits) -> li
         if verdict == "proved" and (seen == FALSE or (seen == NO_VALUE and stated == set(point))):
             found.append(f"{seen} at {shown}")
         # an equation may hold on a thin set all the same
-        equal = case.statement.relations[0].operator == "="
+        equal = any(rel.operator == "=" for rel in case.statement.relations)
         if verdict == "refuted" and seen == TRUE and not equal and _generic(case, first, point):
             found.append(f"{seen} at {shown}")
         if verdict == "conditional" and seen != SKIPPED and _generic(case, first, point):

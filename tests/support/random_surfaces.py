@@ -55,6 +55,9 @@ def trial(random: Random) -> Trial:
     if random.random() < 0.1:
         given = (*given, _condition(random, names))
     statement = Statement((rel,), given)
+    if random.random() < 0.15:
+        sides = _equivalent(random, names)
+        statement, special = Statement((sides[0],), (sides[1],), "iff"), ()
     return Trial(statement, {n: random.choice(BOXES) for n in names}, special)
 
 
@@ -70,7 +73,7 @@ def polynomial(random: Random, names: tuple[str, ...]) -> Expr:
 
 def _expression(random: Random, names: tuple[str, ...]) -> Expr:
     p, q = polynomial(random, names), polynomial(random, names)
-    kind = random.randrange(6)
+    kind = random.randrange(7)
     match kind:
         case 0:
             return div(p, q)
@@ -80,6 +83,8 @@ def _expression(random: Random, names: tuple[str, ...]) -> Expr:
             return absolute(p)
         case 3:
             return p + sqrt(power(p, 2) + power(q, 2))
+        case 4:
+            return power(p, Fraction(1, 3))
         case _:
             return p
 
@@ -87,6 +92,23 @@ def _expression(random: Random, names: tuple[str, ...]) -> Expr:
 def _condition(random: Random, names: tuple[str, ...]) -> Rel:
     operator = random.choice(("<", "<=", ">", ">=", ">", "=", "!="))
     return Rel(operator, polynomial(random, names), polynomial(random, names))
+
+
+def _equivalent(random: Random, names: tuple[str, ...]) -> tuple[Rel, Rel]:
+    """Two relations that are equivalent, or are where both sides have values or one sign."""
+    a, b = polynomial(random, names), polynomial(random, names)
+    zero = number(0)
+    pairs = (
+        (Rel("<", a, b), Rel(">", b - a, zero)),
+        (Rel("=", power(a, 2), power(b, 2)), Rel("=", a, b)),
+        (Rel("<", power(a, 2), power(b, 2)), Rel("<", absolute(a), absolute(b))),
+        (Rel("=", a * b, zero), Rel("=", a, zero)),
+        (Rel("<=", sqrt(a), b), Rel("<=", a, power(b, 2))),
+        (Rel(">", div(a, b), zero), Rel(">", a * b, zero)),
+        (Rel("=", a, b), Rel("=", power(a, 3), power(b, 3))),
+        (Rel("<=", a, b), Rel("<=", power(a, 3), power(b, 3))),
+    )
+    return random.choice(pairs)
 
 
 def _pair(random: Random, names: tuple[str, ...]) -> tuple[Expr, Expr]:
@@ -103,6 +125,8 @@ def _pair(random: Random, names: tuple[str, ...]) -> tuple[Expr, Expr]:
         (sqrt(div(a, b)), div(sqrt(a * b), absolute(b))),
         (absolute(a) * absolute(b), absolute(a * b)),
         (sqrt(power(b, 4)), power(b, 2)),
+        (power(power(b, 3), Fraction(1, 3)), b),
+        (sqrt(sqrt(power(b, 4)) + 2 * b + 1), absolute(b + 1)),
     )
     return random.choice(pairs)
 

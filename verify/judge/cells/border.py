@@ -54,15 +54,22 @@ def _best_variable(factor: Poly, boxes: Sequence[Box]) -> int:
 
 
 def _solutions(parts: Sequence[Poly], names: Sequence[str]) -> list[Expr]:
-    exprs = [as_expr(part, names) for part in parts]
-    if len(exprs) == 2:
-        return [neg(exprs[0] / exprs[1])]
-    half = as_expr(parts[1] / 2, names)
-    inside = as_expr(parts[1] ** 2 / 4 - parts[0] * parts[2], names)
-    root = sqrt(inside)
+    """The real roots of a polynomial of degree one or two, from its coefficients."""
+    lead = parts[-1]
+    if lead.is_constant():
+        parts = [part / lead.leading_coefficient() for part in parts]
+    below = None if lead.is_constant() else as_expr(lead, names)
+    if len(parts) == 2:
+        return [_over(as_expr(-parts[0], names), below)]
+    root = sqrt(as_expr(parts[1] ** 2 / 4 - parts[0] * parts[2], names))
     if parts[1].is_zero():
-        return [sign * root / exprs[2] for sign in (1, -1)]
-    return [(sign * root - half) / exprs[2] for sign in (1, -1)]
+        return [_over(root, below), _over(neg(root), below)]
+    middle = as_expr(-parts[1] / 2, names)
+    return [_over(middle + root, below), _over(middle - root, below)]
+
+
+def _over(top: Expr, bottom: Expr | None) -> Expr:
+    return top if bottom is None else top / bottom
 
 
 def _with_value(task: Task, name: str, value: Expr, what: Expr) -> Task | None:

@@ -13,7 +13,9 @@ from gainproof.verify.judge.cells.question import CellQuestion
 from gainproof.verify.judge.cells.region import Literal, alternatives, separating
 from gainproof.verify.judge.cells.task import Budget, Task
 from gainproof.verify.judge.exact.expression import number, symbols_of
-from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.limits import Limits, Undecided
+from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.region import region_text
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.truth import FALSE, SKIPPED, TRUE
 
@@ -27,44 +29,106 @@ def domain_text(
     stated: frozenset[str],
     labels: Mapping[str, str],
 ) -> tuple[str, bool]:
-    """The set of truth as text; False if it may hold on more borders than are named."""
+    """The set of truth as text; False if it may hold on more than is named."""
+    texts, exact = _texts(task, found, budget, stated, labels)
+    return ("for " + ", ".join(texts) if texts else "everywhere"), exact
+
+
+def _texts(
+    task: Task,
+    found: Sequence[Part],
+    budget: Budget,
+    stated: frozenset[str],
+    labels: Mapping[str, str],
+) -> tuple[list[str], bool]:
     texts = [
         box.text(labels.get(name, name))
         for name, box in task.boxes.items()
         if box.lower is not None or box.upper is not None
     ]
+    if len(task.names) < 2:
+        return _line(found[0], labels), True
+    if all(p.truth == SKIPPED for p in found[0].pieces):
+        return _on_borders(task, found, budget, stated, labels)
     literals = separating(found[0])
-    gaps = list(budget.gaps)
-    whole = True
     if literals is None:
-        texts.append(alternatives(found[0], labels))
-        return _joined(texts), False
-    inside = list(found)
+        cells = alternatives(found[0], labels)
+        return [*texts, cells, *_apart_from_borders(found[0], labels)], False
+    gaps, inside, whole = list(budget.gaps), list(found), True
     if any(p.truth == FALSE for p in found[0].pieces):
         # the borders inside the region of truth were not looked at yet
-        again = Budget(budget.limits)
+        again = Budget(_less(budget.limits))
         try:
             inside = list(parts(_within(task, literals, ">"), again, stated))
         except Undecided:
-            whole = False
+            # each of these could be a border on which it fails
+            question = CellQuestion(task, budget.limits)
+            gaps += [(as_expr(p, task.names), "") for p in question.borders()]
         gaps += again.gaps
-        whole = whole and _nowhere_else(task, literals, budget, stated)
+        whole = _nowhere_else(task, literals, budget, stated)
     for k in range(len(literals)):
         text, clear = _literal_text(task, literals, k, budget, stated, labels)
         texts.append(text)
         whole = whole and clear
     used = {as_expr(p, task.names) for p, _ in literals}
-    pieces = [p for p in all_pieces(inside) if not p.task.border or p.task.border[0] not in used]
-    texts += exclusions(pieces, labels)
+    left_out, exact = exclusions(inside, len(task.border), used, labels)
+    texts += left_out
     texts += [f"{shown(expr, labels)} != 0" for expr, _ in gaps if symbols_of(expr)]
-    return _joined(texts), whole and not gaps
+    return texts, whole and exact and not gaps
+
+
+def _apart_from_borders(part: Part, labels: Mapping[str, str]) -> list[str]:
+    """That nothing is said about any border."""
+    if part.question is None:
+        return []
+    borders = [shown(as_expr(p, part.task.names), labels) for p in part.question.borders()]
+    return [f"and none of these zero: {'; '.join(borders)}"] if borders else []
+
+
+def _line(part: Part, labels: Mapping[str, str]) -> list[str]:
+    """The set of truth of a task with one parameter."""
+    name = next(iter(part.task.names), None)
+    places = [p.place for p in part.pieces if p.truth == TRUE and isinstance(p.place, Place)]
+    label = labels.get(name or "", name or "")
+    text = region_text(places, label)
+    return [] if name is None or text == f"all real {label}" else [text]
+
+
+def _on_borders(
+    task: Task,
+    found: Sequence[Part],
+    budget: Budget,
+    stated: frozenset[str],
+    labels: Mapping[str, str],
+) -> tuple[list[str], bool]:
+    """The set of truth where the conditions hold on borders only: border by border."""
+    above = len(task.border)
+    size = max(p.dimension for p in all_pieces(found) if p.truth != SKIPPED)
+    choices: dict[str, None] = {}
+    whole = True
+    for k, part in enumerate(found):
+        chain = part.task.border
+        if not any(p.truth == TRUE and p.dimension == size for p in part.pieces):
+            continue
+        below = [p for p in found[k:] if p.task.border[: len(chain)] == chain]
+        solved = [
+            f"{labels.get(name, name)} = {shown(value, labels)}"
+            for name, value in part.task.solved[len(task.solved) :]
+        ]
+        inner, exact = _texts(part.task, below, budget, stated, labels)
+        choices[", ".join([*solved, *inner])] = None
+        whole = whole and exact and above == 0
+    joined = list(choices)
+    # what holds on smaller borders is not named
+    exact = whole and not any(p.truth == TRUE and p.dimension < size for p in all_pieces(found))
+    return [joined[0] if len(joined) == 1 else " or ".join(f"({text})" for text in joined)], exact
 
 
 def _nowhere_else(
     task: Task, literals: Sequence[Literal], budget: Budget, stated: frozenset[str]
 ) -> bool:
     """Whether it is shown that the statement holds on no thin set outside the region either."""
-    limits = replace(budget.limits, borders=MOST_BORDERS)
+    limits = replace(_less(budget.limits), borders=MOST_BORDERS)
     for p, sign in literals:
         again = Budget(limits, thorough=True)
         try:
@@ -76,8 +140,9 @@ def _nowhere_else(
     return True
 
 
-def _joined(texts: Sequence[str]) -> str:
-    return "for " + ", ".join(texts) if texts else "everywhere"
+def _less(limits: Limits) -> Limits:
+    """The words may not take longer than the verdict."""
+    return replace(limits, seconds=limits.seconds / 5)
 
 
 def _within(task: Task, literals: Sequence[Literal], above: str) -> Task:
@@ -103,7 +168,7 @@ def _literal_text(
     """
     p, sign = literals[k]
     others = [literal for j, literal in enumerate(literals) if j != k]
-    again = Budget(budget.limits, thorough=True)
+    again = Budget(_less(budget.limits), thorough=True)
     present = {TRUE, FALSE}
     try:
         question = CellQuestion(_within(task, others, ">="), budget.limits)

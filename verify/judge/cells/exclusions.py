@@ -5,39 +5,70 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from gainproof.verify.judge.cells.names import shown
-from gainproof.verify.judge.cells.pieces import Piece
+from gainproof.verify.judge.cells.pieces import Part, Piece, all_pieces
 from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.place import Place
+from gainproof.verify.judge.exact.region import region_text
 from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
 
 Chain = tuple[Expr, ...]
+"""The polynomials that are zero on a border, a border of this, and so on."""
 
 
-def exclusions(pieces: Sequence[Piece], labels: Mapping[str, str]) -> list[str]:
-    """`... != 0` for each border that is left out, or where on it."""
-    present = [p for p in pieces if p.task.border and p.truth != SKIPPED]
-    found: dict[str, None] = {}
-    for chain in _chains(present, ()):
-        if len(chain) == 1:
-            found[f"{shown(chain[0], labels)} != 0"] = None
-        else:
-            zeros = " and ".join(f"{shown(expr, labels)} = 0" for expr in chain)
-            found[f"except where {zeros}"] = None
-    return list(found)
+def exclusions(
+    found: Sequence[Part], above: int, used: set[Expr], labels: Mapping[str, str]
+) -> tuple[list[str], bool]:
+    """What is left out of the set of truth; False if more is left out than need be.
 
-
-def _chains(pieces: Sequence[Piece], above: Chain) -> list[Chain]:
-    """The shortest chains of borders below which everything is wrong.
-
-    Where a border is wrong in some of its cells only it is named whole.
+    `above` is the length of the chain of the task itself; borders in `used` are named elsewhere.
     """
-    found: list[Chain] = []
-    size = len(above)
-    for here in dict.fromkeys(p.task.border[size] for p in pieces if len(p.task.border) > size):
-        below = [p for p in pieces if p.task.border[size : size + 1] == (here,)]
-        wrong = [p for p in below if p.truth != TRUE]
-        if not wrong:
+    texts: dict[str, None] = {}
+    exact = True
+    gone: set[Chain] = set()
+    chains = {p.task.border[above:]: None for p in found if len(p.task.border) > above}
+    for chain in sorted(chains, key=len):
+        if chain[0] in used or any(chain[:k] in gone for k in range(1, len(chain) + 1)):
             continue
-        chain = (*above, here)
-        direct = any(len(p.task.border) == size + 1 for p in wrong)
-        found += [chain] if direct or len(wrong) == len(below) else _chains(below, chain)
-    return found
+        here = [p for p in found if p.task.border[above:] == chain]
+        if not _wrong(all_pieces(here)):
+            continue
+        below = all_pieces([p for p in found if p.task.border[above:][: len(chain)] == chain])
+        kept = [p for p in below if p.truth == TRUE]
+        if kept and all(len(p.task.names) < 2 for p in here):
+            texts |= dict.fromkeys(t for part in here for t in _of_line(part, chain, labels))
+            continue
+        # on a border with cells of both kinds the borders of these were not all looked at
+        exact = exact and not kept
+        gone.add(chain)
+        texts[_whole(chain, labels)] = None
+    return list(texts), exact
+
+
+def _wrong(pieces: Sequence[Piece]) -> list[Piece]:
+    return [p for p in pieces if p.truth not in (TRUE, SKIPPED)]
+
+
+def zeros(chain: Chain, labels: Mapping[str, str]) -> str:
+    """The equations of a border."""
+    return " and ".join(f"{shown(expr, labels)} = 0" for expr in chain)
+
+
+def _whole(chain: Chain, labels: Mapping[str, str]) -> str:
+    if len(chain) == 1:
+        return f"{shown(chain[0], labels)} != 0"
+    return f"except where {zeros(chain, labels)}"
+
+
+def _of_line(part: Part, chain: Chain, labels: Mapping[str, str]) -> list[str]:
+    """What is left out of a border with one parameter, or of a point."""
+    wrong = _wrong(part.pieces)
+    if not wrong:
+        return []
+    solved, value = part.task.solved[-1]
+    where = f"{labels.get(solved, solved)} = {shown(value, labels)}"
+    before = f"{zeros(chain[:-1], labels)} and {where}" if len(chain) > 1 else where
+    name = next(iter(part.task.names), None)
+    if name is None or len(wrong) == len([p for p in part.pieces if p.truth != SKIPPED]):
+        return [f"except where {before}"]
+    places = [p.place for p in wrong if isinstance(p.place, Place)]
+    return [f"except where {before} and ({region_text(places, labels.get(name, name))})"]

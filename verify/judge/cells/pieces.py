@@ -16,7 +16,7 @@ from gainproof.verify.judge.cells.one_sign import keeps_sign
 from gainproof.verify.judge.cells.projection import Projection, projected
 from gainproof.verify.judge.cells.question import CellQuestion
 from gainproof.verify.judge.cells.subdivision import nowhere_zero
-from gainproof.verify.judge.cells.task import Budget, Task
+from gainproof.verify.judge.cells.task import Budget, OutOfTime, Task
 from gainproof.verify.judge.exact.connected import Connected
 from gainproof.verify.judge.exact.expression import number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
@@ -99,6 +99,8 @@ def border_parts(
     try:
         for below in border_tasks(task, factor):
             yield from parts(below, budget, stated)
+    except OutOfTime:
+        raise
     except Undecided as reason:
         if not nowhere_zero(factor, question.domain_polynomials(), boxes):
             budget.gaps.append((as_expr(factor, task.names), str(reason)))
@@ -108,11 +110,15 @@ def _open_cells(question: CellQuestion, budget: Budget, stated: frozenset[str]) 
     task = question.task
     boxes = [task.boxes[name] for name in task.names]
     cuts = question.cuts()
+    budget.check_time()
     projection = projected(cuts, boxes, budget.limits)
     found = cells(projection.levels, boxes, budget.limits)
     budget.spend(len(found))
-    pieces = tuple(_piece(question, task, cell, len(boxes), stated) for cell in found)
-    return Part(task, pieces, question, tuple(cuts), projection)
+    pieces = []
+    for cell in found:
+        budget.check_time()
+        pieces.append(_piece(question, task, cell, len(boxes), stated))
+    return Part(task, tuple(pieces), question, tuple(cuts), projection)
 
 
 def _piece(

@@ -1,7 +1,8 @@
-"""Polynomials without zero on a domain, shown by cutting the box into smaller boxes.
+"""Polynomials without zero on a domain, shown by cells or by cutting the box into smaller boxes.
 
 Where a polynomial is not zero on a closed bounded box, small enough boxes show it: this ends, but
-for zeros on the faces of an open box, which only exhaust the number of boxes.
+for zeros on the faces of an open box, which only exhaust the number of boxes. In unbounded boxes
+it need not end; there the polynomial may have no root over any point of a single cell.
 """
 
 from __future__ import annotations
@@ -11,17 +12,23 @@ from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.cells.ground import value_at
+from gainproof.verify.judge.cells.lifting import cells
 from gainproof.verify.judge.cells.one_sign import keeps_sign
+from gainproof.verify.judge.cells.projection import projected
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.poly import Poly
 
 MOST_BOXES = 300
+ONE_CELL = Limits(cells=1, projection_factors=60)
 
 
 def nowhere_zero(p: Poly, outside: Sequence[tuple[Poly, int]], boxes: Sequence[Box]) -> bool:
     """Whether p is shown to have no zero in the box; parts of it in which a polynomial of `outside`
     has its sign throughout do not count.
     """
+    if _without_root(p, boxes):
+        return True
     waiting = [tuple(boxes)]
     for _ in range(MOST_BOXES):
         if not waiting:
@@ -33,6 +40,25 @@ def nowhere_zero(p: Poly, outside: Sequence[tuple[Poly, int]], boxes: Sequence[B
             continue
         waiting += _halves(box)
     return not waiting
+
+
+def _without_root(p: Poly, boxes: Sequence[Box]) -> bool:
+    """Whether projection leaves the open box in one cell: then no root lies over any of its points.
+
+    Only for open boxes: nothing is said about closed faces.
+    """
+    closed = [
+        b
+        for b in boxes
+        if (b.lower is not None and not b.lower_open) or (b.upper is not None and not b.upper_open)
+    ]
+    if closed:
+        return False
+    try:
+        levels = projected([p], boxes, ONE_CELL).levels
+        return len(cells(levels, boxes, ONE_CELL)) == 1
+    except Undecided:
+        return False
 
 
 def _sign(p: Poly, boxes: Sequence[Box]) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -41,6 +42,10 @@ class Task:
         return frozenset((*entries, *needed, *self.boxes))
 
 
+class OutOfTime(Undecided):
+    """The time is over: nothing else is tried."""
+
+
 @dataclass
 class Budget:
     """How much of the work is done, and the borders that could not be decided.
@@ -53,6 +58,7 @@ class Budget:
     cells: int = 0
     seen: set[frozenset[object]] = field(default_factory=set)
     gaps: list[tuple[Expr, str]] = field(default_factory=list)
+    start: float = field(default_factory=time.monotonic)
 
     def is_new(self, task: Task) -> bool:
         """Whether this question was not asked before. Raises Undecided if there are too many."""
@@ -62,6 +68,11 @@ class Budget:
             raise Undecided(f"more than {self.limits.borders} borders between cells")
         self.seen.add(task.key)
         return True
+
+    def check_time(self) -> None:
+        """Raises OutOfTime."""
+        if time.monotonic() - self.start > self.limits.seconds:
+            raise OutOfTime(f"more than {self.limits.seconds:g} seconds over cells")
 
     def spend(self, count: int) -> None:
         """Counts cells. Raises Undecided if there are too many."""

@@ -16,7 +16,7 @@ class Malformed(ValueError):
 @dataclass(frozen=True)
 class Limits:
     """Bounds on size. `precision` is in bits, `tower_degree` the product of the orders of all
-    roots.
+    roots; `seconds` are for all cells of several parameters.
     """
 
     nodes: int = 20_000
@@ -34,6 +34,7 @@ class Limits:
     projection_factors: int = 400
     cells: int = 20_000
     borders: int = 400
+    seconds: float = 20.0
 
 
 DEFAULT_LIMITS = Limits()
