@@ -4,26 +4,24 @@ for the setting; then the nearest true formulas for what is not true.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from gainproof.verify.judge.choice import admitted, choose, verdict_of
+from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim_record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.definition_use import contradicted
 from gainproof.verify.judge.dimension import fitting_readings
-from gainproof.verify.judge.repair.offer import repair_tasks, with_repair
 from gainproof.verify.judge.setting.environment import Environment
-from gainproof.verify.judge.task import Models, Task, TrialTask
+from gainproof.verify.judge.stages import Done, Stage, with_other_conventions, with_repairs
+from gainproof.verify.judge.task import Models, TrialTask
 from gainproof.verify.judge.trial import Trial
-from gainproof.verify.judge.undefined.choice import fixed_symbols
+from gainproof.verify.judge.undefined.choice import Fixed, fixed_symbols
 from gainproof.verify.judge.undefined.told import used_up_verdict, with_symbols
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 from gainproof.verify.judge.worker import tried_apart
 
 Progress = Callable[[str, str], None]
 """Called with the id of a claim and its verdict."""
-Done = Callable[[Sequence[Task]], Mapping[str, Trial]]
-"""Runs tasks on different claims; what they came to, by id of the claim."""
 WITHOUT_DECISION = {
     "definition": "nothing to decide but dimensions",
     "remark": "no decidable content",
@@ -48,21 +46,23 @@ def judge_file(
     claims = claim_file.claims
     wanted = [claim for claim in claims if claim.kind not in WITHOUT_DECISION]
     trials = dict(done([TrialTask(c, claim_file.settings[c.setting]) for c in wanted]))
-    found: dict[str, ClaimVerdict] = {}
-    tasks: list[Task] = []
+    stages: list[Stage] = []
+    symbols: list[Fixed] = []
     for setting in claim_file.settings.values():
         mine = [claim for claim in wanted if claim.setting == setting.name]
         setting, fixed = fixed_symbols(setting, mine, done)
+        symbols += fixed
         for symbol in fixed:
             trials |= symbol.trials
         used_up = {symbol.consumed for symbol in fixed}
-        tried = [trials[claim.id] for claim in mine if claim.id not in used_up]
-        verdicts = _verdicts(setting, claims, tried)
-        tasks += repair_tasks(claims, setting, verdicts, admitted(tried))
+        left = tuple(claim for claim in mine if claim.id not in used_up)
+        tried = tuple(trials[claim.id] for claim in left)
+        all_here = tuple(claim for claim in claims if claim.setting == setting.name)
+        verdicts = _verdicts(setting, all_here, tried)
         verdicts += [used_up_verdict(c, fixed) for c in mine if c.id in used_up]
-        found |= {verdict.id: with_symbols(verdict, fixed) for verdict in verdicts}
-    for name, trial in done(tasks).items():
-        found[name] = with_repair(found[name], trial)
+        stages.append(Stage(setting, all_here, left, tried, tuple(verdicts)))
+    stages = with_repairs(with_other_conventions(stages, done), done)
+    found = {v.id: with_symbols(v, symbols) for stage in stages for v in stage.verdicts}
     for claim in claims:
         if progress is not None:
             progress(claim.id, found[claim.id].verdict)

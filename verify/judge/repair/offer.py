@@ -50,3 +50,30 @@ def with_repair(verdict: ClaimVerdict, trial: Trial) -> ClaimVerdict:
         certificate={**verdict.certificate, "repair": told},
         seconds=seconds,
     )
+
+
+def with_definition_repair(
+    verdicts: Sequence[ClaimVerdict], trials: Mapping[str, Trial], tokens: Mapping[str, str]
+) -> list[ClaimVerdict]:
+    """Verdicts in which a changed definition is named that makes several claims true. `trials` are
+    those of definition tasks, `tokens` the symbols they are about, both by id of a claim.
+    """
+    found = {verdict.id: verdict for verdict in verdicts}
+    for name, trial in trials.items():
+        if trial.repair is None:
+            continue
+        latex, explained = trial.repair["latex"], list(trial.repair["claims"])
+        told = f"{', '.join(explained)} would be proved with {tokens[name]} defined as {latex}"
+        for one in dict.fromkeys([*explained, name]):
+            verdict = found[one]
+            certificate = {**verdict.certificate, "repair of a definition": dict(trial.repair)}
+            repair = verdict.repair
+            if one == name and one not in explained:
+                repair = {"latex": latex, "verdict": "proved"}
+            found[one] = replace(
+                verdict,
+                reason=f"{verdict.reason}; {told}",
+                certificate=certificate,
+                repair=repair,
+            )
+    return [found[verdict.id] for verdict in verdicts]

@@ -133,3 +133,36 @@ def test_a_definition_is_read_in_one_way() -> None:
     verdicts = judged(READINGS, ("identity", "w y = x"), ("identity", r"w x y = 1"))
     assert [v.verdict for v in verdicts] == ["conditional", "conditional"]
     assert "no single reading of a definition" in verdicts[0].reason
+
+
+def test_a_convention_that_the_source_contradicts_is_named() -> None:
+    fields = "gain = 'filter'\ncovariance = 'predicted'"
+    verdicts = judged(
+        STEADY.format("random-velocity", fields),
+        ("identity", "(a - b) a = 2b"),
+        ("identity", r"P = \frac{K}{1 - K} s^2"),
+    )
+    assert [v.verdict for v in verdicts] == ["conditional", "proved"]
+    assert verdicts[0].convention is not None
+    assert verdicts[0].convention.endswith("gains are those of the predictor (F K)")
+    assert "the source contradicts" in verdicts[0].reason
+
+
+def test_a_slip_is_preferred_to_a_convention_that_spoils_another_claim() -> None:
+    fields = "gain = 'filter'\ncovariance = 'predicted'"
+    verdicts = judged(
+        STEADY.format("random-velocity", fields),
+        ("identity", "(a - b) a = 2b"),
+        ("identity", r"b = \frac{a^2}{2 - a}"),
+    )
+    assert [v.verdict for v in verdicts] == ["refuted", "proved"]
+    assert verdicts[0].repair is not None
+
+
+def test_another_family_than_the_one_stated() -> None:
+    fields = "gain = 'filter'\ncovariance = 'predicted'"
+    (verdict,) = judged(
+        STEADY.format("random-velocity", fields), ("identity", r"(a + \frac{b}{2})^2 = 2b")
+    )
+    assert verdict.verdict == "conditional"
+    assert verdict.convention == "process noise random-acceleration"

@@ -1,0 +1,48 @@
+"""One slip in a definition explains several claims: the definition is repaired, not the claims."""
+
+from __future__ import annotations
+
+from claim_texts import algebra, judged
+
+HEAD = (
+    "'a' = { unit = 'm s^-2', meaning = 'acceleration' }\n"
+    "'v' = { unit = 'm s^-1', meaning = 'velocity' }\n"
+    "'x' = { unit = 'm', meaning = 'position' }\n"
+    "'T' = { unit = 's', meaning = 'interval' }\n"
+)
+CLAIMS = (
+    ("identity", r"w - v = a T"),
+    ("identity", r"T w - T v = a T^2"),
+    ("identity", r"(w - v)^2 = a^2 T^2"),
+)
+
+
+def test_definition_is_repaired_by_what_the_claims_need() -> None:
+    symbols = algebra(HEAD + "'w' = { definition = 'v - a T', meaning = 'velocity later' }\n")
+    definition, *claims = judged(symbols, ("definition", "w = v - a T"), *CLAIMS[:2])
+    assert definition.repair == {"latex": "w = v + a T", "verdict": "proved"}
+    assert definition.verdict == "definition"
+    for claim in claims:
+        assert claim.verdict == "refuted"
+        assert claim.repair is None
+        assert "would be proved with w defined as w = v + a T" in claim.reason
+
+
+def test_dimensions_and_all_claims_have_to_agree() -> None:
+    symbols = algebra(HEAD + "'w' = { definition = 'v + a', meaning = 'velocity later' }\n")
+    definition, *claims = judged(symbols, ("definition", "w = v + a"), *CLAIMS)
+    assert definition.verdict == "refuted"
+    assert definition.repair == {"latex": "w = v + a T", "verdict": "proved"}
+    assert [claim.repair for claim in claims] == [None] * 3
+
+
+def test_a_claim_that_is_true_keeps_its_definition() -> None:
+    symbols = algebra(HEAD + "'w' = { definition = 'v - a T', meaning = 'velocity later' }\n")
+    verdicts = judged(symbols, *CLAIMS[:2], CLAIMS[2])
+    # the square is true with either sign
+    assert [v.verdict for v in verdicts] == ["refuted", "refuted", "proved"]
+    assert all("would be proved with w" in v.reason for v in verdicts[:2])
+    contrary = judged(symbols, *CLAIMS[:2], ("identity", "v - w = a T"))
+    assert [v.verdict for v in contrary] == ["refuted", "refuted", "proved"]
+    assert all("would be proved with w" not in v.reason for v in contrary)
+    assert all(v.repair is not None for v in contrary[:2])

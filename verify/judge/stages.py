@@ -1,0 +1,82 @@
+"""What is known of the claims of one setting, stage by stage."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from gainproof.verify.judge.choice import admitted
+from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.contradiction import other_tasks, under_other_convention
+from gainproof.verify.judge.definition_use import defined_token
+from gainproof.verify.judge.repair.definition import DefinitionTask, definition_tasks
+from gainproof.verify.judge.repair.offer import (
+    repair_tasks,
+    with_definition_repair,
+    with_repair,
+)
+from gainproof.verify.judge.task import Task
+from gainproof.verify.judge.trial import Trial
+from gainproof.verify.judge.verdict import ClaimVerdict
+
+Done = Callable[[Sequence[Task]], Mapping[str, Trial]]
+"""Runs tasks on different claims; what they came to, by id of the claim."""
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One setting: all its claims, those that can be decided with their trials, the verdicts."""
+
+    setting: Setting
+    claims: tuple[Claim, ...]
+    decidable: tuple[Claim, ...]
+    tried: tuple[Trial, ...]
+    verdicts: tuple[ClaimVerdict, ...]
+
+
+def with_other_conventions(stages: Iterable[Stage], done: Done) -> list[Stage]:
+    """Refuted claims that are all true under one convention which the source excludes are
+    conditional.
+    """
+    stages = list(stages)
+    tasks = [t for s in stages for t in other_tasks(s.setting, s.decidable, s.verdicts)]
+    trials = done(tasks)
+    return [
+        replace(s, verdicts=tuple(under_other_convention(s.decidable, s.verdicts, trials)))
+        for s in stages
+    ]
+
+
+def with_repairs(stages: Iterable[Stage], done: Done) -> list[Stage]:
+    """Verdicts with the nearest true formulas: of a definition that explains several claims, else
+    of each claim.
+    """
+    stages = list(stages)
+    tasks = [task for stage in stages for task in _definition_tasks(stage)]
+    tokens = {task.claim.id: task.token for task in tasks}
+    trials = done(tasks)
+    explained = {name for t in trials.values() if t.repair for name in t.repair["claims"]}
+    single = [
+        task
+        for stage in stages
+        for task in repair_tasks(stage.claims, stage.setting, stage.verdicts, admitted(stage.tried))
+        if task.claim.id not in explained
+    ]
+    repaired = done(single)
+    found = []
+    for stage in stages:
+        mine = {v.id for v in stage.verdicts}
+        verdicts = [
+            with_repair(v, repaired[v.id]) if v.id in repaired else v for v in stage.verdicts
+        ]
+        here = {name: trial for name, trial in trials.items() if name in mine}
+        found.append(replace(stage, verdicts=tuple(with_definition_repair(verdicts, here, tokens))))
+    return found
+
+
+def _definition_tasks(stage: Stage) -> list[DefinitionTask]:
+    verdicts = {verdict.id: verdict.verdict for verdict in stage.verdicts}
+    printed = {t: c for c in stage.claims if (t := defined_token(c, stage.setting)) is not None}
+    return definition_tasks(
+        stage.setting, stage.decidable, verdicts, admitted(stage.tried), printed
+    )
