@@ -8,7 +8,8 @@ from fractions import Fraction
 from random import Random
 
 from gainproof.verify.judge.verdict import Finding
-from mutation.evaluator import Misshapen, NoValue, Subject, differ
+from mutation.arithmetic import Misshapen, NoValue, differ
+from mutation.evaluator import Subject
 from mutation.mutants import sample
 from mutation.tree import Tree
 

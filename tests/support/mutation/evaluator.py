@@ -16,22 +16,13 @@ import mpmath
 
 from gainproof.verify.oracles import doubling, least_squares
 from gainproof.verify.oracles.state_space import state_space
+from mutation.arithmetic import NoValue, plus, product, real, root, times
 from mutation.tree import Tree
 
 DIGITS = 90
-AGREED = mpmath.mpf(10) ** -35
-"""Relative difference below which two values count as equal."""
 
 Values = Mapping[str, Any]
 Point = Fraction
-
-
-class NoValue(Exception):
-    """Division by zero, an even root of a negative number, or a symbol without value."""
-
-
-class Misshapen(Exception):
-    """Matrices whose sizes do not fit: no relation at all, so neither true nor false."""
 
 
 @dataclass
@@ -50,12 +41,12 @@ class Subject:
 
     def _symbol(self, name: str, point: Fraction) -> Any:
         if name == self.variable:
-            return _real(point)
+            return real(point)
         if name in self.free:
             return self.free[name]
         if name in self.roots:
             order, radicand = self.roots[name]
-            return _root(self._value(radicand, point), Fraction(1, order))
+            return root(self._value(radicand, point), Fraction(1, order))
         values = self.quantities(point)
         if name not in values:
             raise NoValue(name)
@@ -65,7 +56,7 @@ class Subject:
         kind = tree[0]
         match kind:
             case "number":
-                return _real(tree[1])
+                return real(tree[1])
             case "symbol":
                 return self._symbol(tree[1], point)
             case "matrix":
@@ -81,28 +72,24 @@ class Subject:
                     raise NoValue(tree[1])
                 return abs(self._value(tree[2], point))
             case "pow":
-                return _root(self._value(tree[1], point), tree[2])
+                return root(self._value(tree[1], point), tree[2])
             case "neg":
-                return _times(-1, self._value(tree[1], point))
+                return times(-1, self._value(tree[1], point))
         parts = [self._value(part, point) for part in tree[1:]]
         if kind == "div":
             if isinstance(parts[1], list) or parts[1] == 0:
                 raise NoValue("division by zero")
-            return _times(1 / parts[1], parts[0])
+            return times(1 / parts[1], parts[0])
         total = parts[0]
         for part in parts[1:]:
-            total = _plus(total, part) if kind == "add" else _product(total, part)
+            total = plus(total, part) if kind == "add" else product(total, part)
         return total
 
     def _difference(self, tree: Tree, name: str, point: Fraction) -> Any:
         step = point * Fraction(1, 10**25)
         high, low = self._value(tree, point + step), self._value(tree, point - step)
         top = self._symbol(name, point + step) - self._symbol(name, point - step)
-        return _times(1 / top, _plus(high, _times(-1, low)))
-
-
-def _real(x: Fraction) -> Any:
-    return mpmath.mpf(x.numerator) / x.denominator
+        return times(1 / top, plus(high, times(-1, low)))
 
 
 def _rational(x: Any) -> Fraction:
@@ -110,82 +97,26 @@ def _rational(x: Any) -> Fraction:
     return Fraction(str(mpmath.nstr(x, 60, strip_zeros=False))).limit_denominator(10**12)
 
 
-def _root(base: Any, exponent: Fraction) -> Any:
-    if isinstance(base, list):
-        raise Misshapen("power of a matrix")
-    if (base == 0 and exponent < 0) or (base < 0 and exponent.denominator % 2 == 0):
-        raise NoValue("power")
-    if exponent.denominator == 1:
-        return base ** int(exponent)
-    sign = -1 if base < 0 and exponent.numerator % 2 else 1
-    return sign * mpmath.root(abs(base), exponent.denominator) ** exponent.numerator
-
-
-def _plus(a: Any, b: Any) -> Any:
-    if isinstance(a, list) != isinstance(b, list):
-        raise Misshapen("sum of a matrix and a number")
-    if isinstance(a, list):
-        if len(a) != len(b) or len(a[0]) != len(b[0]):
-            raise Misshapen("sizes")
-        return [[x + y for x, y in zip(p, q, strict=True)] for p, q in zip(a, b, strict=True)]
-    return a + b
-
-
-def _times(factor: Any, a: Any) -> Any:
-    return [[factor * x for x in row] for row in a] if isinstance(a, list) else factor * a
-
-
-def _product(a: Any, b: Any) -> Any:
-    if not isinstance(a, list):
-        return _times(a, b)
-    if not isinstance(b, list):
-        return _times(b, a)
-    if len(a[0]) != len(b):
-        raise Misshapen("sizes")
-    return [
-        [sum(x * y for x, y in zip(row, col, strict=True)) for col in zip(*b, strict=True)]
-        for row in a
-    ]
-
-
-def differ(a: Any, b: Any) -> bool:
-    """Whether two values differ by more than rounding can."""
-    if isinstance(a, list) != isinstance(b, list):
-        raise Misshapen("a matrix and a number")
-    if isinstance(a, list):
-        if len(a) != len(b) or len(a[0]) != len(b[0]):
-            raise Misshapen("sizes")
-        return any(
-            differ(x, y) for p, q in zip(a, b, strict=True) for x, y in zip(p, q, strict=True)
-        )
-    return bool(abs(a - b) > AGREED * max(abs(a), abs(b), mpmath.mpf(10) ** -10))
-
-
 @cache
 def _steady(model: tuple[tuple[str, Any], ...], point: Fraction) -> Values:
     data = {name: [list(row) for row in rows] for name, rows in model}
     state = doubling.steady_state(state_space(data, point), DIGITS).state
     with mpmath.workdps(DIGITS):
-        index = _real(point)
-
-        def real(x: Any) -> Any:
-            return mpmath.mpf(x)
-
-        gain = [real(row[0]) for row in state.gain]
+        index = real(point)
+        gain = [mpmath.mpf(row[0]) for row in state.gain]
         values: dict[str, Any] = {"tracking_index": index, "alpha": gain[0], "beta": gain[1]}
         transition = data["transition"]
         forward = [
-            sum(_real(Fraction(f)) * g for f, g in zip(row, gain, strict=True))
-            for row in transition
+            sum(real(Fraction(f)) * g for f, g in zip(row, gain, strict=True)) for row in transition
         ]
         values["predictor_position"] = forward[0]
         values["rest"] = 1 - gain[0]
-        values["innovation_variance"] = real(state.innovation[0][0])
+        values["innovation_variance"] = mpmath.mpf(state.innovation[0][0])
         values["innovation_deviation"] = mpmath.sqrt(values["innovation_variance"])
         for which, matrix in (("predicted", state.predicted), ("updated", state.updated)):
             for i, row in enumerate(matrix):
                 for j, entry in enumerate(row):
-                    values[f"{which}_{i + 1}{j + 1}"] = real(entry)
+                    values[f"{which}_{i + 1}{j + 1}"] = mpmath.mpf(entry)
         return values
 
 
@@ -208,14 +139,14 @@ def memory_subject(degree: int, free: Values | None = None) -> Subject:
             raise NoValue("no fit")
         k = int(point)
         covariance = least_squares.covariance(degree, k)
-        values: dict[str, Any] = {"k": _real(point)}
+        values: dict[str, Any] = {"k": real(point)}
         for name, gain in zip(
             ("alpha", "beta", "gamma"), least_squares.gains(degree, k), strict=False
         ):
-            values[name] = _real(Fraction(gain))
+            values[name] = real(Fraction(gain))
         for i, row in enumerate(covariance):
             for j, entry in enumerate(row):
-                values[f"updated_{i + 1}{j + 1}"] = _real(Fraction(entry))
+                values[f"updated_{i + 1}{j + 1}"] = real(Fraction(entry))
         return values
 
     return Subject("k", quantities, {}, free or {})

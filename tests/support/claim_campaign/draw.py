@@ -1,0 +1,189 @@
+"""Points of a claim's domain, drawn at random; equations among its conditions are solved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+import mpmath
+from mutation.arithmetic import Misshapen, NoValue, real
+
+from claim_campaign import quantities
+from claim_campaign.compare import holds, holds_all
+from claim_campaign.point import DIGITS, NotCovered, Point
+from claim_campaign.quantities import Place
+from claim_campaign.solve import solved
+from claim_campaign.subject import Rel, Subject, calls, rel
+
+INDICES = tuple(
+    map(Fraction, ["1/1000", "1/50", "1/7", "1/3", "1", "5/2", "17/3", "9", "50", "3000"])
+)
+LATER = (0, 1, 2, 3, 4, 5, 7, 9, 12, 17, 50, 1000, 12345)
+TRIES = 300
+TRIES_EACH = 100
+
+
+@dataclass(frozen=True)
+class Domain:
+    """`needed` are the tokens that want a value; `given` must hold, its equations solved."""
+
+    subject: Subject
+    needed: frozenset[str]
+    given: tuple[Rel, ...]
+
+
+def domain_of(subject: Subject, more: Iterable[Rel] = ()) -> Domain:
+    """The domain that the claim states, its symbols state, and `more`."""
+    claim = subject.claim
+    given = [*map(rel, claim.domain), *more]
+    for formula in claim.given:
+        given += map(rel, formula.readings[0].relations)
+    named = set().union(*(r.symbols() | calls(r.left) | calls(r.right) for r in given), set())
+    for one in (*subject.relations(), *subject.conditions()):
+        named |= one.symbols() | calls(one.left) | calls(one.right)
+    needed = subject.reached(named)
+    for token in sorted(needed):
+        given += map(rel, subject.setting.symbols[token].domain)
+    return Domain(subject, frozenset(needed), tuple(given))
+
+
+def points(domain: Domain, count: int, random: Random) -> list[Point]:
+    """Up to `count` points of the domain; fewer where none were found."""
+    found: list[Point] = []
+    with mpmath.workdps(DIGITS):
+        for point in _tried(domain, random):
+            found.append(point)
+            if len(found) == count:
+                break
+    return found
+
+
+def _tried(domain: Domain, random: Random) -> Iterator[Point]:
+    equations = [r for r in domain.given if r.operator == "="]
+    named = set().union(*(e.symbols() for e in equations), set())
+    unknowns = sorted(domain.subject.reached(named) & set(_free(domain)))
+    for _ in range(TRIES):
+        try:
+            point = _drawn(domain, random)
+            if point is None:
+                continue
+            if equations and not holds_all(equations, point):
+                point = solved(equations, point, unknowns, random)
+            if holds_all(domain.given, point):
+                yield point
+        except (NoValue, Misshapen):
+            continue
+
+
+def _free(domain: Domain) -> list[str]:
+    symbols = domain.subject.setting.symbols
+    return sorted(t for t in domain.needed if symbols[t].role == "free")
+
+
+def _drawn(domain: Domain, random: Random) -> Point | None:
+    """Symbols drawn one by one, each within the conditions that speak of it alone."""
+    subject = domain.subject
+    seed = random.randrange(10**6)
+    place = Place(_parameter(subject, random), _small(random), _small(random), seed)
+    point = _at_place(domain, place, {})
+    for token in _free(domain):
+        alone = [r for r in domain.given if r.symbols() == {token} and r.operator != "="]
+        for _ in range(TRIES_EACH):
+            value = real(_any(random, subject.setting.symbols[token].integer))
+            point = replace(point, values={**point.values, token: value})
+            if all(holds(r, point) for r in alone):
+                break
+        else:
+            return None
+    return replace(point, moved=_mover(domain, place, point.values))
+
+
+def _at_place(domain: Domain, place: Place, free: Mapping[str, Any]) -> Point:
+    subject = domain.subject
+    match subject.setting.kind:
+        case "steady_state":
+            assert subject.model is not None
+            known = quantities.steady(subject.model, place, subject.chosen)
+        case "growing_memory":
+            known = quantities.memory(subject.setting.degree or 0, place, subject.chosen)
+        case _:
+            known = {"sampling_interval": real(place.interval)}
+            known["sample_number"] = real(int(place.parameter))
+    values = dict(free)
+    for token in domain.needed:
+        entry = subject.setting.symbols[token]
+        if entry.role == "quantity":
+            values[token] = known.get(entry.quantity or "")
+        elif entry.role == "undefined":
+            raise NotCovered(f"{token} is undefined")
+    return Point(values, subject.definitions())
+
+
+def _mover(domain: Domain, place: Place, values: Mapping[str, Any]) -> Any:
+    free = {token: values[token] for token in _free(domain)}
+
+    def moved(token: str, value: Any) -> Point:
+        entry = domain.subject.setting.symbols[token]
+        if entry.role == "free":
+            point = Point({**values, token: value}, domain.subject.definitions())
+            return replace(point, moved=_mover(domain, place, point.values))
+        usual = domain.subject.chosen.noise == "deviation"
+        match entry.quantity:
+            case "tracking_index" if usual:
+                there = replace(place, parameter=fraction(value))
+            case "sample_number" if value == int(value):
+                origin = int(domain.subject.chosen.index_origin)
+                there = replace(place, parameter=Fraction(int(value) - origin))
+            case "sampling_interval":
+                there = replace(place, interval=fraction(value))
+            case "measurement_noise_deviation" if usual:
+                there = replace(place, deviation=fraction(value))
+            case _:
+                raise NotCovered(f"{entry.quantity} moved")
+        point = _at_place(domain, there, free)
+        return replace(point, moved=_mover(domain, there, point.values))
+
+    return moved
+
+
+def fraction(value: Any) -> Fraction:
+    """A multiprecision number, exactly."""
+    sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
+    size = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return -size if sign else size
+
+
+def _parameter(subject: Subject, random: Random) -> Fraction:
+    match subject.setting.kind:
+        case "steady_state":
+            return random.choice(INDICES)
+        case "growing_memory":
+            return Fraction((subject.setting.degree or 0) + random.choice(LATER))
+        case _:
+            return Fraction(random.randrange(30))
+
+
+def _small(random: Random) -> Fraction:
+    return Fraction(random.randrange(1, 12), random.randrange(1, 6))
+
+
+def _any(random: Random, integer: bool) -> Fraction:
+    if integer:
+        return Fraction(random.randrange(-3, 30))
+    below = random.randrange(2, 40)
+    match random.randrange(6):
+        case 0:
+            return Fraction(random.randrange(1, below), below)
+        case 1:
+            return Fraction(random.randrange(1, 5 * below), below)
+        case 2:
+            return Fraction(random.randrange(1, 10))
+        case 3:
+            return -Fraction(random.randrange(1, 5 * below), below)
+        case 4:
+            return Fraction(random.randrange(10, 1000))
+        case _:
+            return Fraction(1, random.randrange(10, 1000))

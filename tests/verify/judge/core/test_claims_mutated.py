@@ -1,0 +1,77 @@
+"""A seeded sample of the campaign over claim files, and each part of it seen to work."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from random import Random
+from typing import Any
+
+import pytest
+from claim_campaign.broken import mutants
+from claim_campaign.falsehood import is_false
+from claim_campaign.proved import names_proved_before, subjects
+from claim_campaign.run import accepted, processors, report, run
+from claim_campaign.subject import Subject
+
+from gainproof.derive.catalogue import CATALOGUE
+
+SEED = 7
+SAMPLE = 8
+HAND_PICKED = (
+    "kosuge-slides table-ab-RV",
+    "kosuge-slides line-beta",
+    "kosuge-slides line-alpha-limit",
+    "kosuge-slides pseudo-beta-1",
+    "kosuge-slides table-ab-RV-same",
+    "kosuge-slides line-update-velocity",
+)
+
+
+@pytest.fixture(scope="module")
+def models() -> list[Mapping[str, Any]]:
+    return [data for entry in CATALOGUE if (data := entry.build().model_data)]
+
+
+@pytest.fixture(scope="module")
+def chosen(models: Sequence[Mapping[str, Any]]) -> list[Subject]:
+    return subjects(HAND_PICKED, models, 60.0, processors())
+
+
+@pytest.mark.slow
+def test_no_false_mutant_is_proved_and_rewritings_are(models: Sequence[Mapping[str, Any]]) -> None:
+    names = Random(SEED).sample(names_proved_before(), SAMPLE)
+    some = subjects(names, models, 60.0, processors())
+    assert len(some) > SAMPLE / 2
+    records = run(some, models, 5, SEED, 60.0)
+    broken = [mutant for record in records.values() for mutant in record["mutants"]]
+    assert len(broken) > 3 * len(some)
+    assert any(mutant["near"] for mutant in broken)
+    assert accepted(records) == 0, report(records)
+    other = [entry for record in records.values() for entry in record["rewrites"]]
+    proved = [entry for entry in other if entry["verdict"] == "proved"]
+    # a rewriting may divide by what is zero somewhere, and is then true on the rest only
+    assert len(proved) >= 0.9 * len(other), report(records)
+
+
+def test_what_is_proved_is_not_false_and_most_mutants_are(chosen: Sequence[Subject]) -> None:
+    assert len(chosen) == len(HAND_PICKED)
+    for subject in chosen:
+        assert is_false(subject, Random(SEED)) is False, subject.name
+        said = [is_false(m.subject, Random(SEED)) for m in mutants(subject, 5, Random(SEED))]
+        assert sum(one is True for one in said) > len(said) / 2, subject.name
+
+
+def test_the_relation_of_another_family_is_false(
+    chosen: Sequence[Subject], models: Sequence[Mapping[str, Any]]
+) -> None:
+    (family,) = (s for s in chosen if s.name.endswith("table-ab-RV"))
+    other = next(m for m in models if m["name"] == "random-acceleration")
+    assert is_false(replace(family, model=other), Random(SEED)) is True
+
+
+def test_a_false_accept_is_counted_and_named() -> None:
+    mutant = {"name": "sign", "near": False, "verdict": "proved", "reason": "", "units": False}
+    records = {"source 1": {"mutants": [mutant], "rewrites": [], "left out": {}}}
+    assert accepted(records) == 1
+    assert "ACCEPTED source 1: sign" in report(records)
