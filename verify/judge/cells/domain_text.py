@@ -71,7 +71,9 @@ def _texts(
         texts.append(text)
         whole = whole and clear
     used = {as_expr(p, task.names) for p, _ in literals}
-    left_out, exact = exclusions(inside, len(task.border), used, labels)
+    left_out, exact = exclusions(
+        inside, len(task.border), used, lambda t: _nowhere(t, budget, stated), labels
+    )
     texts += left_out
     texts += [f"{shown(expr, labels)} != 0" for expr, _ in gaps if symbols_of(expr)]
     return texts, whole and exact and not gaps
@@ -128,16 +130,17 @@ def _nowhere_else(
     task: Task, literals: Sequence[Literal], budget: Budget, stated: frozenset[str]
 ) -> bool:
     """Whether it is shown that the statement holds on no thin set outside the region either."""
-    limits = replace(_less(budget.limits), borders=MOST_BORDERS)
-    for p, sign in literals:
-        again = Budget(limits, thorough=True)
-        try:
-            beyond = list(parts(_within(task, [(p, -sign)], ">"), again, stated))
-        except Undecided:
-            return False
-        if again.gaps or any(piece.truth == TRUE for piece in all_pieces(beyond)):
-            return False
-    return True
+    return all(_nowhere(_within(task, [(p, -sign)], ">"), budget, stated) for p, sign in literals)
+
+
+def _nowhere(task: Task, budget: Budget, stated: frozenset[str]) -> bool:
+    """Whether it is shown that the statement holds at no point of a task."""
+    again = Budget(replace(_less(budget.limits), borders=MOST_BORDERS), thorough=True)
+    try:
+        found = list(parts(task, again, stated))
+    except Undecided:
+        return False
+    return not again.gaps and all(piece.truth != TRUE for piece in all_pieces(found))
 
 
 def _less(limits: Limits) -> Limits:

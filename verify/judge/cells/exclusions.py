@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from gainproof.verify.judge.cells.names import shown
 from gainproof.verify.judge.cells.pieces import Part, Piece, all_pieces
+from gainproof.verify.judge.cells.task import Task
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.region import region_text
@@ -16,9 +17,14 @@ Chain = tuple[Expr, ...]
 
 
 def exclusions(
-    found: Sequence[Part], above: int, used: set[Expr], labels: Mapping[str, str]
+    found: Sequence[Part],
+    above: int,
+    used: set[Expr],
+    elsewhere: Callable[[Task], bool],
+    labels: Mapping[str, str],
 ) -> tuple[list[str], bool]:
-    """What is left out of the set of truth; False if more is left out than need be.
+    """What is left out of the set of truth; False if more is left out than need be, as far as
+    `elsewhere` can tell for a border: whether it holds on no smaller border of it.
 
     `above` is the length of the chain of the task itself; borders in `used` are named elsewhere.
     """
@@ -34,14 +40,19 @@ def exclusions(
             continue
         below = all_pieces([p for p in found if p.task.border[above:][: len(chain)] == chain])
         kept = [p for p in below if p.truth == TRUE]
-        if kept and all(len(p.task.names) < 2 for p in here):
+        if kept and all(_is_small(p) for p in here):
             texts |= dict.fromkeys(t for part in here for t in _of_line(part, chain, labels))
             continue
         # on a border with cells of both kinds the borders of these were not all looked at
-        exact = exact and not kept
+        exact = exact and not kept and all(_is_small(p) or elsewhere(p.task) for p in here)
         gone.add(chain)
         texts[_whole(chain, labels)] = None
     return list(texts), exact
+
+
+def _is_small(part: Part) -> bool:
+    """Whether all points of it were looked at."""
+    return len(part.task.names) < 2
 
 
 def _wrong(pieces: Sequence[Piece]) -> list[Piece]:
