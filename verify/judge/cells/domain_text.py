@@ -65,6 +65,7 @@ def _texts(
             question = CellQuestion(task, budget.limits)
             gaps += [(as_expr(p, task.names), "") for p in question.borders()]
         gaps += again.gaps
+    if any(p.counted and p.truth != TRUE for p in found[0].pieces):
         whole = _nowhere_else(task, literals, budget, stated)
     for k in range(len(literals)):
         text, clear = _literal_text(task, literals, k, budget, stated, labels)
