@@ -19,8 +19,10 @@ def judge(files: Sequence[Path], shop: Workshop, seconds: float = SECONDS) -> li
     texts = {file: read(file) for file in files}
     models = [entry["model"] for entry in derivations.overview(shop) if entry["model"]]
     shared = {"models": models, "seconds": seconds}
+    # one file has all processors for its claims; many files share them
+    also = {"processes": max(1, workers.processors() // max(1, len(files)))}
     jobs = [
-        workers.Job(file.stem, "judge", {"path": places.shown(file), "text": text, **shared})
+        workers.Job(file.stem, "judge", {"path": places.shown(file), "text": text, **shared}, also)
         for file, text in texts.items()
     ]
     return shop.results("judged", jobs)

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
 from gainproof.bad_input import BadInputError
 from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
-from gainproof.workers import processors
 
 
 def judge_text(
-    path: str, text: str, models: Sequence[Mapping[str, Any]], seconds: float
+    path: str,
+    text: str,
+    models: Sequence[Mapping[str, Any]],
+    seconds: float,
+    processes: int,
+    tell: Callable[[str], None],
 ) -> dict[str, Any]:
     """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages, and
-    a claim that takes more than `seconds` is undecided.
+    a claim that takes more than `seconds` is undecided. Claims are judged in so many `processes` at
+    once; `tell` hears how far that is.
 
     Raises BadInputError, with line and column where known, for a file that is not accepted.
     """
@@ -24,8 +29,19 @@ def judge_text(
         claim_file = read_claim_text(text, path, [str(model["name"]) for model in models])
     except ClaimFileError as error:
         raise BadInputError(str(error)) from None
-    verdicts = judge_file(claim_file, models, seconds=seconds, processes=processors())
+    verdicts = judge_file(
+        claim_file,
+        models,
+        progress=lambda tried, total: tell(_so_far(tried, total)),
+        seconds=seconds,
+        processes=processes,
+    )
     return {
         "source": asdict(claim_file.source),
         "claims": [verdict.to_json() for verdict in verdicts],
     }
+
+
+def _so_far(tried: int, total: int) -> str:
+    """How far it is, in words."""
+    return f"{tried} of {total} claims" if tried <= total else "nearest true formulas"

@@ -71,11 +71,16 @@ def recheck(certificate: Any, expected: Plain) -> Plain:
     return decide(certificate, expected)
 
 
-def judge(path: str, text: str, models: list[Plain], seconds: float) -> Plain:
+def judge(path: str, text: str, models: list[Plain], seconds: float, processes: int) -> Plain:
     """Judge a claim file of this text, given the catalogue's models; `path` is for messages."""
     from gainproof.judging import judge_text
+    from gainproof.workers import PROGRESS
 
-    return judge_text(path, text, models, seconds)
+    def tell(words: str) -> None:
+        sys.stderr.write(f"{PROGRESS}{words}\n")
+        sys.stderr.flush()
+
+    return judge_text(path, text, models, seconds, processes, tell)
 
 
 def environment(names: list[str]) -> dict[str, str | None]:

@@ -14,7 +14,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from gainproof.bad_input import BadInputError
@@ -25,11 +25,14 @@ REPRODUCIBLE = {"SYMPY_GROUND_TYPES": "python", "PYTHONHASHSEED": "0"}
 
 @dataclass(frozen=True)
 class Job:
-    """One call of a function of `gainproof.tasks` with plain data; `label` is for people."""
+    """One call of a function of `gainproof.tasks` with plain data; `label` is for people, `also`
+    are arguments on which the result does not depend.
+    """
 
     label: str
     task: str
     arguments: Mapping[str, Any]
+    also: Mapping[str, Any] = field(default_factory=dict)
 
 
 class JobError(Exception):
@@ -37,21 +40,27 @@ class JobError(Exception):
 
 
 Done = Callable[[Job, float], None]
+Told = Callable[[Job, str], None]
+
+PROGRESS = "progress: "
+"""How a line on a job's standard error begins that is for people, while it works."""
 
 
 def run(
     jobs: Sequence[Job],
     *,
     on_done: Done | None = None,
+    on_told: Told | None = None,
     environment: Mapping[str, str] | None = None,
     limit: int | None = None,
 ) -> list[Any]:
-    """The jobs' results in the order of the jobs; `on_done` hears of each as it ends.
+    """The jobs' results in the order of the jobs; `on_done` hears of each as it ends, `on_told` of
+    what a job says while it works.
 
     Raises BadInputError or JobError of the first job that fails, the others being ended.
     """
     settings = {**os.environ, **REPRODUCIBLE, **(environment or {})}
-    return asyncio.run(_run(jobs, on_done, settings, limit or processors()))
+    return asyncio.run(_run(jobs, on_done, on_told, settings, limit or processors()))
 
 
 def processors() -> int:
@@ -62,14 +71,18 @@ def processors() -> int:
 
 
 async def _run(
-    jobs: Sequence[Job], on_done: Done | None, settings: Mapping[str, str], limit: int
+    jobs: Sequence[Job],
+    on_done: Done | None,
+    on_told: Told | None,
+    settings: Mapping[str, str],
+    limit: int,
 ) -> list[Any]:
     room = asyncio.Semaphore(limit)
 
     async def one(job: Job) -> Any:
         async with room:
             start = asyncio.get_running_loop().time()
-            result = await call(job, settings)
+            result = await call(job, settings, on_told)
             if on_done is not None:
                 on_done(job, asyncio.get_running_loop().time() - start)
             return result
@@ -84,7 +97,7 @@ async def _run(
         raise
 
 
-async def call(job: Job, settings: Mapping[str, str]) -> Any:
+async def call(job: Job, settings: Mapping[str, str], on_told: Told | None = None) -> Any:
     """The result of one job in a process with these settings; cancelling ends the process."""
     process = await asyncio.create_subprocess_exec(
         sys.executable,
@@ -97,14 +110,49 @@ async def call(job: Job, settings: Mapping[str, str]) -> Any:
         # a session of its own: what the job has started ends with it
         start_new_session=os.name == "posix",
     )
-    request = json.dumps({"task": job.task, "arguments": job.arguments}).encode()
+    arguments = {**job.arguments, **job.also}
+    request = json.dumps({"task": job.task, "arguments": arguments}).encode()
     try:
-        output, errors = await process.communicate(request)
+        output, errors = await _talk(process, request, lambda text: on_told and on_told(job, text))
     except BaseException:
         _end(process)
         await process.wait()
         raise
     return _result(job, process.returncode, output, errors)
+
+
+async def _talk(
+    process: asyncio.subprocess.Process, request: bytes, tell: Callable[[str], object]
+) -> tuple[bytes, bytes]:
+    """Both outputs of a process that is given the request; its progress is told, line by line."""
+    assert process.stdin is not None
+    assert process.stdout is not None
+    assert process.stderr is not None
+    kept: list[bytes] = []
+
+    async def listen(stream: asyncio.StreamReader) -> None:
+        line = b""
+        while chunk := await stream.read(65536):
+            *lines, line = (line + chunk).split(b"\n")
+            for one in lines:
+                text = one.decode(errors="replace")
+                if text.startswith(PROGRESS):
+                    tell(text.removeprefix(PROGRESS))
+                else:
+                    kept.append(one + b"\n")
+        kept.append(line)
+
+    async def ask(stream: asyncio.StreamWriter) -> None:
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+            stream.write(request)
+            await stream.drain()
+            stream.close()
+
+    output, _, _ = await asyncio.gather(
+        process.stdout.read(), listen(process.stderr), ask(process.stdin)
+    )
+    await process.wait()
+    return output, b"".join(kept)
 
 
 def _end(process: asyncio.subprocess.Process) -> None:

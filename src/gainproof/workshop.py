@@ -35,10 +35,13 @@ class Workshop:
             if work:
                 self.progress.say(f"{work} {job.label} ({seconds:.1f} s)")
 
+        def told(job: workers.Job, text: str) -> None:
+            if work:
+                self.progress.say_sometimes(f"{job.label}: {text}")
+
         if missing:
-            for i, result in zip(
-                missing, workers.run([jobs[i] for i in missing], on_done=done), strict=True
-            ):
+            fresh = workers.run([jobs[i] for i in missing], on_done=done, on_told=told)
+            for i, result in zip(missing, fresh, strict=True):
                 found[i] = result
                 self.cache.store(keys[i], result)
         if work and len(missing) < len(jobs):

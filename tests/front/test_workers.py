@@ -8,11 +8,13 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from gainproof import workers
 from gainproof.bad_input import BadInputError
+from gainproof.claim_template import template
 from gainproof.workers import Job, JobError
 
 UNKNOWN = Job("x", "derive", {"name": "random-velocty"})
@@ -55,6 +57,40 @@ def test_the_first_failure_ends_the_others() -> None:
     with pytest.raises(BadInputError):
         workers.run([Job("slow", "wait", {"seconds": 60}), UNKNOWN], limit=2)
     assert time.monotonic() - start < 30
+
+
+def test_what_a_job_says_while_it_works_is_told() -> None:
+    text = template("t")
+    arguments = {"path": "t", "text": text, "models": [], "seconds": 60.0}
+    job = Job("t", "judge", arguments, {"processes": 1})
+    told: list[str] = []
+    (found,) = workers.run([job], on_told=lambda job, text: told.append(f"{job.label}: {text}"))
+    assert len(found["claims"]) == 2
+    assert told == ["t: 1 of 2 claims", "t: 2 of 2 claims"]
+
+
+def test_long_lines_of_a_job_are_no_danger() -> None:
+    script = "import sys; sys.stderr.write('x' * 200000); sys.stdin.read(); print('{')"
+    job = Job("loud", "environment", {"names": []})
+
+    async def call() -> object:
+        return await workers.call(job, dict(os.environ))
+
+    original = sys.executable
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(asyncio, "create_subprocess_exec", _replaced(original, script))
+        with pytest.raises(JobError, match="ended with status 0"):
+            asyncio.run(call())
+
+
+def _replaced(python: str, script: str) -> Any:
+    """`create_subprocess_exec` that runs the script in place of the worker."""
+    create = asyncio.create_subprocess_exec
+
+    async def made(*_: str, **options: Any) -> Any:
+        return await create(python, "-c", script, **options)
+
+    return made
 
 
 def test_done_is_told_of_every_job() -> None:

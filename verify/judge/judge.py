@@ -5,6 +5,7 @@ for the setting; then the nearest true formulas for what is not true.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from itertools import count
 from typing import Any
 
 from gainproof.verify.judge.choice import choose, verdict_of
@@ -13,15 +14,17 @@ from gainproof.verify.judge.definition_use import contradicted
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.stages import Done, Stage, with_other_conventions, with_repairs
-from gainproof.verify.judge.task import Models, TrialTask
+from gainproof.verify.judge.task import Models, Task, TrialTask
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.undefined.choice import Fixed, fixed_symbols
 from gainproof.verify.judge.undefined.told import used_up_verdict, with_symbols
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
-from gainproof.verify.judge.worker import tried_apart
+from gainproof.verify.judge.worker import OnTrial, Workers
 
-Progress = Callable[[str, str], None]
-"""Called with the id of a claim and its verdict."""
+Progress = Callable[[int, int], None]
+"""Called with the number of trials so far, and of the claims of which each needs one; what comes
+after these looks for repairs.
+"""
 WITHOUT_DECISION = {
     "definition": "nothing to decide but dimensions",
     "remark": "no decidable content",
@@ -42,9 +45,21 @@ def judge_file(
     up to `processes` of them run at once. A file that is not trusted should be judged like that.
     Nothing is raised for a claim that cannot be decided: its verdict is `undecided` and says why.
     """
-    done = here(models) if seconds is None else apart(models, seconds, processes)
+    wanted = [claim for claim in claim_file.claims if claim.kind not in WITHOUT_DECISION]
+    so_far = count(1)
+
+    def tell(_: Trial) -> None:
+        if progress is not None:
+            progress(next(so_far), len(wanted))
+
+    if seconds is None:
+        return _judged(claim_file, wanted, here(models, tell))
+    with Workers(models, seconds, processes, tell) as workers:
+        return _judged(claim_file, wanted, workers.run)
+
+
+def _judged(claim_file: ClaimFile, wanted: Sequence[Claim], done: Done) -> tuple[ClaimVerdict, ...]:
     claims = claim_file.claims
-    wanted = [claim for claim in claims if claim.kind not in WITHOUT_DECISION]
     trials = dict(done([TrialTask(c, claim_file.settings[c.setting]) for c in wanted]))
     stages: list[Stage] = []
     symbols: list[Fixed] = []
@@ -63,9 +78,6 @@ def judge_file(
         stages.append(Stage(setting, all_here, left, tried, tuple(verdicts)))
     stages = with_repairs(with_other_conventions(stages, done), done)
     found = {v.id: with_symbols(v, symbols) for stage in stages for v in stage.verdicts}
-    for claim in claims:
-        if progress is not None:
-            progress(claim.id, found[claim.id].verdict)
     return tuple(found[claim.id] for claim in claims)
 
 
@@ -82,15 +94,18 @@ def judge_setting(
     return _verdicts(setting, chosen, trials)
 
 
-def here(models: Models) -> Done:
+def here(models: Models, on_trial: OnTrial) -> Done:
     """Tasks run in this process, one after the other."""
     solved: dict[Any, Environment] = {}
-    return lambda tasks: {task.claim.id: task.run(models, solved) for task in tasks}
 
+    def done(tasks: Sequence[Task]) -> dict[str, Trial]:
+        found = {}
+        for task in tasks:
+            found[task.claim.id] = task.run(models, solved)
+            on_trial(found[task.claim.id])
+        return found
 
-def apart(models: Models, seconds: float, processes: int) -> Done:
-    """Tasks run in processes that are killed when the time is over."""
-    return lambda tasks: tried_apart(tasks, models, seconds, processes)
+    return done
 
 
 def _verdicts(

@@ -47,6 +47,61 @@ class _Child:
     given: float | None = None
 
 
+class Workers:
+    """Up to `processes` child processes, which stay for the next tasks: what a child has solved and
+    the time of its start are not spent twice. To be used in a `with`, at whose end they end.
+    """
+
+    def __init__(
+        self,
+        models: Models,
+        seconds: float,
+        processes: int = 1,
+        on_trial: OnTrial | None = None,
+    ) -> None:
+        self._models, self._seconds = models, seconds
+        self._most, self._on_trial = max(1, processes), on_trial
+        self._children: list[_Child] = []
+
+    def __enter__(self) -> Workers:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for child in self._children:
+            _stop(child)
+        self._children = []
+
+    def run(self, tasks: Sequence[Task]) -> dict[str, Trial]:
+        """What the tasks came to, by id of the claim; one that takes longer than `seconds` or than
+        its own limit, or whose child dies, has no findings but a reason. `on_trial` hears of each
+        as it ends.
+        """
+        waiting = list(reversed(tasks))
+        found: dict[str, Trial] = {}
+        seconds = self._seconds
+
+        def end(trial: Trial) -> None:
+            found[trial.claim.id] = trial
+            if self._on_trial is not None:
+                self._on_trial(trial)
+
+        while waiting or any(child.task for child in self._children):
+            for child in self._children:
+                if child.task is None and not child.process.is_alive():
+                    _stop(child)  # it ended while it had nothing to do
+                elif child.task is None and waiting:
+                    _give(child, waiting.pop(), seconds)
+            self._children = [c for c in self._children if not c.pipe.closed]
+            while waiting and len(self._children) < self._most:
+                self._children.append(_started(waiting.pop(), self._models, seconds))
+            for child in _ready(self._children):
+                _hear(child, seconds, end)
+            for child in [c for c in self._children if c.task and time.monotonic() > c.deadline]:
+                _lose(child, _late(child, seconds), end)
+            self._children = [c for c in self._children if not c.pipe.closed]
+        return found
+
+
 def tried_apart(
     tasks: Sequence[Task],
     models: Models,
@@ -54,35 +109,9 @@ def tried_apart(
     processes: int = 1,
     on_trial: OnTrial | None = None,
 ) -> dict[str, Trial]:
-    """What the tasks came to, by id of the claim; one that takes longer than `seconds` or than its
-    own limit, or whose child dies, has no findings but a reason. `on_trial` hears of each as it
-    ends.
-    """
-    waiting = list(reversed(tasks))
-    found: dict[str, Trial] = {}
-    children: list[_Child] = []
-
-    def end(trial: Trial) -> None:
-        found[trial.claim.id] = trial
-        if on_trial is not None:
-            on_trial(trial)
-
-    try:
-        while waiting or any(child.task for child in children):
-            for child in children:
-                if child.task is None and waiting:
-                    _give(child, waiting.pop(), seconds)
-            while waiting and len(children) < max(1, processes):
-                children.append(_started(waiting.pop(), models, seconds))
-            for child in _ready(children):
-                _hear(child, seconds, end)
-            for child in [c for c in children if c.task and time.monotonic() > c.deadline]:
-                _lose(child, _late(child, seconds), end)
-            children = [c for c in children if not c.pipe.closed]
-    finally:
-        for child in children:
-            _stop(child)
-    return found
+    """`Workers.run` in children that end with it."""
+    with Workers(models, seconds, processes, on_trial) as workers:
+        return workers.run(tasks)
 
 
 def _started(task: Task, models: Models, seconds: float) -> _Child:

@@ -17,7 +17,7 @@ import gainproof.verify.judge.worker as worker
 from gainproof.verify.judge.answer import BadAnswer, answer_bytes, read_answer
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import Finding
-from gainproof.verify.judge.worker import tried_apart
+from gainproof.verify.judge.worker import Workers, tried_apart
 
 
 @pytest.mark.parametrize("processes", [1, 2])
@@ -48,6 +48,19 @@ def test_each_loss_costs_one_claim(processes: int) -> None:
                 assert "bytes" in reason
     # two hang for two seconds each; the rest is the start of new processes
     assert spent < 60
+    assert not multiprocessing.active_children()
+
+
+def test_children_stay_for_the_next_tasks_and_are_replaced_when_they_end() -> None:
+    with Workers([], 30.0) as workers:
+        assert workers.run(odd("good"))["0 good"].failure is None
+        (first,) = multiprocessing.active_children()
+        assert workers.run(odd("good", "good"))["1 good"].failure is None
+        assert multiprocessing.active_children() == [first]
+        assert first.pid is not None
+        os.kill(first.pid, signal.SIGTERM)
+        first.join()
+        assert workers.run(odd("good"))["0 good"].failure is None
     assert not multiprocessing.active_children()
 
 
