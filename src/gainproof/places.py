@@ -37,7 +37,7 @@ def shown(path: str | Path) -> str:
     """A path as people type it: relative where it lies below the working folder."""
     try:
         return Path(path).resolve().relative_to(Path.cwd()).as_posix()
-    except ValueError:
+    except (ValueError, RuntimeError):  # elsewhere, or a link that leads to itself
         return str(path)
 
 
