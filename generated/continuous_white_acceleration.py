@@ -47,19 +47,19 @@ class Gains(NamedTuple):
 def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
     """Steady-state filter gain.
 
-        alpha = 2 s/m, beta = 2 p/m
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        beta = 2/(1/2 + kappa + rho), alpha = rho beta
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 4.26 * 2^-52 (float64), 4.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.54 * 2^-52 (float64),
-        3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.04 * 2^-52 (float64),
+        3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -81,24 +81,21 @@ def _gains_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w1)
-    t8 = np.add(t5, t7, out=w0)
-    h_scaled = np.sqrt(t8, out=w0)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.divide(p, 3.0, out=w1)
-    t14 = np.multiply(h, 3.0, out=w2)
-    t15 = np.add(p, t14, out=w2)
-    t16 = np.multiply(t13, t15, out=w1)
-    s = np.sqrt(t16, out=w1)
-    t18 = np.add(half_p, h, out=alpha)
-    m = np.add(t18, s, out=alpha)
-    t20 = np.divide(2.0, m, out=w0)
-    np.multiply(s, t20, out=alpha)
-    np.multiply(p, t20, out=beta)
+    (w0,) = work
+    p = np.sqrt(tracking_index, out=alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=beta)
+    h_scaled = np.sqrt(t6, out=beta)
+    kappa = np.divide(h_scaled, p, out=beta)
+    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, out=alpha)
+    t16 = np.add(kappa, t15, out=beta)
+    t18 = np.divide(2.0, t16, out=beta)
+    np.multiply(t18, rho, out=alpha)
+    np.multiply(t18, 2.220446049250313e-16, out=beta)
 
 
 _GAINS = Signature(
@@ -112,7 +109,7 @@ _GAINS = Signature(
         ),
     ),
     ("alpha", "beta"),
-    3,
+    1,
     _gains_block,
 )
 
@@ -131,19 +128,20 @@ def gain_derivatives(
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
-        d alpha = (1 + 1/3 p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        d alpha = (1 + 1/6/kappa)/(rho sigma^2 Lambda),
+        d beta = (2 + 1/rho)/(kappa sigma^2 Lambda)
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 13.79 * 2^-52 (float64), 13.79 *
+    alpha: derivative of the position gain. Relative error at most 10.50 * 2^-52 (float64), 10.50 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64) and
         1e-45 <= tracking_index <= 6.49139e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 13.04
-        * 2^-52 (float64), 13.07 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 11.00
+        * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -164,35 +162,28 @@ def _gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w1)
-    t8 = np.add(t5, t7, out=w0)
-    h_scaled = np.sqrt(t8, out=w0)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.divide(p, 3.0, out=w1)
-    t14 = np.multiply(h, 3.0, out=w2)
-    t15 = np.add(p, t14, out=w2)
-    t16 = np.multiply(t13, t15, out=w1)
-    s = np.sqrt(t16, out=w1)
-    t18 = np.add(half_p, h, out=alpha)
-    m = np.add(t18, s, out=alpha)
-    t20 = np.divide(2.0, m, out=alpha)
-    t21 = np.divide(t20, p, out=alpha)
-    t22 = np.multiply(t21, t21, out=w2)
-    t23 = np.multiply(p, s, out=alpha)
-    t24 = np.multiply(t23, h, out=alpha)
-    t26 = np.divide(1.0, t24, out=w3)
-    t28 = np.divide(p, 6.0, out=alpha)
-    t29 = np.add(h, t28, out=w0)
-    t30 = np.multiply(t26, t29, out=w0)
-    np.multiply(t30, t22, out=alpha)
-    t32 = np.multiply(s, 2.0, out=w1)
-    t33 = np.add(t32, p, out=w1)
-    t34 = np.multiply(t26, t33, out=w3)
-    np.multiply(t34, t22, out=beta)
+    w0, w1, w2 = work
+    p = np.sqrt(tracking_index, out=alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=beta)
+    h_scaled = np.sqrt(t6, out=beta)
+    kappa = np.divide(h_scaled, p, out=w0)
+    half_eta = np.multiply(p, h_scaled, out=alpha)
+    t11 = np.add(kappa, 7.401486830834377e-17, out=beta)
+    rho_scaled = np.sqrt(t11, out=beta)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=beta)
+    t16 = np.add(rho, 1.1102230246251565e-16, out=w1)
+    t17 = np.add(kappa, t16, out=w2)
+    t18 = np.multiply(tracking_index, t17, out=w2)
+    t20 = np.divide(6.617444900424222e-24, t18, out=w2)
+    t21 = np.divide(t20, half_eta, out=alpha)
+    t22 = np.multiply(t21, t20, out=alpha)
+    t23 = np.divide(t22, rho, out=alpha)
+    t25 = np.add(kappa, 3.700743415417188e-17, out=w0)
+    t28 = np.multiply(t23, 2.0, out=w2)
+    np.multiply(t23, t25, out=alpha)
+    np.multiply(t28, t16, out=beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -206,7 +197,7 @@ _GAIN_DERIVATIVES = Signature(
         ),
     ),
     ("alpha", "beta"),
-    4,
+    3,
     _gain_derivatives_block,
 )
 
@@ -229,25 +220,25 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 4.26 * 2^-52 (float64), 4.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.54 * 2^-52 (float64),
-        3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.04 * 2^-52 (float64),
+        3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 13.77 * 2^-52 (float64), 13.77
+    d_alpha: derivative of the position gain. Relative error at most 10.46 * 2^-52 (float64), 10.46
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        13.04 * 2^-52 (float64), 13.04 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -269,36 +260,30 @@ def _gains_with_derivatives_block(
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=d_beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=beta)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=d_alpha)
-    t8 = np.add(t5, t7, out=beta)
-    h_scaled = np.sqrt(t8, out=beta)
-    h = np.multiply(h_scaled, 1073741824.0, out=d_alpha)
-    t13 = np.divide(p, 3.0, out=beta)
-    t14 = np.multiply(h, 3.0, out=w0)
-    t15 = np.add(p, t14, out=w0)
-    t16 = np.multiply(t13, t15, out=beta)
-    s = np.sqrt(t16, out=w0)
-    t18 = np.add(half_p, h, out=alpha)
-    m = np.add(t18, s, out=alpha)
-    t20 = np.divide(2.0, m, out=w1)
-    np.multiply(s, t20, out=alpha)
-    np.multiply(p, t20, out=beta)
-    t23 = np.divide(t20, p, out=w1)
-    t24 = np.multiply(t23, t23, out=w1)
-    t25 = np.multiply(p, s, out=w2)
-    t26 = np.multiply(t25, h, out=w2)
-    t28 = np.divide(1.0, t26, out=w2)
-    t30 = np.divide(p, 6.0, out=w3)
-    t31 = np.add(h, t30, out=d_alpha)
-    t32 = np.multiply(t28, t31, out=d_alpha)
-    np.multiply(t32, t24, out=d_alpha)
-    t34 = np.multiply(s, 2.0, out=w0)
-    t35 = np.add(t34, p, out=w0)
-    t36 = np.multiply(t28, t35, out=w2)
-    np.multiply(t36, t24, out=d_beta)
+    p = np.sqrt(tracking_index, out=alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=beta)
+    h_scaled = np.sqrt(t6, out=d_alpha)
+    kappa = np.divide(h_scaled, p, out=d_beta)
+    half_eta = np.multiply(p, h_scaled, out=alpha)
+    t11 = np.add(kappa, 7.401486830834377e-17, out=w0)
+    rho_scaled = np.sqrt(t11, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t16 = np.add(rho, 1.1102230246251565e-16, out=w1)
+    t17 = np.add(kappa, t16, out=beta)
+    t19 = np.divide(2.0, t17, out=d_alpha)
+    t23 = np.multiply(tracking_index, t17, out=beta)
+    t25 = np.divide(6.617444900424222e-24, t23, out=beta)
+    t26 = np.divide(t25, half_eta, out=alpha)
+    t27 = np.multiply(t26, t25, out=alpha)
+    t28 = np.divide(t27, rho, out=w2)
+    t30 = np.add(kappa, 3.700743415417188e-17, out=d_beta)
+    t32 = np.multiply(t28, 2.0, out=w3)
+    np.multiply(t19, rho, out=alpha)
+    np.multiply(t19, 2.220446049250313e-16, out=beta)
+    np.multiply(t28, t30, out=d_alpha)
+    np.multiply(t32, t16, out=d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -331,18 +316,18 @@ def predictor_gains(
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 4.76 * 2^-52 (float64),
-        4.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 3.77 * 2^-52 (float64),
+        3.77 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.54 *
-        2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.04 *
+        2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -364,25 +349,22 @@ def _predictor_gains_block(
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2 = work
+    (w0,) = work
     p = np.sqrt(tracking_index, out=velocity)
-    half_p = np.multiply(p, 0.5, out=position)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w1)
-    t8 = np.add(t5, t7, out=w0)
-    h_scaled = np.sqrt(t8, out=w0)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.divide(p, 3.0, out=w1)
-    t14 = np.multiply(h, 3.0, out=w2)
-    t15 = np.add(p, t14, out=w2)
-    t16 = np.multiply(t13, t15, out=w1)
-    s = np.sqrt(t16, out=w1)
-    t18 = np.add(half_p, h, out=position)
-    m = np.add(t18, s, out=position)
-    t20 = np.add(s, p, out=w1)
-    t21 = np.divide(2.0, m, out=w0)
-    np.multiply(t20, t21, out=position)
-    np.multiply(p, t21, out=velocity)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=position)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=position)
+    h_scaled = np.sqrt(t6, out=position)
+    kappa = np.divide(h_scaled, p, out=position)
+    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, out=velocity)
+    t16 = np.add(kappa, t15, out=position)
+    t18 = np.divide(2.0, t16, out=position)
+    t21 = np.add(rho, 2.220446049250313e-16, out=w0)
+    np.multiply(t18, 2.220446049250313e-16, out=velocity)
+    np.multiply(t18, t21, out=position)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -396,7 +378,7 @@ _PREDICTOR_GAINS = Signature(
         ),
     ),
     ("position", "velocity"),
-    3,
+    1,
     _predictor_gains_block,
 )
 
@@ -415,18 +397,18 @@ def predictor_gain_derivatives(
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 14.56 *
-        2^-52 (float64), 14.56 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 12.94 *
+        2^-52 (float64), 12.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.873247422805948e102 (float64) and 1e-45 <= tracking_index <= 1.2213346e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 12.98 * 2^-52 (float64), 12.98 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
 
@@ -448,36 +430,29 @@ def _predictor_gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=position)
-    half_p = np.multiply(p, 0.5, out=velocity)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w1)
-    t8 = np.add(t5, t7, out=w0)
-    h_scaled = np.sqrt(t8, out=w0)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.divide(p, 3.0, out=w1)
-    t14 = np.multiply(h, 3.0, out=w2)
-    t15 = np.add(p, t14, out=w2)
-    t16 = np.multiply(t13, t15, out=w1)
-    s = np.sqrt(t16, out=w1)
-    t18 = np.add(half_p, h, out=velocity)
-    m = np.add(t18, s, out=velocity)
-    t20 = np.divide(2.0, m, out=velocity)
-    t21 = np.divide(t20, p, out=velocity)
-    t22 = np.multiply(t21, t21, out=velocity)
-    t23 = np.multiply(p, s, out=w2)
-    t24 = np.multiply(t23, h, out=w2)
-    t26 = np.divide(1.0, t24, out=w2)
-    t28 = np.divide(p, 6.0, out=w3)
-    t29 = np.add(h, t28, out=w0)
-    t30 = np.multiply(t26, t29, out=w0)
-    t31 = np.multiply(t30, t22, out=w0)
-    t32 = np.multiply(s, 2.0, out=w1)
-    t33 = np.add(t32, p, out=w1)
-    t34 = np.multiply(t26, t33, out=w2)
-    np.multiply(t34, t22, out=velocity)
-    np.add(t31, velocity, out=position)
+    w0, w1, w2 = work
+    p = np.sqrt(tracking_index, out=velocity)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=position)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=position)
+    h_scaled = np.sqrt(t6, out=position)
+    kappa = np.divide(h_scaled, p, out=w0)
+    half_eta = np.multiply(p, h_scaled, out=velocity)
+    t11 = np.add(kappa, 7.401486830834377e-17, out=position)
+    rho_scaled = np.sqrt(t11, out=position)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=position)
+    t16 = np.add(rho, 1.1102230246251565e-16, out=w1)
+    t17 = np.add(kappa, t16, out=w2)
+    t18 = np.multiply(tracking_index, t17, out=w2)
+    t20 = np.divide(6.617444900424222e-24, t18, out=w2)
+    t21 = np.divide(t20, half_eta, out=velocity)
+    t22 = np.multiply(t21, t20, out=velocity)
+    t23 = np.divide(t22, rho, out=velocity)
+    t25 = np.add(kappa, 3.700743415417188e-17, out=w0)
+    t26 = np.multiply(t23, t25, out=w0)
+    t28 = np.multiply(t23, 2.0, out=velocity)
+    np.multiply(t28, t16, out=velocity)
+    np.add(t26, velocity, out=position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -491,7 +466,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
         ),
     ),
     ("position", "velocity"),
-    4,
+    3,
     _predictor_gain_derivatives_block,
 )
 
@@ -512,22 +487,22 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 6.93 *
-        2^-52 (float64), 6.94 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 5.79 *
+        2^-52 (float64), 5.79 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7000419237042198e154 (float64) and 1e-45 <= tracking_index <= 2.3389442e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 3.72 * 2^-52 (float64), 3.72 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.54 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.5097627491058368e154 (float64) and 1.1754944e-38 <= tracking_index <=
         2.0771551e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        7.01 * 2^-52 (float64), 6.52 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
+        5.26 * 2^-52 (float64), 4.77 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
         tracking_index <= 1.181098330382244e154 (float64) and 4.1033358e-26 <= tracking_index <=
         1.6249736e19 (float32).
 
@@ -551,34 +526,28 @@ def _predicted_covariance_block(
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=predicted_11)
-    half_p = np.multiply(p, 0.5, out=predicted_12)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=predicted_22)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w0)
-    t8 = np.add(t5, t7, out=predicted_22)
-    h_scaled = np.sqrt(t8, out=predicted_22)
-    h = np.multiply(h_scaled, 1073741824.0, out=predicted_22)
-    t13 = np.divide(p, 3.0, out=w0)
-    t14 = np.multiply(h, 3.0, out=w1)
-    t15 = np.add(p, t14, out=w1)
-    t16 = np.multiply(t13, t15, out=w0)
-    s = np.sqrt(t16, out=w0)
-    t18 = np.add(half_p, h, out=w1)
-    m = np.add(t18, s, out=w1)
-    t21 = np.divide(p, 6.0, out=w2)
-    t22 = np.add(h, t21, out=w2)
-    t23 = np.add(t22, h, out=w2)
-    t24 = np.multiply(p, t23, out=w2)
-    t25 = np.multiply(s, 2.0, out=predicted_22)
-    t26 = np.add(t25, p, out=predicted_22)
-    t27 = np.divide(p, t26, out=predicted_22)
-    t28 = np.multiply(t27, t24, out=predicted_22)
-    t29 = np.multiply(tracking_index, t28, out=predicted_22)
-    t30 = np.multiply(half_p, m, out=predicted_12)
-    t31 = np.multiply(p, s, out=predicted_11)
-    np.multiply(t30, t31, out=predicted_11)
-    np.multiply(tracking_index, t30, out=predicted_12)
-    t34 = np.multiply(tracking_index, tracking_index, out=w0)
-    np.add(t29, t34, out=predicted_22)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=predicted_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=predicted_12)
+    h_scaled = np.sqrt(t6, out=predicted_22)
+    kappa = np.divide(h_scaled, p, out=predicted_22)
+    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t15 = np.add(kappa, 1.850371707708594e-17, out=predicted_11)
+    t17 = np.add(rho, 1.1102230246251565e-16, out=predicted_12)
+    t18 = np.divide(t15, t17, out=predicted_11)
+    t19 = np.multiply(tracking_index, t18, out=predicted_11)
+    t20 = np.multiply(tracking_index, t19, out=w1)
+    t21 = np.add(kappa, t17, out=predicted_22)
+    t22 = np.multiply(tracking_index, t21, out=predicted_22)
+    t24 = np.multiply(t22, 2251799813685248.0, out=predicted_22)
+    t25 = np.multiply(tracking_index, rho, out=w0)
+    t27 = np.multiply(t25, 4503599627370496.0, out=w0)
+    t30 = np.square(tracking_index, out=w2)
+    np.multiply(t24, t27, out=predicted_11)
+    np.multiply(tracking_index, t24, out=predicted_12)
+    np.add(t20, t30, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -613,23 +582,23 @@ def predicted_covariance_derivatives(
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 8.26 * 2^-52 (float64), 8.26 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 7.76 * 2^-52 (float64), 7.78 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.4450712711759723e308 (float64) and 1e-45 <= tracking_index <=
         2.7353304e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 4.39 * 2^-52 (float64), 4.39 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 4.06 * 2^-52 (float64), 4.06 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.1396917792938073e308 (float64) and 1e-45 <= tracking_index <=
         2.157287e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 6.09 * 2^-52 (float64), 6.11 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.93 * 2^-52 (float64), 6.94 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.974966330158624e307 (float64) and 1e-45 <= tracking_index <=
         1.3202697e38 (float32).
 
@@ -653,47 +622,45 @@ def _predicted_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=predicted_11)
-    half_p = np.multiply(p, 0.5, out=predicted_12)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=predicted_22)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w0)
-    t8 = np.add(t5, t7, out=predicted_22)
-    h_scaled = np.sqrt(t8, out=predicted_22)
-    h = np.multiply(h_scaled, 1073741824.0, out=predicted_22)
-    t13 = np.divide(p, 3.0, out=w0)
-    t14 = np.multiply(h, 3.0, out=w1)
-    t15 = np.add(p, t14, out=w1)
-    t16 = np.multiply(t13, t15, out=w0)
-    s = np.sqrt(t16, out=w0)
-    t18 = np.add(half_p, h, out=w1)
-    m = np.add(t18, s, out=w1)
-    t21 = np.divide(4.0, m, out=w2)
-    t22 = np.divide(t21, s, out=w2)
-    t24 = np.divide(p, 6.0, out=w3)
-    t25 = np.add(h, t24, out=w3)
-    t26 = np.divide(t25, h, out=w4)
-    t27 = np.multiply(s, 2.0, out=w5)
-    t28 = np.divide(t25, t27, out=w3)
-    t29 = np.multiply(t26, t28, out=w3)
-    t30 = np.divide(p, h, out=predicted_22)
-    t31 = np.divide(p, s, out=w6)
-    t32 = np.multiply(t30, t31, out=predicted_22)
-    t34 = np.divide(t32, 36.0, out=predicted_22)
-    t35 = np.add(t29, t34, out=w3)
-    t36 = np.multiply(tracking_index, t35, out=w3)
-    t37 = np.add(t22, t36, out=w2)
-    t38 = np.multiply(m, 0.5, out=w3)
-    t39 = np.multiply(half_p, m, out=predicted_12)
-    t40 = np.divide(t39, s, out=w0)
-    t41 = np.multiply(t38, t40, out=w3)
-    t42 = np.divide(p, t27, out=w5)
-    np.multiply(t26, t41, out=predicted_11)
-    t45 = np.multiply(t26, t42, out=w4)
-    t46 = np.add(1.0, t45, out=w4)
-    np.multiply(t39, t46, out=predicted_12)
-    t48 = np.multiply(tracking_index, 2.0, out=w0)
-    np.add(t37, t48, out=predicted_22)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=predicted_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=predicted_12)
+    h_scaled = np.sqrt(t6, out=predicted_22)
+    kappa = np.divide(h_scaled, p, out=predicted_22)
+    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t15 = np.add(kappa, 1.850371707708594e-17, out=predicted_11)
+    t17 = np.add(rho, 1.1102230246251565e-16, out=predicted_12)
+    t18 = np.divide(t15, t17, out=predicted_11)
+    t19 = np.multiply(tracking_index, t18, out=w1)
+    t20 = np.multiply(t18, 1.1102230246251565e-16, out=predicted_11)
+    t21 = np.divide(t20, rho, out=predicted_11)
+    t23 = np.add(1.0, t21, out=predicted_11)
+    t24 = np.multiply(t19, t23, out=w1)
+    t26 = np.add(kappa, 2.220446049250313e-16, out=predicted_11)
+    t27 = np.divide(t26, kappa, out=predicted_11)
+    t29 = np.divide(9.25185853854297e-18, rho, out=w2)
+    t30 = np.multiply(t27, t29, out=predicted_11)
+    t31 = np.multiply(tracking_index, t30, out=predicted_11)
+    t32 = np.add(t24, t31, out=w1)
+    t34 = np.add(kappa, 3.700743415417188e-17, out=w2)
+    t35 = np.divide(t34, kappa, out=w2)
+    t36 = np.add(kappa, t17, out=predicted_22)
+    t37 = np.multiply(tracking_index, t36, out=predicted_11)
+    t39 = np.multiply(t37, 2251799813685248.0, out=predicted_12)
+    t40 = np.divide(t36, rho, out=predicted_22)
+    t42 = np.multiply(t40, 0.5, out=predicted_22)
+    t43 = np.multiply(t35, t42, out=predicted_22)
+    t45 = np.divide(1.1102230246251565e-16, rho, out=w0)
+    t46 = np.multiply(t35, t45, out=w2)
+    t47 = np.add(1.0, t46, out=w2)
+    t49 = np.multiply(tracking_index, 2.0, out=w0)
+    np.multiply(t39, t43, out=predicted_11)
+    np.multiply(t39, t47, out=predicted_12)
+    np.add(t32, t49, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -707,7 +674,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    7,
+    3,
     _predicted_covariance_derivatives_block,
 )
 
@@ -728,22 +695,22 @@ def updated_covariance(
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 4.26 * 2^-52
-        (float64), 4.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.26 * 2^-52
+        (float64), 3.27 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.54 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.04 * 2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 6.01 *
-        2^-52 (float64), 6.04 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 4.45 *
+        2^-52 (float64), 4.44 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
         <= 2.4954742419024312e154 (float64) and 4.1033358e-26 <= tracking_index <= 3.4333126e19
         (float32).
 
@@ -765,33 +732,25 @@ def _updated_covariance_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=updated_22)
-    half_p = np.multiply(p, 0.5, out=updated_11)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=updated_12)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w0)
-    t8 = np.add(t5, t7, out=updated_12)
-    h_scaled = np.sqrt(t8, out=updated_12)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.divide(p, 3.0, out=updated_12)
-    t14 = np.multiply(h, 3.0, out=w1)
-    t15 = np.add(p, t14, out=w1)
-    t16 = np.multiply(t13, t15, out=updated_12)
-    s = np.sqrt(t16, out=w1)
-    t18 = np.add(half_p, h, out=updated_11)
-    m = np.add(t18, s, out=updated_11)
-    t20 = np.divide(2.0, m, out=updated_12)
-    np.multiply(s, t20, out=updated_11)
-    np.multiply(p, t20, out=updated_12)
-    t24 = np.divide(p, 6.0, out=w2)
-    t25 = np.add(h, t24, out=w2)
-    t26 = np.add(t25, h, out=w2)
-    t27 = np.multiply(p, t26, out=w2)
-    t28 = np.multiply(s, 2.0, out=w1)
-    t29 = np.add(t28, p, out=w1)
-    t30 = np.divide(p, t29, out=updated_22)
-    t31 = np.multiply(t30, t27, out=updated_22)
-    np.multiply(tracking_index, t31, out=updated_22)
+    (w0,) = work
+    p = np.sqrt(tracking_index, out=updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=updated_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=updated_12)
+    h_scaled = np.sqrt(t6, out=updated_22)
+    kappa = np.divide(h_scaled, p, out=updated_22)
+    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, out=updated_11)
+    t16 = np.add(kappa, t15, out=updated_12)
+    t18 = np.divide(2.0, t16, out=updated_12)
+    t23 = np.add(kappa, 1.850371707708594e-17, out=updated_22)
+    t24 = np.divide(t23, t15, out=updated_22)
+    t25 = np.multiply(tracking_index, t24, out=updated_22)
+    np.multiply(t18, rho, out=updated_11)
+    np.multiply(t18, 2.220446049250313e-16, out=updated_12)
+    np.multiply(tracking_index, t25, out=updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -805,7 +764,7 @@ _UPDATED_COVARIANCE = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    3,
+    1,
     _updated_covariance_block,
 )
 
@@ -826,22 +785,22 @@ def updated_covariance_derivatives(
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 13.79 * 2^-52 (float64), 13.79 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 10.50 * 2^-52 (float64), 10.50 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 5.247628584236248e102 (float64) and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 12.98 * 2^-52 (float64), 12.98 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 5.96 * 2^-52 (float64), 5.98 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.47 * 2^-52 (float64), 6.47 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -865,47 +824,41 @@ def _updated_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3, w4, w5, w6 = work
-    p = np.sqrt(tracking_index, out=updated_22)
-    half_p = np.multiply(p, 0.5, out=updated_11)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=updated_12)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=w0)
-    t8 = np.add(t5, t7, out=updated_12)
-    h_scaled = np.sqrt(t8, out=updated_12)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.divide(p, 3.0, out=updated_12)
-    t14 = np.multiply(h, 3.0, out=w1)
-    t15 = np.add(p, t14, out=w1)
-    t16 = np.multiply(t13, t15, out=updated_12)
-    s = np.sqrt(t16, out=w1)
-    t18 = np.add(half_p, h, out=updated_11)
-    m = np.add(t18, s, out=w2)
-    t20 = np.divide(2.0, m, out=updated_11)
-    t21 = np.divide(t20, p, out=updated_11)
-    t22 = np.multiply(t21, t21, out=updated_12)
-    t23 = np.multiply(p, s, out=updated_11)
-    t24 = np.multiply(t23, h, out=updated_11)
-    t26 = np.divide(1.0, t24, out=w3)
-    t28 = np.divide(p, 6.0, out=updated_11)
-    t29 = np.add(h, t28, out=w4)
-    t30 = np.multiply(t26, t29, out=updated_11)
-    np.multiply(t30, t22, out=updated_11)
-    t32 = np.multiply(s, 2.0, out=w5)
-    t33 = np.add(t32, p, out=w6)
-    t34 = np.multiply(t26, t33, out=w3)
-    np.multiply(t34, t22, out=updated_12)
-    t37 = np.divide(4.0, m, out=w2)
-    t38 = np.divide(t37, s, out=w2)
-    t39 = np.divide(t29, h, out=w3)
-    t40 = np.divide(t29, t32, out=w4)
-    t41 = np.multiply(t39, t40, out=w3)
-    t42 = np.divide(p, h, out=w0)
-    t43 = np.divide(p, s, out=updated_22)
-    t44 = np.multiply(t42, t43, out=w0)
-    t46 = np.divide(t44, 36.0, out=w0)
-    t47 = np.add(t41, t46, out=w3)
-    t48 = np.multiply(tracking_index, t47, out=w3)
-    np.add(t38, t48, out=updated_22)
+    w0, w1, w2, w3, w4 = work
+    p = np.sqrt(tracking_index, out=updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=updated_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=updated_12)
+    h_scaled = np.sqrt(t6, out=updated_22)
+    kappa = np.divide(h_scaled, p, out=w0)
+    half_eta = np.multiply(p, h_scaled, out=updated_11)
+    t11 = np.add(kappa, 7.401486830834377e-17, out=updated_12)
+    rho_scaled = np.sqrt(t11, out=updated_12)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=updated_12)
+    t16 = np.add(rho, 1.1102230246251565e-16, out=updated_22)
+    t17 = np.add(kappa, t16, out=w1)
+    t18 = np.multiply(tracking_index, t17, out=w1)
+    t20 = np.divide(6.617444900424222e-24, t18, out=w1)
+    t21 = np.divide(t20, half_eta, out=updated_11)
+    t22 = np.multiply(t21, t20, out=updated_11)
+    t23 = np.divide(t22, rho, out=updated_11)
+    t25 = np.add(kappa, 3.700743415417188e-17, out=w1)
+    t28 = np.multiply(t23, 2.0, out=w2)
+    t31 = np.add(kappa, 1.850371707708594e-17, out=w3)
+    t32 = np.divide(t31, t16, out=w3)
+    t33 = np.multiply(tracking_index, t32, out=w4)
+    t34 = np.multiply(t32, 1.1102230246251565e-16, out=w3)
+    t35 = np.divide(t34, rho, out=w3)
+    t37 = np.add(1.0, t35, out=w3)
+    t38 = np.multiply(t33, t37, out=w4)
+    t40 = np.add(kappa, 2.220446049250313e-16, out=w3)
+    t41 = np.divide(t40, kappa, out=w3)
+    t43 = np.divide(9.25185853854297e-18, rho, out=updated_12)
+    t44 = np.multiply(t41, t43, out=w3)
+    t45 = np.multiply(tracking_index, t44, out=w3)
+    np.multiply(t23, t25, out=updated_11)
+    np.multiply(t28, t16, out=updated_12)
+    np.add(t38, t45, out=updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -919,7 +872,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    7,
+    5,
     _updated_covariance_derivatives_block,
 )
 
@@ -944,24 +897,24 @@ def closed_loop_poles(
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
         all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/12 Lambda), s = sqrt(p (4/3 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 8.34 * 2^-52
-        (float64), 8.33 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 10.73 * 2^-52
+        (float64), 10.66 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 8.00 * 2^-52 (float64), 8.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.15 * 2^-52 (float64), 8.15 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 10.51 * 2^-52
-        (float64), 10.48 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 10.73 * 2^-52
+        (float64), 10.66 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 8.00 * 2^-52 (float64), 8.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.15 * 2^-52 (float64), 8.15 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -982,54 +935,52 @@ def _closed_loop_poles_block(
 ) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
-    w0, w1, w2, w3 = work
+    w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=first_real)
-    half_p = np.multiply(p, 0.5, out=first_imaginary)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=second_real)
-    t7 = np.multiply(tracking_index, 7.228014483236696e-20, out=second_imaginary)
-    t8 = np.add(t5, t7, out=second_real)
-    h_scaled = np.sqrt(t8, out=second_real)
-    h = np.multiply(h_scaled, 1073741824.0, out=second_real)
-    t13 = np.divide(p, 3.0, out=second_imaginary)
-    t14 = np.multiply(h, 3.0, out=w0)
-    t15 = np.add(p, t14, out=w0)
-    t16 = np.multiply(t13, t15, out=second_imaginary)
-    s = np.sqrt(t16, out=second_imaginary)
-    t18 = np.add(half_p, h, out=first_imaginary)
-    m = np.add(t18, s, out=w0)
-    t20 = np.divide(2.0, m, out=second_real)
-    t21 = np.divide(t20, p, out=second_real)
-    t25 = np.multiply(tracking_index, 0.25, out=first_real)
-    t26 = np.subtract(3.0, t25, out=w1)
-    distance = np.absolute(t26, out=w1)
-    below = np.sqrt(distance, out=w1)
-    t29 = np.add(3.0, t25, out=first_real)
-    above = np.sqrt(t29, out=first_real)
-    t32 = np.multiply(tracking_index, 0.5, out=w2)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=second_real)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
+    t6 = np.add(t3, t5, out=second_real)
+    h_scaled = np.sqrt(t6, out=first_imaginary)
+    kappa = np.divide(h_scaled, p, out=second_imaginary)
+    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, out=first_real)
+    t16 = np.add(kappa, t15, out=first_real)
+    t17 = np.multiply(tracking_index, t16, out=first_real)
+    t19 = np.divide(4.440892098500626e-16, t17, out=first_real)
+    t23 = np.multiply(tracking_index, 0.25, out=first_imaginary)
+    t24 = np.subtract(3.0, t23, out=second_real)
+    distance = np.absolute(t24, out=second_real)
+    below = np.sqrt(distance, out=second_real)
+    t27 = np.add(3.0, t23, out=first_imaginary)
+    above = np.sqrt(t27, out=first_imaginary)
+    t29 = np.add(kappa, 1.1102230246251565e-16, out=second_imaginary)
+    t30 = np.multiply(tracking_index, t29, out=second_imaginary)
+    t33 = np.multiply(tracking_index, 0.5, out=w1)
     rest = -8.914125970704845e-08 if single else 2.168616518103246e-16
-    np.subtract(2.449489742783178, t32, out=w3)
-    t33 = np.add(w3, rest, out=w3)
-    t34 = np.divide(t33, t18, out=w3)
-    t35 = np.add(2.449489742783178, t32, out=w2)
-    t36 = np.divide(t35, m, out=w2)
-    t37 = np.divide(t36, tracking_index, out=w2)
-    t38 = np.multiply(t34, t37, out=w3)
-    t39 = np.multiply(t38, 0.6666666666666666, out=w3)
-    t40 = np.divide(below, s, out=w1)
-    t41 = np.divide(above, m, out=first_real)
-    t42 = np.multiply(t40, t41, out=w1)
-    t43 = np.multiply(t42, 0.6666666666666666, out=w1)
-    middle_size = np.absolute(t39, out=w0)
-    t45 = np.add(middle_size, t43, out=w0)
-    t46 = np.divide(t21, t45, out=w2)
-    t47 = np.multiply(t46, t21, out=w2)
-    t49 = np.negative(t45, out=w0)
+    np.subtract(2.449489742783178, t33, out=w2)
+    t34 = np.add(w2, rest, out=w2)
+    t35 = np.divide(t34, t30, out=w2)
+    t36 = np.add(2.449489742783178, t33, out=w1)
+    t37 = np.multiply(t36, t19, out=w1)
+    t38 = np.multiply(t35, t37, out=w2)
+    t39 = np.multiply(t38, 7.401486830834377e-17, out=w2)
+    t40 = np.divide(below, rho, out=second_real)
+    t41 = np.multiply(above, t19, out=first_imaginary)
+    t42 = np.multiply(t40, t41, out=second_real)
+    t43 = np.multiply(t42, 7.401486830834377e-17, out=w0)
+    middle_size = np.absolute(t39, out=w1)
+    t45 = np.add(middle_size, t43, out=w1)
+    t46 = np.divide(t19, t45, out=first_imaginary)
+    t47 = np.multiply(t46, t19, out=first_imaginary)
+    t49 = np.negative(t45, out=w1)
+    t51 = np.negative(t47, out=first_imaginary)
+    t54 = np.negative(t43, out=second_imaginary)
     mask = mask_of(np.less(tracking_index, 12.0), single)
     choose(mask, t39, t49, out=first_real)
-    t51 = np.negative(t47, out=w2)
     choose(mask, t39, t51, out=second_real)
     choose(mask, t43, 0.0, out=first_imaginary)
-    t54 = np.negative(t43, out=w1)
     choose(mask, t54, 0.0, out=second_imaginary)
 
 
@@ -1044,7 +995,7 @@ _CLOSED_LOOP_POLES = Signature(
         ),
     ),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
-    4,
+    3,
     _closed_loop_poles_block,
 )
 
@@ -1086,17 +1037,17 @@ def _index_from_alpha_block(
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = np.subtract(1.0, alpha, out=tracking_index)
-    t4 = np.multiply(t2, 4.0, out=w0)
-    t5 = np.multiply(alpha, alpha, out=w1)
-    t7 = np.divide(t5, 3.0, out=w2)
-    t8 = np.add(t4, t7, out=w0)
-    alpha_radical = np.sqrt(t8, out=w0)
-    root_of_rest = np.sqrt(t2, out=tracking_index)
-    t12 = np.multiply(t5, 2.0, out=w1)
-    t13 = np.subtract(2.0, alpha, out=w2)
-    t14 = np.add(t13, alpha_radical, out=w2)
-    t15 = np.divide(t12, t14, out=w1)
+    t2 = np.subtract(1.0, alpha, out=w0)
+    t4 = np.multiply(t2, 4.0, out=w1)
+    t5 = np.square(alpha, out=w2)
+    t7 = np.divide(t5, 3.0, out=tracking_index)
+    t8 = np.add(t4, t7, out=w1)
+    alpha_radical = np.sqrt(t8, out=w1)
+    root_of_rest = np.sqrt(t2, out=w0)
+    t12 = np.multiply(t5, 2.0, out=w2)
+    t13 = np.subtract(2.0, alpha, out=tracking_index)
+    t14 = np.add(t13, alpha_radical, out=tracking_index)
+    t15 = np.divide(t12, t14, out=w2)
     np.divide(t15, root_of_rest, out=tracking_index)
 
 
@@ -1153,15 +1104,15 @@ def _beta_from_alpha_block(
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = np.subtract(1.0, alpha, out=beta)
-    t4 = np.multiply(t2, 4.0, out=beta)
-    t5 = np.multiply(alpha, alpha, out=w0)
-    t7 = np.divide(t5, 3.0, out=w1)
-    t8 = np.add(t4, t7, out=beta)
-    alpha_radical = np.sqrt(t8, out=beta)
-    t11 = np.multiply(t5, 2.0, out=w0)
-    t12 = np.subtract(2.0, alpha, out=w1)
-    t13 = np.add(t12, alpha_radical, out=w1)
+    t2 = np.subtract(1.0, alpha, out=w0)
+    t4 = np.multiply(t2, 4.0, out=w0)
+    t5 = np.square(alpha, out=w1)
+    t7 = np.divide(t5, 3.0, out=beta)
+    t8 = np.add(t4, t7, out=w0)
+    alpha_radical = np.sqrt(t8, out=w0)
+    t11 = np.multiply(t5, 2.0, out=w1)
+    t12 = np.subtract(2.0, alpha, out=beta)
+    t13 = np.add(t12, alpha_radical, out=beta)
     np.divide(t11, t13, out=beta)
 
 
@@ -1291,17 +1242,17 @@ def _alpha_from_beta_block(
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = np.multiply(beta, 1.152921504606847e18, out=alpha)
-    t4 = np.divide(beta, 3.0, out=w0)
-    t6 = np.add(8.0, t4, out=w0)
-    t7 = np.multiply(t2, t6, out=w0)
-    scaled_beta_radical = np.sqrt(t7, out=w0)
+    t2 = np.multiply(beta, 1.152921504606847e18, out=w0)
+    t4 = np.divide(beta, 3.0, out=alpha)
+    t6 = np.add(8.0, t4, out=alpha)
+    t7 = np.multiply(t2, t6, out=alpha)
+    scaled_beta_radical = np.sqrt(t7, out=alpha)
     t10 = np.subtract(12.0, beta, out=w1)
     t12 = np.multiply(t10, 0.6666666666666666, out=w1)
-    t13 = np.multiply(t2, t12, out=alpha)
+    t13 = np.multiply(t2, t12, out=w0)
     t15 = np.multiply(beta, 1073741824.0, out=w1)
-    t16 = np.add(scaled_beta_radical, t15, out=w0)
-    t18 = np.multiply(t16, 2147483648.0, out=w0)
+    t16 = np.add(scaled_beta_radical, t15, out=alpha)
+    t18 = np.multiply(t16, 2147483648.0, out=alpha)
     np.divide(t13, t18, out=alpha)
 
 

@@ -63,13 +63,13 @@ def _gains_block(
 ) -> None:
     (sample_number,) = given
     alpha, beta = out
-    (w0,) = work
-    t2 = np.multiply(sample_number, 2.0, out=alpha)
-    t4 = np.add(t2, 1.0, out=alpha)
-    t5 = np.add(sample_number, 1.0, out=beta)
-    t6 = np.add(sample_number, 2.0, out=w0)
-    t7 = np.multiply(t4, 2.0, out=alpha)
-    t8 = np.multiply(t5, t6, out=beta)
+    w0, w1, w2 = work
+    t2 = np.multiply(sample_number, 2.0, out=w0)
+    t4 = np.add(t2, 1.0, out=w0)
+    t5 = np.add(sample_number, 1.0, out=w1)
+    t6 = np.add(sample_number, 2.0, out=w2)
+    t7 = np.multiply(t4, 2.0, out=w0)
+    t8 = np.multiply(t5, t6, out=w1)
     np.divide(t7, t8, out=alpha)
     np.divide(6.0, t8, out=beta)
 
@@ -86,7 +86,7 @@ _GAINS = Signature(
         ),
     ),
     ("alpha", "beta"),
-    1,
+    3,
     _gains_block,
 )
 
@@ -140,17 +140,17 @@ def _updated_covariance_block(
 ) -> None:
     (sample_number,) = given
     updated_11, updated_12, updated_22 = out
-    (w0,) = work
-    t2 = np.multiply(sample_number, 2.0, out=updated_11)
-    t4 = np.add(t2, 1.0, out=updated_11)
-    t5 = np.add(sample_number, 1.0, out=updated_22)
-    t6 = np.add(sample_number, 2.0, out=w0)
-    t7 = np.multiply(t4, 2.0, out=updated_11)
-    t8 = np.multiply(t5, t6, out=updated_12)
+    w0, w1, w2, w3 = work
+    t2 = np.multiply(sample_number, 2.0, out=w0)
+    t4 = np.add(t2, 1.0, out=w0)
+    t5 = np.add(sample_number, 1.0, out=w1)
+    t6 = np.add(sample_number, 2.0, out=w2)
+    t7 = np.multiply(t4, 2.0, out=w0)
+    t8 = np.multiply(t5, t6, out=w3)
+    t13 = np.multiply(sample_number, t5, out=w1)
+    t14 = np.divide(12.0, t13, out=updated_22)
     np.divide(t7, t8, out=updated_11)
     np.divide(6.0, t8, out=updated_12)
-    t13 = np.multiply(sample_number, t5, out=updated_22)
-    t14 = np.divide(12.0, t13, out=updated_22)
     np.divide(t14, t6, out=updated_22)
 
 
@@ -166,7 +166,7 @@ _UPDATED_COVARIANCE = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    1,
+    4,
     _updated_covariance_block,
 )
 
@@ -220,16 +220,16 @@ def _predicted_covariance_block(
 ) -> None:
     (sample_number,) = given
     predicted_11, predicted_12, predicted_22 = out
-    (w0,) = work
-    t2 = np.multiply(sample_number, 2.0, out=predicted_11)
-    t4 = np.add(t2, 1.0, out=predicted_11)
-    t6 = np.add(sample_number, -1.0, out=predicted_12)
-    t7 = np.multiply(t4, 2.0, out=predicted_11)
-    t8 = np.multiply(t6, sample_number, out=predicted_22)
+    w0, w1, w2 = work
+    t2 = np.multiply(sample_number, 2.0, out=w0)
+    t4 = np.add(t2, 1.0, out=w0)
+    t6 = np.add(sample_number, -1.0, out=w1)
+    t7 = np.multiply(t4, 2.0, out=w0)
+    t8 = np.multiply(t6, sample_number, out=w1)
+    t12 = np.add(sample_number, 1.0, out=w2)
+    t14 = np.divide(12.0, t8, out=predicted_22)
     np.divide(t7, t8, out=predicted_11)
     np.divide(6.0, t8, out=predicted_12)
-    t12 = np.add(sample_number, 1.0, out=w0)
-    t14 = np.divide(12.0, t8, out=predicted_22)
     np.divide(t14, t12, out=predicted_22)
 
 
@@ -245,6 +245,6 @@ _PREDICTED_COVARIANCE = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    1,
+    3,
     _predicted_covariance_block,
 )

@@ -53,11 +53,12 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None) -> Gains:
 
 
 def _gains_block(
-    given: Sequence[Array], out: Sequence[Array], _work: Sequence[Array], _single: bool
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
 ) -> None:
     (sample_number,) = given
     (alpha,) = out
-    t2 = np.add(sample_number, 1.0, out=alpha)
+    (w0,) = work
+    t2 = np.add(sample_number, 1.0, out=w0)
     np.divide(1.0, t2, out=alpha)
 
 
@@ -73,7 +74,7 @@ _GAINS = Signature(
         ),
     ),
     ("alpha",),
-    0,
+    1,
     _gains_block,
 )
 
@@ -113,11 +114,12 @@ def updated_covariance(
 
 
 def _updated_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], _work: Sequence[Array], _single: bool
+    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
 ) -> None:
     (sample_number,) = given
     (updated_11,) = out
-    t2 = np.add(sample_number, 1.0, out=updated_11)
+    (w0,) = work
+    t2 = np.add(sample_number, 1.0, out=w0)
     np.divide(1.0, t2, out=updated_11)
 
 
@@ -133,7 +135,7 @@ _UPDATED_COVARIANCE = Signature(
         ),
     ),
     ("updated_11",),
-    0,
+    1,
     _updated_covariance_block,
 )
 

@@ -47,19 +47,19 @@ class Gains(NamedTuple):
 def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
     """Steady-state filter gain.
 
-        alpha = 2 s/m, beta = 2 p/m
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        beta = 2/(1/2 + kappa + rho), alpha = rho beta
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: position gain. Relative error at most 3.76 * 2^-52 (float64), 3.76 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.51 * 2^-52 (float64),
-        3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 4.01 * 2^-52 (float64),
+        4.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -81,18 +81,16 @@ def _gains_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, out=beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    h = np.divide(2.0, p, out=w0)
-    t6 = np.multiply(tracking_index, 0.25, out=w1)
-    t7 = np.add(t6, 2.0, out=w1)
-    s = np.sqrt(t7, out=w1)
-    t9 = np.add(half_p, h, out=alpha)
-    m = np.add(t9, s, out=alpha)
-    t11 = np.divide(2.0, m, out=w0)
-    np.multiply(s, t11, out=alpha)
-    np.multiply(p, t11, out=beta)
+    (w0,) = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=alpha)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=alpha)
+    rho_scaled = np.sqrt(t4, out=beta)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=beta)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=alpha)
+    t10 = np.square(t9, out=alpha)
+    t12 = np.divide(2.220446049250313e-16, t10, out=w0)
+    np.multiply(t12, twice_rho, out=alpha)
+    np.multiply(t12, 1.1102230246251565e-16, out=beta)
 
 
 _GAINS = Signature(
@@ -106,7 +104,7 @@ _GAINS = Signature(
         ),
     ),
     ("alpha", "beta"),
-    2,
+    1,
     _gains_block,
 )
 
@@ -125,19 +123,20 @@ def gain_derivatives(
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
-        d alpha = (1 + 0 p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        d alpha = (1 + 0/kappa)/(rho sigma^2 Lambda),
+        d beta = (2 + 1/rho)/(kappa sigma^2 Lambda)
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: derivative of the position gain. Relative error at most 10.59 * 2^-52 (float64), 10.55 *
+    alpha: derivative of the position gain. Relative error at most 11.01 * 2^-52 (float64), 11.01 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 8.97 *
-        2^-52 (float64), 8.93 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.01
+        * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -158,24 +157,19 @@ def _gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    h = np.divide(2.0, p, out=w0)
-    t6 = np.multiply(tracking_index, 0.25, out=w1)
-    t7 = np.add(t6, 2.0, out=w1)
-    s = np.sqrt(t7, out=w1)
-    t9 = np.add(half_p, h, out=alpha)
-    m = np.add(t9, s, out=alpha)
-    t11 = np.divide(2.0, m, out=alpha)
-    t12 = np.multiply(h, t11, out=alpha)
-    t13 = np.multiply(t12, t12, out=w2)
-    t15 = np.divide(0.125, s, out=w1)
-    t16 = np.multiply(h, t15, out=w0)
-    np.multiply(t16, t13, out=alpha)
-    t18 = np.multiply(p, t15, out=beta)
-    t20 = np.add(t18, 0.25, out=beta)
-    np.multiply(t20, t13, out=beta)
+    w0, w1 = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=alpha)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
+    rho_scaled = np.sqrt(t4, out=beta)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=beta)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
+    t10 = np.square(t9, out=w1)
+    t11 = np.multiply(tracking_index, t10, out=w1)
+    t13 = np.divide(2.465190328815662e-32, t11, out=w1)
+    t14 = np.square(t13, out=w1)
+    t15 = np.divide(t14, twice_rho, out=w1)
+    np.multiply(t15, kappa, out=alpha)
+    np.multiply(t15, t9, out=beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -189,7 +183,7 @@ _GAIN_DERIVATIVES = Signature(
         ),
     ),
     ("alpha", "beta"),
-    3,
+    2,
     _gain_derivatives_block,
 )
 
@@ -212,25 +206,25 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: position gain. Relative error at most 3.76 * 2^-52 (float64), 3.76 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.51 * 2^-52 (float64),
-        3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 4.01 * 2^-52 (float64),
+        4.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 10.59 * 2^-52 (float64), 10.59
+    d_alpha: derivative of the position gain. Relative error at most 11.01 * 2^-52 (float64), 11.01
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most 8.97
-        * 2^-52 (float64), 8.97 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
+        10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -252,25 +246,21 @@ def _gains_with_derivatives_block(
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1 = work
-    p = np.sqrt(tracking_index, out=d_beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    h = np.divide(2.0, p, out=d_alpha)
-    t6 = np.multiply(tracking_index, 0.25, out=beta)
-    t7 = np.add(t6, 2.0, out=beta)
-    s = np.sqrt(t7, out=w0)
-    t9 = np.add(half_p, h, out=alpha)
-    m = np.add(t9, s, out=alpha)
-    t11 = np.divide(2.0, m, out=w1)
-    np.multiply(s, t11, out=alpha)
-    np.multiply(p, t11, out=beta)
-    t14 = np.multiply(h, t11, out=w1)
-    t15 = np.multiply(t14, t14, out=w1)
-    t17 = np.divide(0.125, s, out=w0)
-    t18 = np.multiply(h, t17, out=d_alpha)
-    np.multiply(t18, t15, out=d_alpha)
-    t20 = np.multiply(p, t17, out=d_beta)
-    t22 = np.add(t20, 0.25, out=d_beta)
-    np.multiply(t22, t15, out=d_beta)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=d_alpha)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
+    rho_scaled = np.sqrt(t4, out=alpha)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=alpha)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
+    t10 = np.square(t9, out=w1)
+    t12 = np.divide(2.220446049250313e-16, t10, out=beta)
+    t15 = np.multiply(tracking_index, t10, out=w1)
+    t17 = np.divide(2.465190328815662e-32, t15, out=d_beta)
+    t18 = np.square(t17, out=d_beta)
+    t19 = np.divide(t18, twice_rho, out=d_beta)
+    np.multiply(t12, twice_rho, out=alpha)
+    np.multiply(t12, 1.1102230246251565e-16, out=beta)
+    np.multiply(t19, kappa, out=d_alpha)
+    np.multiply(t19, t9, out=d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -303,18 +293,18 @@ def predictor_gains(
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 4.26 * 2^-52 (float64),
-        4.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 4.04 * 2^-52 (float64),
+        4.04 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.51 *
-        2^-52 (float64), 3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 4.01 *
+        2^-52 (float64), 4.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -336,19 +326,17 @@ def _predictor_gains_block(
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, out=velocity)
-    half_p = np.multiply(p, 0.5, out=position)
-    h = np.divide(2.0, p, out=w0)
-    t6 = np.multiply(tracking_index, 0.25, out=w1)
-    t7 = np.add(t6, 2.0, out=w1)
-    s = np.sqrt(t7, out=w1)
-    t9 = np.add(half_p, h, out=position)
-    m = np.add(t9, s, out=position)
-    t11 = np.add(s, p, out=w1)
-    t12 = np.divide(2.0, m, out=w0)
-    np.multiply(t11, t12, out=position)
-    np.multiply(p, t12, out=velocity)
+    (w0,) = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=velocity)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=velocity)
+    rho_scaled = np.sqrt(t4, out=position)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=position)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=velocity)
+    t10 = np.square(t9, out=velocity)
+    t12 = np.divide(2.220446049250313e-16, t10, out=w0)
+    t14 = np.add(twice_rho, 1.1102230246251565e-16, out=position)
+    np.multiply(t12, 1.1102230246251565e-16, out=velocity)
+    np.multiply(t12, t14, out=position)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -362,7 +350,7 @@ _PREDICTOR_GAINS = Signature(
         ),
     ),
     ("position", "velocity"),
-    2,
+    1,
     _predictor_gains_block,
 )
 
@@ -381,18 +369,18 @@ def predictor_gain_derivatives(
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 9.88 *
-        2^-52 (float64), 9.41 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 11.61 *
+        2^-52 (float64), 11.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 8.93 * 2^-52 (float64), 8.89 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
         2.6087635e19 (float32).
 
@@ -415,24 +403,19 @@ def _predictor_gain_derivatives_block(
     (tracking_index,) = given
     position, velocity = out
     w0, w1 = work
-    p = np.sqrt(tracking_index, out=position)
-    half_p = np.multiply(p, 0.5, out=velocity)
-    h = np.divide(2.0, p, out=w0)
-    t6 = np.multiply(tracking_index, 0.25, out=w1)
-    t7 = np.add(t6, 2.0, out=w1)
-    s = np.sqrt(t7, out=w1)
-    t9 = np.add(half_p, h, out=velocity)
-    m = np.add(t9, s, out=velocity)
-    t11 = np.divide(2.0, m, out=velocity)
-    t12 = np.multiply(h, t11, out=velocity)
-    t13 = np.multiply(t12, t12, out=velocity)
-    t15 = np.divide(0.125, s, out=w1)
-    t16 = np.multiply(h, t15, out=w0)
-    t17 = np.multiply(t16, t13, out=w0)
-    t18 = np.multiply(p, t15, out=position)
-    t20 = np.add(t18, 0.25, out=position)
-    np.multiply(t20, t13, out=velocity)
-    np.add(t17, velocity, out=position)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=velocity)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
+    rho_scaled = np.sqrt(t4, out=position)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=position)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
+    t10 = np.square(t9, out=w1)
+    t11 = np.multiply(tracking_index, t10, out=w1)
+    t13 = np.divide(2.465190328815662e-32, t11, out=w1)
+    t14 = np.square(t13, out=w1)
+    t15 = np.divide(t14, twice_rho, out=w1)
+    t16 = np.multiply(t15, kappa, out=position)
+    np.multiply(t15, t9, out=velocity)
+    np.add(t16, velocity, out=position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -467,22 +450,22 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 4.65 *
-        2^-52 (float64), 4.65 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        2.6815615859885004e154 (float64) and 1e-45 <= tracking_index <= 3.6893345e19 (float32).
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 6.01 *
+        2^-52 (float64), 7.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        2.6815615859885e154 (float64) and 1e-45 <= tracking_index <= 3.6893345e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 2.90 * 2^-52 (float64), 2.90 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.8961503816218218e154 (float64) and 1.1754944e-38 <= tracking_index <=
         2.6087534e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        3.76 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
+        3.51 * 2^-52 (float64), 3.02 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
         tracking_index <= 1.34078079299425e154 (float64) and 4.1033358e-26 <= tracking_index <=
         1.8446673e19 (float32).
 
@@ -504,26 +487,23 @@ def _predicted_covariance_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=predicted_11)
-    half_p = np.multiply(p, 0.5, out=predicted_12)
-    h = np.divide(2.0, p, out=predicted_22)
-    t6 = np.multiply(tracking_index, 0.25, out=w0)
-    t7 = np.add(t6, 2.0, out=w0)
-    s = np.sqrt(t7, out=w0)
-    t9 = np.add(half_p, h, out=predicted_22)
-    m = np.add(t9, s, out=predicted_22)
-    t11 = np.multiply(p, 4.0, out=w1)
-    t12 = np.multiply(s, 2.0, out=w2)
-    t13 = np.add(t12, p, out=w2)
-    t14 = np.divide(t11, t13, out=w1)
-    t15 = np.multiply(tracking_index, t14, out=w1)
-    t16 = np.multiply(half_p, m, out=predicted_12)
-    t17 = np.multiply(p, s, out=predicted_11)
-    np.multiply(t16, t17, out=predicted_11)
+    w0, w1 = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=predicted_11)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=predicted_11)
+    rho_scaled = np.sqrt(t4, out=predicted_12)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=predicted_12)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=predicted_11)
+    t11 = np.divide(2.220446049250313e-16, t9, out=predicted_22)
+    t12 = np.multiply(tracking_index, t11, out=predicted_22)
+    t13 = np.square(t9, out=predicted_11)
+    t14 = np.multiply(tracking_index, t13, out=predicted_11)
+    t16 = np.multiply(t14, 4.056481920730334e31, out=w0)
+    t17 = np.multiply(tracking_index, twice_rho, out=predicted_12)
+    t19 = np.multiply(t17, 9007199254740992.0, out=predicted_12)
+    t22 = np.square(tracking_index, out=w1)
+    np.multiply(t16, t19, out=predicted_11)
     np.multiply(tracking_index, t16, out=predicted_12)
-    t20 = np.multiply(tracking_index, tracking_index, out=w0)
-    np.add(t15, t20, out=predicted_22)
+    np.add(t12, t22, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -537,7 +517,7 @@ _PREDICTED_COVARIANCE = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    3,
+    2,
     _predicted_covariance_block,
 )
 
@@ -558,23 +538,23 @@ def predicted_covariance_derivatives(
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 5.76 * 2^-52 (float64), 5.76 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 3.53 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 1.7976931348622904e308 (float64) and 1e-45 <= tracking_index <=
+        Relative error at most 5.51 * 2^-52 (float64), 5.51 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348622902e308 (float64) and 1e-45 <= tracking_index <=
         3.4027975e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 3.78 * 2^-52 (float64), 3.76 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 4.67 * 2^-52 (float64), 4.67 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
 
@@ -598,31 +578,27 @@ def _predicted_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=predicted_12)
-    half_p = np.multiply(p, 0.5, out=predicted_11)
-    h = np.divide(2.0, p, out=predicted_22)
-    t6 = np.multiply(tracking_index, 0.25, out=w0)
-    t7 = np.add(t6, 2.0, out=w0)
-    s = np.sqrt(t7, out=w0)
-    t9 = np.add(half_p, h, out=w1)
-    m = np.add(t9, s, out=w1)
-    t11 = np.divide(4.0, m, out=w2)
-    t12 = np.divide(t11, s, out=w2)
-    t13 = np.divide(h, s, out=predicted_22)
-    t14 = np.multiply(tracking_index, t13, out=predicted_22)
-    t15 = np.multiply(t14, 0.5, out=predicted_22)
-    t16 = np.add(t12, t15, out=w2)
-    t17 = np.multiply(m, 0.5, out=predicted_22)
-    t18 = np.multiply(half_p, m, out=w1)
-    t19 = np.divide(t18, s, out=predicted_11)
-    np.multiply(t17, t19, out=predicted_11)
-    t21 = np.multiply(s, 2.0, out=w0)
-    t22 = np.divide(p, t21, out=predicted_12)
-    t24 = np.add(1.0, t22, out=predicted_12)
-    np.multiply(t18, t24, out=predicted_12)
-    t26 = np.multiply(tracking_index, 2.0, out=w0)
-    np.add(t16, t26, out=predicted_22)
+    w0, w1 = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=predicted_12)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
+    rho_scaled = np.sqrt(t4, out=predicted_11)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=predicted_11)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
+    t11 = np.divide(2.220446049250313e-16, t9, out=predicted_22)
+    t12 = np.divide(kappa, t9, out=predicted_12)
+    t13 = np.divide(1.1102230246251565e-16, twice_rho, out=w1)
+    t14 = np.multiply(t12, t13, out=predicted_12)
+    t16 = np.add(1.0, t14, out=predicted_12)
+    t17 = np.multiply(t11, t16, out=predicted_22)
+    t18 = np.square(t9, out=w1)
+    t19 = np.multiply(tracking_index, t18, out=w1)
+    t21 = np.multiply(t19, 4.056481920730334e31, out=w1)
+    t22 = np.divide(t9, twice_rho, out=predicted_11)
+    np.multiply(t21, t22, out=predicted_12)
+    t25 = np.multiply(t9, 4503599627370496.0, out=w0)
+    t28 = np.multiply(tracking_index, 2.0, out=w1)
+    np.multiply(predicted_12, t25, out=predicted_11)
+    np.add(t17, t28, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -636,7 +612,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    3,
+    2,
     _predicted_covariance_derivatives_block,
 )
 
@@ -657,22 +633,22 @@ def updated_covariance(
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.76 * 2^-52
-        (float64), 3.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.51 * 2^-52
+        (float64), 3.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.52 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.76 *
-        2^-52 (float64), 2.76 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.51 *
+        2^-52 (float64), 2.51 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
         <= 8.988465674311451e307 (float64) and 4.1033358e-26 <= tracking_index <= 1.7013988e38
         (float32).
 
@@ -694,23 +670,18 @@ def _updated_covariance_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, out=updated_22)
-    half_p = np.multiply(p, 0.5, out=updated_11)
-    h = np.divide(2.0, p, out=updated_12)
-    t6 = np.multiply(tracking_index, 0.25, out=w0)
-    t7 = np.add(t6, 2.0, out=w0)
-    s = np.sqrt(t7, out=w0)
-    t9 = np.add(half_p, h, out=updated_11)
-    m = np.add(t9, s, out=updated_11)
-    t11 = np.divide(2.0, m, out=updated_12)
-    np.multiply(s, t11, out=updated_11)
-    np.multiply(p, t11, out=updated_12)
-    t14 = np.multiply(p, 4.0, out=w1)
-    t15 = np.multiply(s, 2.0, out=w0)
-    t16 = np.add(t15, p, out=w0)
-    t17 = np.divide(t14, t16, out=w1)
-    np.multiply(tracking_index, t17, out=updated_22)
+    (w0,) = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=updated_11)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=updated_11)
+    rho_scaled = np.sqrt(t4, out=updated_12)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=updated_12)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=updated_11)
+    t10 = np.square(t9, out=w0)
+    t12 = np.divide(2.220446049250313e-16, t10, out=updated_22)
+    t15 = np.divide(2.220446049250313e-16, t9, out=w0)
+    np.multiply(t12, twice_rho, out=updated_11)
+    np.multiply(t12, 1.1102230246251565e-16, out=updated_12)
+    np.multiply(tracking_index, t15, out=updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -724,7 +695,7 @@ _UPDATED_COVARIANCE = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    2,
+    1,
     _updated_covariance_block,
 )
 
@@ -745,22 +716,22 @@ def updated_covariance_derivatives(
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 10.56 * 2^-52 (float64), 10.52 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 11.01 * 2^-52 (float64), 11.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.7960925e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 8.93 * 2^-52 (float64), 8.89 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
+        Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324
+        <= tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
         2.6087635e19 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 3.30 * 2^-52 (float64), 3.30 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 4.17 * 2^-52 (float64), 4.17 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -784,30 +755,25 @@ def _updated_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=updated_12)
-    half_p = np.multiply(p, 0.5, out=updated_11)
-    h = np.divide(2.0, p, out=updated_22)
-    t6 = np.multiply(tracking_index, 0.25, out=w0)
-    t7 = np.add(t6, 2.0, out=w0)
-    s = np.sqrt(t7, out=w0)
-    t9 = np.add(half_p, h, out=updated_11)
-    m = np.add(t9, s, out=w1)
-    t11 = np.divide(2.0, m, out=updated_11)
-    t12 = np.multiply(h, t11, out=updated_11)
-    t13 = np.multiply(t12, t12, out=w2)
-    t15 = np.divide(0.125, s, out=w3)
-    t16 = np.multiply(h, t15, out=updated_11)
-    np.multiply(t16, t13, out=updated_11)
-    t18 = np.multiply(p, t15, out=updated_12)
-    t20 = np.add(t18, 0.25, out=updated_12)
-    np.multiply(t20, t13, out=updated_12)
-    t22 = np.divide(4.0, m, out=w1)
-    t23 = np.divide(t22, s, out=w1)
-    t24 = np.divide(h, s, out=updated_22)
-    t25 = np.multiply(tracking_index, t24, out=updated_22)
-    t26 = np.multiply(t25, 0.5, out=updated_22)
-    np.add(t23, t26, out=updated_22)
+    w0, w1, w2 = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=updated_11)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
+    rho_scaled = np.sqrt(t4, out=updated_12)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=updated_12)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
+    t10 = np.square(t9, out=w1)
+    t11 = np.multiply(tracking_index, t10, out=w1)
+    t13 = np.divide(2.465190328815662e-32, t11, out=updated_22)
+    t14 = np.square(t13, out=updated_22)
+    t15 = np.divide(t14, twice_rho, out=updated_22)
+    t19 = np.divide(2.220446049250313e-16, t9, out=w1)
+    t20 = np.divide(kappa, t9, out=w2)
+    t21 = np.divide(1.1102230246251565e-16, twice_rho, out=updated_12)
+    t22 = np.multiply(t20, t21, out=w2)
+    t24 = np.add(1.0, t22, out=w2)
+    np.multiply(t15, kappa, out=updated_11)
+    np.multiply(t15, t9, out=updated_12)
+    np.multiply(t19, t24, out=updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -821,7 +787,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    4,
+    3,
     _updated_covariance_derivatives_block,
 )
 
@@ -846,24 +812,24 @@ def closed_loop_poles(
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
         all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52
-        p = sqrt(Lambda), h = 2/p, s = sqrt(Lambda + 8)/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 6.54 * 2^-52
-        (float64), 6.56 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 8.59 * 2^-52
+        (float64), 8.57 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 5.03 * 2^-52 (float64), 5.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 7.61 * 2^-52 (float64), 7.61 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 8.68 * 2^-52
-        (float64), 8.68 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 8.59 * 2^-52
+        (float64), 8.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <= 1.8446744e19 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 5.03 * 2^-52 (float64), 5.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 7.61 * 2^-52 (float64), 7.61 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <= 1.8446744e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -885,43 +851,46 @@ def _closed_loop_poles_block(
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
     w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=first_real)
-    half_p = np.multiply(p, 0.5, out=first_imaginary)
-    h = np.divide(2.0, p, out=second_real)
-    t6 = np.multiply(tracking_index, 0.25, out=second_imaginary)
-    t7 = np.add(t6, 2.0, out=w0)
-    s = np.sqrt(t7, out=w0)
-    t9 = np.add(half_p, h, out=first_imaginary)
-    m = np.add(t9, s, out=second_real)
-    t11 = np.divide(2.0, m, out=w1)
-    t12 = np.divide(t11, p, out=w1)
-    t14 = np.subtract(2.0, t6, out=first_real)
-    distance = np.absolute(t14, out=first_real)
-    below = np.sqrt(distance, out=first_real)
-    t17 = np.add(2.0, t6, out=second_imaginary)
-    above = np.sqrt(t17, out=second_imaginary)
-    t19 = np.multiply(tracking_index, 0.5, out=w2)
-    t20 = np.subtract(2.0, t19, out=w3)
-    t21 = np.divide(t20, t9, out=w3)
-    t22 = np.add(2.0, t19, out=w2)
-    t23 = np.divide(t22, m, out=w2)
-    t24 = np.divide(t23, tracking_index, out=w2)
-    t25 = np.multiply(t21, t24, out=w3)
-    t26 = np.divide(below, s, out=first_real)
-    t27 = np.divide(above, m, out=second_imaginary)
-    t28 = np.multiply(t26, t27, out=second_imaginary)
-    middle_size = np.absolute(t25, out=w0)
-    t30 = np.add(middle_size, t28, out=w0)
-    t31 = np.divide(t12, t30, out=w2)
-    t32 = np.multiply(t31, t12, out=w2)
-    t34 = np.negative(t30, out=w0)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=first_real)
+    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
+    rho_scaled = np.sqrt(t4, out=second_real)
+    rho = np.multiply(rho_scaled, 7.450580596923828e-09, out=w0)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=second_real)
+    t11 = np.add(twice_rho, 5.551115123125783e-17, out=second_real)
+    t12 = np.square(t11, out=second_real)
+    t13 = np.multiply(tracking_index, t12, out=second_real)
+    t15 = np.divide(2.465190328815662e-32, t13, out=first_imaginary)
+    t19 = np.multiply(tracking_index, 0.25, out=second_real)
+    t20 = np.subtract(2.0, t19, out=w1)
+    distance = np.absolute(t20, out=w1)
+    below = np.sqrt(distance, out=second_imaginary)
+    t23 = np.add(2.0, t19, out=second_real)
+    above = np.sqrt(t23, out=second_real)
+    t26 = np.add(kappa, 2.7755575615628914e-17, out=first_real)
+    t27 = np.multiply(tracking_index, t26, out=first_real)
+    t28 = np.multiply(tracking_index, 0.5, out=w1)
+    t29 = np.subtract(2.0, t28, out=w2)
+    t30 = np.divide(t29, t27, out=w2)
+    t31 = np.add(2.0, t28, out=w1)
+    t32 = np.multiply(t31, t15, out=w1)
+    t33 = np.multiply(t30, t32, out=w2)
+    t34 = np.multiply(t33, 2.7755575615628914e-17, out=w2)
+    t35 = np.divide(below, rho, out=second_imaginary)
+    t36 = np.multiply(above, t15, out=second_real)
+    t37 = np.multiply(t35, t36, out=second_imaginary)
+    t38 = np.multiply(t37, 2.7755575615628914e-17, out=second_imaginary)
+    middle_size = np.absolute(t34, out=w0)
+    t40 = np.add(middle_size, t38, out=w0)
+    t41 = np.divide(t15, t40, out=w1)
+    t42 = np.multiply(t41, t15, out=w1)
+    t44 = np.negative(t40, out=w0)
+    t46 = np.negative(t42, out=w1)
+    t49 = np.negative(t38, out=w3)
     mask = mask_of(np.less(tracking_index, 8.0), single)
-    choose(mask, t25, t34, out=first_real)
-    t36 = np.negative(t32, out=w2)
-    choose(mask, t25, t36, out=second_real)
-    choose(mask, t28, 0.0, out=first_imaginary)
-    t39 = np.negative(t28, out=second_imaginary)
-    choose(mask, t39, 0.0, out=second_imaginary)
+    choose(mask, t34, t44, out=first_real)
+    choose(mask, t34, t46, out=second_real)
+    choose(mask, t38, 0.0, out=first_imaginary)
+    choose(mask, t49, 0.0, out=second_imaginary)
 
 
 _CLOSED_LOOP_POLES = Signature(
@@ -977,11 +946,11 @@ def _index_from_alpha_block(
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = np.subtract(1.0, alpha, out=tracking_index)
-    t4 = np.multiply(t2, 4.0, out=w0)
-    alpha_radical = np.sqrt(t4, out=w0)
-    root_of_rest = np.sqrt(t2, out=tracking_index)
-    t7 = np.multiply(alpha, alpha, out=w1)
+    t2 = np.subtract(1.0, alpha, out=w0)
+    t4 = np.multiply(t2, 4.0, out=w1)
+    alpha_radical = np.sqrt(t4, out=tracking_index)
+    root_of_rest = np.sqrt(t2, out=w0)
+    t7 = np.square(alpha, out=w1)
     t9 = np.multiply(t7, 2.0, out=w1)
     t10 = np.subtract(2.0, alpha, out=w2)
     t11 = np.add(t10, alpha_radical, out=w2)
@@ -1042,10 +1011,10 @@ def _beta_from_alpha_block(
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = np.subtract(1.0, alpha, out=beta)
-    t4 = np.multiply(t2, 4.0, out=beta)
+    t2 = np.subtract(1.0, alpha, out=w0)
+    t4 = np.multiply(t2, 4.0, out=w0)
     alpha_radical = np.sqrt(t4, out=beta)
-    t6 = np.multiply(alpha, alpha, out=w0)
+    t6 = np.square(alpha, out=w0)
     t8 = np.multiply(t6, 2.0, out=w0)
     t9 = np.subtract(2.0, alpha, out=w1)
     t10 = np.add(t9, alpha_radical, out=w1)
@@ -1105,10 +1074,10 @@ def _index_from_beta_block(
     (beta,) = given
     (tracking_index,) = out
     w0, w1 = work
-    t2 = np.multiply(beta, 8.0, out=tracking_index)
+    t2 = np.multiply(beta, 8.0, out=w0)
     beta_radical = np.sqrt(t2, out=tracking_index)
     t5 = np.subtract(2.0, beta, out=w0)
-    t6 = np.multiply(t5, t5, out=w0)
+    t6 = np.square(t5, out=w0)
     t7 = np.add(2.0, beta, out=w1)
     t8 = np.add(t7, beta_radical, out=w1)
     t9 = np.multiply(t8, 2.0, out=w1)
@@ -1170,14 +1139,14 @@ def _alpha_from_beta_block(
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = np.multiply(beta, 1.152921504606847e18, out=alpha)
-    t4 = np.multiply(t2, 8.0, out=w0)
-    scaled_beta_radical = np.sqrt(t4, out=w0)
+    t2 = np.multiply(beta, 1.152921504606847e18, out=w0)
+    t4 = np.multiply(t2, 8.0, out=w1)
+    scaled_beta_radical = np.sqrt(t4, out=alpha)
     t6 = np.subtract(8.0, beta, out=w1)
-    t7 = np.multiply(t2, t6, out=alpha)
+    t7 = np.multiply(t2, t6, out=w0)
     t9 = np.multiply(beta, 1073741824.0, out=w1)
-    t10 = np.add(scaled_beta_radical, t9, out=w0)
-    t12 = np.multiply(t10, 2147483648.0, out=w0)
+    t10 = np.add(scaled_beta_radical, t9, out=alpha)
+    t12 = np.multiply(t10, 2147483648.0, out=alpha)
     np.divide(t7, t12, out=alpha)
 
 

@@ -47,9 +47,9 @@ class Gains(NamedTuple):
 def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
     """Steady-state filter gain.
 
-        alpha = 2 s/m, beta = 2 p/m
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        beta = 2/(1/2 + kappa + rho), alpha = rho beta
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
@@ -58,8 +58,8 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.53 * 2^-52 (float64),
-        3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.04 * 2^-52 (float64),
+        3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -81,23 +81,21 @@ def _gains_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, out=beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w1)
-    t8 = np.add(t5, t7, out=w0)
-    h_scaled = np.sqrt(t8, out=w0)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.25, out=w1)
-    t14 = np.add(half_p, h, out=alpha)
-    t15 = np.multiply(t13, t14, out=w1)
-    s_half = np.sqrt(t15, out=w1)
-    s = np.multiply(s_half, 2.0, out=w1)
-    m = np.add(t14, s, out=alpha)
-    t19 = np.divide(2.0, m, out=w0)
-    np.multiply(s, t19, out=alpha)
-    np.multiply(p, t19, out=beta)
+    (w0,) = work
+    p = np.sqrt(tracking_index, out=alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=beta)
+    h_scaled = np.sqrt(t6, out=beta)
+    kappa = np.divide(h_scaled, p, out=beta)
+    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t14 = np.add(rho, 1.1102230246251565e-16, out=alpha)
+    t15 = np.add(kappa, t14, out=beta)
+    t17 = np.divide(2.0, t15, out=beta)
+    np.multiply(t17, rho, out=alpha)
+    np.multiply(t17, 2.220446049250313e-16, out=beta)
 
 
 _GAINS = Signature(
@@ -111,7 +109,7 @@ _GAINS = Signature(
         ),
     ),
     ("alpha", "beta"),
-    2,
+    1,
     _gains_block,
 )
 
@@ -130,19 +128,20 @@ def gain_derivatives(
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
-        d alpha = (1 + 1 p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        d alpha = (1 + 1/2/kappa)/(rho sigma^2 Lambda),
+        d beta = (2 + 1/rho)/(kappa sigma^2 Lambda)
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 11.89 * 2^-52 (float64), 11.89 *
+    alpha: derivative of the position gain. Relative error at most 9.26 * 2^-52 (float64), 9.28 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
         1e-45 <= tracking_index <= 5.541191e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 12.36
-        * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.35
+        * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -163,32 +162,27 @@ def _gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w1)
-    t8 = np.add(t5, t7, out=w0)
-    h_scaled = np.sqrt(t8, out=w0)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.25, out=w1)
-    t14 = np.add(half_p, h, out=alpha)
-    t15 = np.multiply(t13, t14, out=w1)
-    s_half = np.sqrt(t15, out=w1)
-    s = np.multiply(s_half, 2.0, out=w1)
-    m = np.add(t14, s, out=w2)
-    t19 = np.divide(2.0, m, out=w2)
-    t20 = np.divide(t19, p, out=w2)
-    t21 = np.multiply(t20, t20, out=w2)
-    t22 = np.multiply(p, s, out=w3)
-    t23 = np.multiply(t22, h, out=w3)
-    t25 = np.divide(1.0, t23, out=w3)
-    t26 = np.multiply(t25, t14, out=alpha)
-    np.multiply(t26, t21, out=alpha)
-    t28 = np.multiply(s, 2.0, out=w1)
-    t29 = np.add(t28, p, out=w1)
-    t30 = np.multiply(t25, t29, out=w3)
-    np.multiply(t30, t21, out=beta)
+    w0, w1 = work
+    p = np.sqrt(tracking_index, out=alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=beta)
+    h_scaled = np.sqrt(t6, out=beta)
+    kappa = np.divide(h_scaled, p, out=w0)
+    half_eta = np.multiply(p, h_scaled, out=alpha)
+    t11 = np.add(kappa, 1.1102230246251565e-16, out=beta)
+    rho_scaled = np.sqrt(t11, out=beta)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=beta)
+    t15 = np.add(rho, 1.1102230246251565e-16, out=w1)
+    t16 = np.add(kappa, t15, out=w0)
+    t17 = np.multiply(tracking_index, t16, out=w0)
+    t19 = np.divide(4.440892098500626e-16, t17, out=w0)
+    t20 = np.square(t19, out=w0)
+    t21 = np.divide(t20, half_eta, out=w0)
+    t24 = np.divide(4.930380657631324e-32, rho, out=w1)
+    t25 = np.add(t24, 4.440892098500626e-16, out=w1)
+    np.multiply(t21, rho, out=alpha)
+    np.multiply(t21, t25, out=beta)
 
 
 _GAIN_DERIVATIVES = Signature(
@@ -202,7 +196,7 @@ _GAIN_DERIVATIVES = Signature(
         ),
     ),
     ("alpha", "beta"),
-    4,
+    2,
     _gain_derivatives_block,
 )
 
@@ -225,8 +219,8 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
@@ -235,15 +229,15 @@ def gains_with_derivatives(
     alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.53 * 2^-52 (float64),
-        3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.04 * 2^-52 (float64),
+        3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 11.89 * 2^-52 (float64), 11.89
-        * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64)
-        and 1e-45 <= tracking_index <= 5.541191e12 (float32).
+    d_alpha: derivative of the position gain. Relative error at most 9.27 * 2^-52 (float64), 9.27 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
+        1e-45 <= tracking_index <= 5.541191e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        12.36 * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        10.35 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -264,34 +258,30 @@ def _gains_with_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=d_beta)
-    half_p = np.multiply(p, 0.5, out=alpha)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=beta)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=d_alpha)
-    t8 = np.add(t5, t7, out=beta)
-    h_scaled = np.sqrt(t8, out=beta)
-    h = np.multiply(h_scaled, 1073741824.0, out=d_alpha)
-    t13 = np.multiply(p, 0.25, out=beta)
-    t14 = np.add(half_p, h, out=w0)
-    t15 = np.multiply(t13, t14, out=beta)
-    s_half = np.sqrt(t15, out=beta)
-    s = np.multiply(s_half, 2.0, out=w1)
-    m = np.add(t14, s, out=alpha)
-    t19 = np.divide(2.0, m, out=w2)
-    np.multiply(s, t19, out=alpha)
-    np.multiply(p, t19, out=beta)
-    t22 = np.divide(t19, p, out=w2)
-    t23 = np.multiply(t22, t22, out=w2)
-    t24 = np.multiply(p, s, out=w3)
-    t25 = np.multiply(t24, h, out=w3)
-    t27 = np.divide(1.0, t25, out=w3)
-    t28 = np.multiply(t27, t14, out=w0)
-    np.multiply(t28, t23, out=d_alpha)
-    t30 = np.multiply(s, 2.0, out=w1)
-    t31 = np.add(t30, p, out=w1)
-    t32 = np.multiply(t27, t31, out=w3)
-    np.multiply(t32, t23, out=d_beta)
+    w0, w1 = work
+    p = np.sqrt(tracking_index, out=alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=beta)
+    h_scaled = np.sqrt(t6, out=d_alpha)
+    kappa = np.divide(h_scaled, p, out=d_beta)
+    half_eta = np.multiply(p, h_scaled, out=alpha)
+    t11 = np.add(kappa, 1.1102230246251565e-16, out=w0)
+    rho_scaled = np.sqrt(t11, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, out=beta)
+    t16 = np.add(kappa, t15, out=d_beta)
+    t18 = np.divide(2.0, t16, out=beta)
+    t22 = np.multiply(tracking_index, t16, out=d_beta)
+    t24 = np.divide(4.440892098500626e-16, t22, out=d_beta)
+    t25 = np.square(t24, out=d_beta)
+    t26 = np.divide(t25, half_eta, out=d_beta)
+    t29 = np.divide(4.930380657631324e-32, rho, out=alpha)
+    t30 = np.add(t29, 4.440892098500626e-16, out=w1)
+    np.multiply(t18, rho, out=alpha)
+    np.multiply(t18, 2.220446049250313e-16, out=beta)
+    np.multiply(t26, rho, out=d_alpha)
+    np.multiply(t26, t30, out=d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -305,7 +295,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
         ),
     ),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    4,
+    2,
     _gains_with_derivatives_block,
 )
 
@@ -324,18 +314,18 @@ def predictor_gains(
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 3.77 * 2^-52 (float64),
-        3.77 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 2.26 * 2^-52 (float64),
+        2.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.53 *
-        2^-52 (float64), 3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.04 *
+        2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -357,24 +347,21 @@ def _predictor_gains_block(
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1 = work
+    (w0,) = work
     p = np.sqrt(tracking_index, out=velocity)
-    half_p = np.multiply(p, 0.5, out=position)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w1)
-    t8 = np.add(t5, t7, out=w0)
-    h_scaled = np.sqrt(t8, out=w0)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.25, out=w1)
-    t14 = np.add(half_p, h, out=position)
-    t15 = np.multiply(t13, t14, out=w1)
-    s_half = np.sqrt(t15, out=w1)
-    s = np.multiply(s_half, 2.0, out=w1)
-    m = np.add(t14, s, out=position)
-    t19 = np.add(s, p, out=w1)
-    t20 = np.divide(2.0, m, out=w0)
-    np.multiply(t19, t20, out=position)
-    np.multiply(p, t20, out=velocity)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=position)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=position)
+    h_scaled = np.sqrt(t6, out=position)
+    kappa = np.divide(h_scaled, p, out=position)
+    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t14 = np.add(rho, 1.1102230246251565e-16, out=velocity)
+    t15 = np.add(kappa, t14, out=position)
+    t17 = np.divide(2.0, t15, out=position)
+    np.multiply(t17, 2.220446049250313e-16, out=velocity)
+    np.divide(4.440892098500626e-16, rho, out=position)
 
 
 _PREDICTOR_GAINS = Signature(
@@ -388,7 +375,7 @@ _PREDICTOR_GAINS = Signature(
         ),
     ),
     ("position", "velocity"),
-    2,
+    1,
     _predictor_gains_block,
 )
 
@@ -407,18 +394,18 @@ def predictor_gain_derivatives(
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 13.19 *
-        2^-52 (float64), 13.19 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 10.32 *
+        2^-52 (float64), 10.32 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.796093e12 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 12.31 * 2^-52 (float64), 12.31 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 10.35 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
         (float32).
 
@@ -440,33 +427,28 @@ def _predictor_gain_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
-    w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=position)
-    half_p = np.multiply(p, 0.5, out=velocity)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=w0)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w1)
-    t8 = np.add(t5, t7, out=w0)
-    h_scaled = np.sqrt(t8, out=w0)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.25, out=w1)
-    t14 = np.add(half_p, h, out=velocity)
-    t15 = np.multiply(t13, t14, out=w1)
-    s_half = np.sqrt(t15, out=w1)
-    s = np.multiply(s_half, 2.0, out=w1)
-    m = np.add(t14, s, out=w2)
-    t19 = np.divide(2.0, m, out=w2)
-    t20 = np.divide(t19, p, out=w2)
-    t21 = np.multiply(t20, t20, out=w2)
-    t22 = np.multiply(p, s, out=w3)
-    t23 = np.multiply(t22, h, out=w3)
-    t25 = np.divide(1.0, t23, out=w3)
-    t26 = np.multiply(t25, t14, out=velocity)
-    t27 = np.multiply(t26, t21, out=w0)
-    t28 = np.multiply(s, 2.0, out=w1)
-    t29 = np.add(t28, p, out=w1)
-    t30 = np.multiply(t25, t29, out=w3)
-    np.multiply(t30, t21, out=velocity)
-    np.add(t27, velocity, out=position)
+    w0, w1 = work
+    p = np.sqrt(tracking_index, out=velocity)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=position)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=position)
+    h_scaled = np.sqrt(t6, out=position)
+    kappa = np.divide(h_scaled, p, out=w0)
+    half_eta = np.multiply(p, h_scaled, out=velocity)
+    t11 = np.add(kappa, 1.1102230246251565e-16, out=position)
+    rho_scaled = np.sqrt(t11, out=position)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=position)
+    t15 = np.add(rho, 1.1102230246251565e-16, out=w1)
+    t16 = np.add(kappa, t15, out=w0)
+    t17 = np.multiply(tracking_index, t16, out=w0)
+    t19 = np.divide(4.440892098500626e-16, t17, out=w0)
+    t20 = np.square(t19, out=w0)
+    t21 = np.divide(t20, half_eta, out=w0)
+    t22 = np.multiply(t21, rho, out=w1)
+    t24 = np.divide(4.930380657631324e-32, rho, out=position)
+    t25 = np.add(t24, 4.440892098500626e-16, out=position)
+    np.multiply(t21, t25, out=velocity)
+    np.add(t22, velocity, out=position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
@@ -480,7 +462,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
         ),
     ),
     ("position", "velocity"),
-    4,
+    2,
     _predictor_gain_derivatives_block,
 )
 
@@ -501,22 +483,22 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 6.30 *
-        2^-52 (float64), 6.30 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        1.3407807929942502e154 (float64) and 1e-45 <= tracking_index <= 1.8446673e19 (float32).
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 5.79 *
+        2^-52 (float64), 5.79 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.34078079299425e154 (float64) and 1e-45 <= tracking_index <= 1.8446673e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 3.56 * 2^-52 (float64), 3.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
-        tracking_index <= 1.3407807929942502e154 (float64) and 1.1754944e-38 <= tracking_index <=
+        most 3.54 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        tracking_index <= 1.34078079299425e154 (float64) and 1.1754944e-38 <= tracking_index <=
         1.8446673e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        4.26 * 2^-52 (float64), 3.76 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
+        3.76 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
         tracking_index <= 9.480751908109109e153 (float64) and 4.1033358e-26 <= tracking_index <=
         1.3043767e19 (float32).
 
@@ -538,27 +520,27 @@ def _predicted_covariance_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    (w0,) = work
+    w0, w1 = work
     p = np.sqrt(tracking_index, out=predicted_11)
-    half_p = np.multiply(p, 0.5, out=predicted_12)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=predicted_22)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
-    t8 = np.add(t5, t7, out=predicted_22)
-    h_scaled = np.sqrt(t8, out=predicted_22)
-    h = np.multiply(h_scaled, 1073741824.0, out=predicted_22)
-    t13 = np.multiply(p, 0.25, out=w0)
-    t14 = np.add(half_p, h, out=predicted_22)
-    t15 = np.multiply(t13, t14, out=w0)
-    s_half = np.sqrt(t15, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    m = np.add(t14, s, out=predicted_22)
-    t19 = np.multiply(p, s, out=predicted_11)
-    t20 = np.multiply(tracking_index, t19, out=w0)
-    t21 = np.multiply(half_p, m, out=predicted_12)
-    np.multiply(t21, t19, out=predicted_11)
-    np.multiply(tracking_index, t21, out=predicted_12)
-    t24 = np.multiply(tracking_index, tracking_index, out=predicted_22)
-    np.add(t20, t24, out=predicted_22)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=predicted_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=predicted_12)
+    h_scaled = np.sqrt(t6, out=predicted_22)
+    kappa = np.divide(h_scaled, p, out=predicted_22)
+    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t14 = np.multiply(tracking_index, rho, out=predicted_11)
+    t16 = np.multiply(t14, 4503599627370496.0, out=predicted_11)
+    t17 = np.multiply(tracking_index, t16, out=w1)
+    t18 = np.add(rho, 1.1102230246251565e-16, out=w0)
+    t19 = np.add(kappa, t18, out=predicted_22)
+    t20 = np.multiply(tracking_index, t19, out=predicted_22)
+    t22 = np.multiply(t20, 2251799813685248.0, out=predicted_22)
+    t25 = np.square(tracking_index, out=w0)
+    np.multiply(t22, t16, out=predicted_11)
+    np.multiply(tracking_index, t22, out=predicted_12)
+    np.add(t17, t25, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
@@ -572,7 +554,7 @@ _PREDICTED_COVARIANCE = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    1,
+    2,
     _predicted_covariance_block,
 )
 
@@ -593,24 +575,24 @@ def predicted_covariance_derivatives(
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 7.26 * 2^-52 (float64), 7.26 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 8.988465674311453e307 (float64) and 1e-45 <= tracking_index <=
+        error at most 7.27 * 2^-52 (float64), 7.27 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 4.29 * 2^-52 (float64), 4.29 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 8.988465674311453e307 (float64) and 1e-45 <= tracking_index <=
+        Relative error at most 4.06 * 2^-52 (float64), 4.06 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 3.76 * 2^-52 (float64), 3.76 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 4.4942328371557264e307 (float64) and 1e-45 <= tracking_index <=
+        error at most 3.59 * 2^-52 (float64), 3.59 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 4.4942328371557254e307 (float64) and 1e-45 <= tracking_index <=
         8.506994e37 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -633,39 +615,37 @@ def _predicted_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2, w3, w4 = work
+    w0, w1, w2 = work
     p = np.sqrt(tracking_index, out=predicted_11)
-    half_p = np.multiply(p, 0.5, out=predicted_12)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=predicted_22)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
-    t8 = np.add(t5, t7, out=predicted_22)
-    h_scaled = np.sqrt(t8, out=predicted_22)
-    h = np.multiply(h_scaled, 1073741824.0, out=predicted_22)
-    t13 = np.multiply(p, 0.25, out=w0)
-    t14 = np.add(half_p, h, out=w1)
-    t15 = np.multiply(t13, t14, out=w0)
-    s_half = np.sqrt(t15, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    m = np.add(t14, s, out=w2)
-    t19 = np.divide(s, p, out=w3)
-    t20 = np.multiply(tracking_index, t19, out=w3)
-    t21 = np.divide(t14, h, out=predicted_22)
-    t22 = np.multiply(s, 2.0, out=w4)
-    t23 = np.divide(t14, t22, out=w1)
-    t24 = np.multiply(tracking_index, t23, out=w1)
-    t25 = np.multiply(t21, t24, out=w1)
-    t26 = np.add(t20, t25, out=w3)
-    t27 = np.multiply(m, 0.5, out=w1)
-    t28 = np.multiply(half_p, m, out=predicted_12)
-    t29 = np.divide(t28, s, out=w0)
-    t30 = np.multiply(t27, t29, out=w1)
-    t31 = np.divide(p, t22, out=w4)
-    np.multiply(t21, t30, out=predicted_11)
-    t34 = np.multiply(t21, t31, out=predicted_22)
-    t35 = np.add(1.0, t34, out=predicted_22)
-    np.multiply(t28, t35, out=predicted_12)
-    t37 = np.multiply(tracking_index, 2.0, out=w0)
-    np.add(t26, t37, out=predicted_22)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=predicted_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=predicted_12)
+    h_scaled = np.sqrt(t6, out=predicted_22)
+    kappa = np.divide(h_scaled, p, out=predicted_22)
+    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
+    rho_scaled = np.sqrt(t10, out=predicted_11)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=predicted_11)
+    t14 = np.divide(t10, rho, out=predicted_12)
+    t15 = np.divide(t10, kappa, out=w0)
+    t16 = np.multiply(t14, t15, out=predicted_12)
+    t18 = np.multiply(rho, 4503599627370496.0, out=w1)
+    t20 = np.multiply(t16, 0.5, out=predicted_12)
+    t21 = np.add(t18, t20, out=w1)
+    t22 = np.multiply(tracking_index, t21, out=w1)
+    t23 = np.add(rho, 1.1102230246251565e-16, out=predicted_12)
+    t24 = np.add(kappa, t23, out=predicted_22)
+    t25 = np.multiply(tracking_index, t24, out=predicted_12)
+    t27 = np.multiply(t25, 2251799813685248.0, out=predicted_12)
+    t28 = np.divide(t24, rho, out=predicted_22)
+    t29 = np.multiply(t28, 0.5, out=predicted_22)
+    t30 = np.multiply(t15, t29, out=predicted_22)
+    t32 = np.divide(1.1102230246251565e-16, rho, out=predicted_11)
+    t33 = np.multiply(t15, t32, out=w0)
+    t35 = np.add(1.0, t33, out=w0)
+    t37 = np.multiply(tracking_index, 2.0, out=w2)
+    np.multiply(t27, t30, out=predicted_11)
+    np.multiply(t27, t35, out=predicted_12)
+    np.add(t22, t37, out=predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
@@ -679,7 +659,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("predicted_11", "predicted_12", "predicted_22"),
-    5,
+    3,
     _predicted_covariance_derivatives_block,
 )
 
@@ -700,23 +680,23 @@ def updated_covariance(
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.27 * 2^-52
-        (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.26 * 2^-52
+        (float64), 3.27 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.54 * 2^-52 (float64), 3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.04 * 2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 3.28 *
-        2^-52 (float64), 3.27 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
-        <= 1.3407807929942502e154 (float64) and 4.1033358e-26 <= tracking_index <= 1.8446673e19
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.76 *
+        2^-52 (float64), 2.76 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
+        <= 1.34078079299425e154 (float64) and 4.1033358e-26 <= tracking_index <= 1.8446673e19
         (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -737,25 +717,24 @@ def _updated_covariance_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    (w0,) = work
-    p = np.sqrt(tracking_index, out=updated_22)
-    half_p = np.multiply(p, 0.5, out=updated_11)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=updated_12)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
-    t8 = np.add(t5, t7, out=updated_12)
-    h_scaled = np.sqrt(t8, out=updated_12)
-    h = np.multiply(h_scaled, 1073741824.0, out=updated_12)
-    t13 = np.multiply(p, 0.25, out=w0)
-    t14 = np.add(half_p, h, out=updated_11)
-    t15 = np.multiply(t13, t14, out=w0)
-    s_half = np.sqrt(t15, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    m = np.add(t14, s, out=updated_11)
-    t19 = np.divide(2.0, m, out=updated_12)
-    np.multiply(s, t19, out=updated_11)
-    np.multiply(p, t19, out=updated_12)
-    t22 = np.multiply(p, s, out=updated_22)
-    np.multiply(tracking_index, t22, out=updated_22)
+    w0, w1 = work
+    p = np.sqrt(tracking_index, out=updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=updated_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=updated_12)
+    h_scaled = np.sqrt(t6, out=updated_22)
+    kappa = np.divide(h_scaled, p, out=updated_22)
+    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
+    rho_scaled = np.sqrt(t10, out=w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
+    t14 = np.add(rho, 1.1102230246251565e-16, out=updated_11)
+    t15 = np.add(kappa, t14, out=updated_22)
+    t17 = np.divide(2.0, t15, out=updated_22)
+    t21 = np.multiply(tracking_index, rho, out=updated_11)
+    t23 = np.multiply(t21, 4503599627370496.0, out=w1)
+    np.multiply(t17, rho, out=updated_11)
+    np.multiply(t17, 2.220446049250313e-16, out=updated_12)
+    np.multiply(tracking_index, t23, out=updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
@@ -769,7 +748,7 @@ _UPDATED_COVARIANCE = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    1,
+    2,
     _updated_covariance_block,
 )
 
@@ -790,23 +769,23 @@ def updated_covariance_derivatives(
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 11.89 * 2^-52 (float64), 11.89 * 2^-23 (float32), proved for 5e-324 <= tracking_index
-        <= 4.4794894843556084e102 (float64) and 1e-45 <= tracking_index <= 5.541191e12 (float32).
+        most 9.26 * 2^-52 (float64), 9.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        4.4794894843556084e102 (float64) and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 12.36 * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 10.35 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <=
         7.9917807e12 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 3.27 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 8.988465674311453e307 (float64) and 1e-45 <= tracking_index <=
+        error at most 3.09 * 2^-52 (float64), 3.09 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -829,39 +808,34 @@ def _updated_covariance_derivatives_block(
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
-    w0, w1, w2, w3, w4, w5 = work
-    p = np.sqrt(tracking_index, out=updated_22)
-    half_p = np.multiply(p, 0.5, out=updated_11)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=updated_12)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
-    t8 = np.add(t5, t7, out=updated_12)
-    h_scaled = np.sqrt(t8, out=updated_12)
-    h = np.multiply(h_scaled, 1073741824.0, out=w0)
-    t13 = np.multiply(p, 0.25, out=updated_12)
-    t14 = np.add(half_p, h, out=w1)
-    t15 = np.multiply(t13, t14, out=updated_12)
-    s_half = np.sqrt(t15, out=updated_12)
-    s = np.multiply(s_half, 2.0, out=w2)
-    m = np.add(t14, s, out=updated_11)
-    t19 = np.divide(2.0, m, out=updated_11)
-    t20 = np.divide(t19, p, out=updated_11)
-    t21 = np.multiply(t20, t20, out=updated_12)
-    t22 = np.multiply(p, s, out=updated_11)
-    t23 = np.multiply(t22, h, out=updated_11)
-    t25 = np.divide(1.0, t23, out=w3)
-    t26 = np.multiply(t25, t14, out=updated_11)
-    np.multiply(t26, t21, out=updated_11)
-    t28 = np.multiply(s, 2.0, out=w4)
-    t29 = np.add(t28, p, out=w5)
-    t30 = np.multiply(t25, t29, out=w3)
-    np.multiply(t30, t21, out=updated_12)
-    t32 = np.divide(s, p, out=w2)
-    t33 = np.multiply(tracking_index, t32, out=w2)
-    t34 = np.divide(t14, h, out=w0)
-    t35 = np.divide(t14, t28, out=w1)
-    t36 = np.multiply(tracking_index, t35, out=w1)
-    t37 = np.multiply(t34, t36, out=w0)
-    np.add(t33, t37, out=updated_22)
+    w0, w1, w2 = work
+    p = np.sqrt(tracking_index, out=updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=updated_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=updated_12)
+    h_scaled = np.sqrt(t6, out=updated_22)
+    kappa = np.divide(h_scaled, p, out=w0)
+    half_eta = np.multiply(p, h_scaled, out=updated_11)
+    t11 = np.add(kappa, 1.1102230246251565e-16, out=updated_12)
+    rho_scaled = np.sqrt(t11, out=updated_22)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=updated_22)
+    t15 = np.add(rho, 1.1102230246251565e-16, out=w1)
+    t16 = np.add(kappa, t15, out=w1)
+    t17 = np.multiply(tracking_index, t16, out=w1)
+    t19 = np.divide(4.440892098500626e-16, t17, out=w1)
+    t20 = np.square(t19, out=w1)
+    t21 = np.divide(t20, half_eta, out=w1)
+    t24 = np.divide(4.930380657631324e-32, rho, out=updated_11)
+    t25 = np.add(t24, 4.440892098500626e-16, out=w2)
+    t27 = np.divide(t11, rho, out=updated_11)
+    t28 = np.divide(t11, kappa, out=updated_12)
+    t29 = np.multiply(t27, t28, out=updated_11)
+    t31 = np.multiply(rho, 4503599627370496.0, out=w0)
+    t33 = np.multiply(t29, 0.5, out=updated_11)
+    t34 = np.add(t31, t33, out=w0)
+    np.multiply(t21, rho, out=updated_11)
+    np.multiply(t21, t25, out=updated_12)
+    np.multiply(tracking_index, t34, out=updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
@@ -875,7 +849,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
         ),
     ),
     ("updated_11", "updated_12", "updated_22"),
-    6,
+    3,
     _updated_covariance_derivatives_block,
 )
 
@@ -900,24 +874,24 @@ def closed_loop_poles(
 
         z^2 - (2 - alpha - beta) z + (1 - alpha) = 0
         all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52
-        p = sqrt(Lambda), h = sqrt(4/Lambda + 1/4 Lambda), s = sqrt(p (2 p + 4 h))/2,
-        m = p/2 + h + s, sigma = p m/2
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
     tracking_index: Lambda, with Lambda^2 =
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 6.57 * 2^-52
-        (float64), 6.57 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 7.07 * 2^-52
+        (float64), 7.07 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 4.45 * 2^-52 (float64), 4.42 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 4.63 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 6.57 * 2^-52
-        (float64), 6.57 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 7.07 * 2^-52
+        (float64), 7.07 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 4.45 * 2^-52 (float64), 4.42 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 4.63 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -938,25 +912,25 @@ def _closed_loop_poles_block(
 ) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, out=first_real)
-    half_p = np.multiply(p, 0.5, out=first_imaginary)
-    t5 = np.divide(3.469446951953614e-18, tracking_index, out=second_imaginary)
-    t7 = np.multiply(tracking_index, 2.168404344971009e-19, out=w0)
-    t8 = np.add(t5, t7, out=second_imaginary)
-    h_scaled = np.sqrt(t8, out=second_imaginary)
-    h = np.multiply(h_scaled, 1073741824.0, out=second_imaginary)
-    t13 = np.multiply(p, 0.25, out=w0)
-    t14 = np.add(half_p, h, out=second_imaginary)
-    t15 = np.multiply(t13, t14, out=w0)
-    s_half = np.sqrt(t15, out=w0)
-    s = np.multiply(s_half, 2.0, out=w0)
-    m = np.add(t14, s, out=w1)
-    t19 = np.divide(2.0, m, out=w1)
-    t20 = np.divide(t19, p, out=first_real)
-    t21 = np.multiply(half_p, t14, out=first_imaginary)
-    np.divide(t20, t21, out=first_real)
-    np.divide(t19, s, out=first_imaginary)
+    (w0,) = work
+    p = np.sqrt(tracking_index, out=first_imaginary)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=first_real)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
+    t6 = np.add(t3, t5, out=first_real)
+    h_scaled = np.sqrt(t6, out=second_imaginary)
+    kappa = np.divide(h_scaled, p, out=second_imaginary)
+    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
+    rho_scaled = np.sqrt(t10, out=first_real)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=first_real)
+    t14 = np.add(rho, 1.1102230246251565e-16, out=first_imaginary)
+    t15 = np.add(kappa, t14, out=second_imaginary)
+    t16 = np.multiply(tracking_index, t15, out=second_imaginary)
+    t18 = np.divide(4.440892098500626e-16, t16, out=second_imaginary)
+    t19 = np.multiply(tracking_index, t10, out=w0)
+    t21 = np.multiply(t19, 2251799813685248.0, out=w0)
+    t23 = np.divide(t18, rho, out=first_real)
+    np.multiply(t23, 2.220446049250313e-16, out=first_imaginary)
+    np.divide(t18, t21, out=first_real)
     np.negative(first_imaginary, out=second_imaginary)
     np.copyto(second_real, first_real)
 
@@ -972,7 +946,7 @@ _CLOSED_LOOP_POLES = Signature(
         ),
     ),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
-    2,
+    1,
     _closed_loop_poles_block,
 )
 
@@ -1014,16 +988,16 @@ def _index_from_alpha_block(
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = np.subtract(1.0, alpha, out=tracking_index)
-    t4 = np.multiply(t2, 4.0, out=w0)
-    t5 = np.multiply(alpha, alpha, out=w1)
-    t6 = np.add(t4, t5, out=w0)
-    alpha_radical = np.sqrt(t6, out=w0)
-    root_of_rest = np.sqrt(t2, out=tracking_index)
-    t10 = np.multiply(t5, 2.0, out=w1)
-    t11 = np.subtract(2.0, alpha, out=w2)
-    t12 = np.add(t11, alpha_radical, out=w2)
-    t13 = np.divide(t10, t12, out=w1)
+    t2 = np.subtract(1.0, alpha, out=w0)
+    t4 = np.multiply(t2, 4.0, out=w1)
+    t5 = np.square(alpha, out=w2)
+    t6 = np.add(t4, t5, out=w1)
+    alpha_radical = np.sqrt(t6, out=tracking_index)
+    root_of_rest = np.sqrt(t2, out=w0)
+    t10 = np.multiply(t5, 2.0, out=w2)
+    t11 = np.subtract(2.0, alpha, out=w1)
+    t12 = np.add(t11, alpha_radical, out=w1)
+    t13 = np.divide(t10, t12, out=w2)
     np.divide(t13, root_of_rest, out=tracking_index)
 
 
@@ -1080,14 +1054,14 @@ def _beta_from_alpha_block(
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = np.subtract(1.0, alpha, out=beta)
-    t4 = np.multiply(t2, 4.0, out=beta)
-    t5 = np.multiply(alpha, alpha, out=w0)
-    t6 = np.add(t4, t5, out=beta)
+    t2 = np.subtract(1.0, alpha, out=w0)
+    t4 = np.multiply(t2, 4.0, out=w0)
+    t5 = np.square(alpha, out=w1)
+    t6 = np.add(t4, t5, out=w0)
     alpha_radical = np.sqrt(t6, out=beta)
-    t9 = np.multiply(t5, 2.0, out=w0)
-    t10 = np.subtract(2.0, alpha, out=w1)
-    t11 = np.add(t10, alpha_radical, out=w1)
+    t9 = np.multiply(t5, 2.0, out=w1)
+    t10 = np.subtract(2.0, alpha, out=w0)
+    t11 = np.add(t10, alpha_radical, out=w0)
     np.divide(t9, t11, out=beta)
 
 
@@ -1144,8 +1118,8 @@ def _index_from_beta_block(
     (beta,) = given
     (tracking_index,) = out
     w0, w1 = work
-    t2 = np.add(8.0, beta, out=tracking_index)
-    t3 = np.multiply(beta, t2, out=tracking_index)
+    t2 = np.add(8.0, beta, out=w0)
+    t3 = np.multiply(beta, t2, out=w0)
     beta_radical = np.sqrt(t3, out=tracking_index)
     t6 = np.subtract(1.0, beta, out=w0)
     t8 = np.multiply(t6, 4.0, out=w0)
@@ -1210,14 +1184,14 @@ def _alpha_from_beta_block(
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = np.multiply(beta, 1.152921504606847e18, out=alpha)
-    t4 = np.add(8.0, beta, out=w0)
-    t5 = np.multiply(t2, t4, out=w0)
-    scaled_beta_radical = np.sqrt(t5, out=w0)
-    t7 = np.multiply(t2, 8.0, out=alpha)
+    t2 = np.multiply(beta, 1.152921504606847e18, out=w0)
+    t4 = np.add(8.0, beta, out=w1)
+    t5 = np.multiply(t2, t4, out=w1)
+    scaled_beta_radical = np.sqrt(t5, out=alpha)
+    t7 = np.multiply(t2, 8.0, out=w0)
     t9 = np.multiply(beta, 1073741824.0, out=w1)
-    t10 = np.add(scaled_beta_radical, t9, out=w0)
-    t12 = np.multiply(t10, 2147483648.0, out=w0)
+    t10 = np.add(scaled_beta_radical, t9, out=alpha)
+    t12 = np.multiply(t10, 2147483648.0, out=alpha)
     np.divide(t7, t12, out=alpha)
 
 

@@ -110,7 +110,10 @@ class Arithmetic:
             for part in step.operands:
                 yield from self._prepared(part)
                 operands.append(self._operand(part))
-        yield f"{target}np.{UFUNC[step.operation]}({', '.join(operands)}, out={register})"
+        name = UFUNC[step.operation]
+        if step.operation == "mul" and operands[0] == operands[1]:
+            name, operands = "square", operands[:1]  # the same product, read once
+        yield f"{target}np.{name}({', '.join(operands)}, out={register})"
 
     def _two_parts(self, number: int, step: Step, target: str) -> Iterator[str]:
         """A difference with a constant in two parts, the nearest number and the rest."""

@@ -77,7 +77,7 @@ class Forward:
                 affine = affine_sum(self.program, number, self.form)
                 if affine is not None:
                     value = affine_value(affine, self.grid, self.unit)
-                    return with_stray(value, [part.stray for part in parts])
+                    return with_stray(value, [part.stray for part in parts], self.unit)
                 return self._sum(number, step, parts)
             case "mul":
                 return product(parts[0], parts[1], self.unit)
@@ -138,7 +138,7 @@ class Forward:
         value.rounding, value.shares, value.loose = self.unit, (own, other), loose
         if loose:
             value.true_size = difference(a, b, opposite)
-        return with_stray(value, [a.stray, b.stray])
+        return with_stray(value, [a.stray, b.stray], self.unit)
 
     def _choice(self, step: Step, parts: list[Value]) -> Value:
         chosen = self.condition(step)

@@ -8,7 +8,7 @@ from gainproof.derive.printer import interval
 from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.value import Value, like, none_as_zero, sum_of, true_size
 
-ABSORBED = 2.0**-60  # an absolute error this far below a sum joins its relative error
+ABSORBED = 2.0**-7  # of a rounding: an absolute error of a sum below it joins its relative error
 
 
 def product(a: Value, b: Value, unit: float) -> Value:
@@ -64,12 +64,12 @@ def scaled(part: Value, power: float) -> Value:
     return value
 
 
-def with_stray(value: Value, strays: list[Array | None]) -> Value:
+def with_stray(value: Value, strays: list[Array | None], unit: float) -> Value:
     """A sum with absolute errors of its operands: part of its drift where it is much larger."""
     present = [stray for stray in strays if stray is not None]
     if present:
         total = sum(present[1:], present[0])
-        absorbed = total <= ABSORBED * value.size[0][0]
-        value.drift = sum_of(value.drift, 2.0 * ABSORBED)
+        absorbed = total <= ABSORBED * unit * value.size[0][0]
+        value.drift = sum_of(value.drift, 2.0 * ABSORBED * unit)
         value.stray = None if absorbed.all() else np.where(absorbed, 0.0, total)
     return value

@@ -7,6 +7,9 @@ from dataclasses import dataclass
 
 from gainproof.derive.printer.program import Program
 
+SLOW = ("div", "sqrt")
+"""What hides the way of an array from memory into the cache: outputs are first written by these."""
+
 
 @dataclass(frozen=True)
 class Plan:
@@ -49,7 +52,12 @@ def plan(program: Program, outputs: Sequence[int]) -> Plan:
         dying = [register[p] for p in program.steps[step].operands if p in register]
         chosen = home.get(step)
         if chosen is None:
-            best = [r for r in dying if r in fits] or [r for r in fits if r >= len(outputs)] or fits
+            touched = [r for r in fits if r in busy]
+            best = [r for r in dying if r in fits]
+            best += [r for r in touched if r >= len(outputs)] + touched
+            if program.steps[step].operation in SLOW:
+                untouched = [r for r in fits if r not in busy]
+                best = sorted(untouched, key=filled.__getitem__) + best
             chosen = best[0] if best else count
         register[step] = chosen
         busy[chosen] = last_use[step]
@@ -64,4 +72,7 @@ def _needed(program: Program, outputs: Sequence[int]) -> list[int]:
         if number in used:
             used.update(program.steps[number].operands)
     plain = ("input", "constant")
-    return [number for number in sorted(used) if program.steps[number].operation not in plain]
+    steps = [number for number in sorted(used) if program.steps[number].operation not in plain]
+    read = {part for number in steps for part in program.steps[number].operands}
+    # outputs that nothing else needs come last: until then their arrays serve as buffers
+    return [step for step in steps if step in read] + [step for step in steps if step not in read]

@@ -3,10 +3,11 @@
 Every function works on anything with the operators + * /: on SymPy symbols, where a certificate
 proves the form equal to what it stands for, and on graph nodes, from which kernels are printed.
 The order of operations is chosen so that nothing over- or underflows before the result does, and
-so that few operations are needed, divisions least of all.
+so that few operations are needed.
 
-p = sqrt(Lambda), h = sqrt(4/Lambda + e Lambda/4), s = sqrt(p((1 + e)p + 4h))/2, m = p/2 + h + s,
-sigma = p m/2 is the root of the innovation variance; e = noise(4)/noise(0), n = Q12/Q22.
+kappa = sqrt(4/Lambda^2 + e/4) and rho = alpha/beta = sqrt(kappa + (1 + e)/4) carry everything:
+beta = 2/(1/2 + kappa + rho), sigma = Lambda/beta is the root of the innovation variance; e =
+noise(4)/noise(0), n = Q12/Q22. For e = 0 the sum is (rho + 1/2)^2, for e = 1 it is rho^2 + rho.
 """
 
 from __future__ import annotations
@@ -15,52 +16,68 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-QUARTER = Fraction(1, 4)
-
 
 @dataclass(frozen=True)
 class Basis:
-    """Lambda with the positive quantities made from it, and the numbers e and n of the family."""
+    """Lambda with the positive quantities made from it, and the numbers e and n of the family.
+
+    kappa, rho, twice = 2 rho and half_eta = Lambda kappa come multiplied by `unit` = `root`^2: 1
+    for symbols, in kernels so small a power of two that kappa cannot overflow.
+    """
 
     index: Any
-    p: Any
-    half: Any
-    h: Any
-    s: Any
+    kappa: Any
+    rho: Any
+    twice: Any
+    half_eta: Any
     e: Fraction
     n: Fraction
+    unit: Fraction = Fraction(1)
+    root: Fraction = Fraction(1)
 
     @property
-    def twice(self) -> Any:
-        """2 s."""
-        return self.s * 2
+    def wider(self) -> Any:
+        """2 rho + 1, times the unit."""
+        return self.twice + self.unit
 
     @property
-    def ends(self) -> Any:
-        """p/2 + h."""
-        return self.half + self.h
+    def shifted(self) -> Any:
+        """rho + 1/2, times the unit."""
+        return self.rho + self.unit / 2
 
     @property
-    def m(self) -> Any:
-        """p/2 + h + s."""
-        return self.ends + self.s
+    def total(self) -> Any:
+        """1/2 + kappa + rho = 2 sigma/Lambda, times `total_unit`; a square for e = 0."""
+        return self.wider * self.wider if self.e == 0 else self.kappa + self.shifted
 
     @property
-    def deviation(self) -> Any:
-        """sigma, the standard deviation of the innovation over that of the measurement."""
-        return self.half * self.m
-
-    @property
-    def inverse_deviation(self) -> Any:
-        """1/sigma."""
-        return (2 / self.m) / self.p
+    def total_unit(self) -> Fraction:
+        """The number that comes with `total`."""
+        return 4 * self.unit * self.unit if self.e == 0 else self.unit
 
     @property
     def raised(self) -> Any:
-        """h + e p/2, the numerator of 1 + e p/(2 h), which every derivative contains."""
-        if self.e == 1:
-            return self.ends
-        return self.h if self.e == 0 else self.h + times(self.e / 2, self.p)
+        """kappa + e/2, times the unit."""
+        return self.kappa + self.unit * self.e / 2
+
+    @property
+    def share(self) -> Any:
+        """beta over `share_unit`, which is so small that a small beta loses no digit."""
+        return (2 * self.total_unit / self.share_unit) / self.total
+
+    @property
+    def share_unit(self) -> Fraction:
+        """The unit that goes with rho, or with 2 rho for e = 0."""
+        return 2 * self.unit if self.e == 0 else self.unit
+
+    @property
+    def deviation(self) -> Any:
+        """sigma."""
+        return (self.index * self.total) * (1 / (2 * self.total_unit))
+
+    def inverse_deviation(self, factor: Fraction = Fraction(1)) -> Any:
+        """1/sigma, times the factor."""
+        return (2 * self.total_unit * factor) / (self.index * self.total)
 
 
 def times(number: Fraction, value: Any) -> Any:
@@ -72,62 +89,37 @@ def times(number: Fraction, value: Any) -> Any:
 
 def gains(x: Basis) -> dict[str, Any]:
     """Filter gain: position gain alpha, velocity gain beta (times 1/T in units)."""
-    share = 2 / x.m
-    return {"alpha": x.s * share, "beta": x.p * share}
+    return {
+        "alpha": x.share * (x.twice if x.e == 0 else x.rho),
+        "beta": x.share * x.share_unit,
+    }
 
 
 def predictor_gains(x: Basis) -> dict[str, Any]:
     """Predictor gain F K."""
-    return {"position": (x.s + x.p) * (2 / x.m), "velocity": x.p * (2 / x.m)}
-
-
-def _with_independent_noise(x: Basis) -> Any:
-    return x.index * (x.p * x.s)
-
-
-def _with_interval_noise(x: Basis) -> Any:
-    if x.e == 0:
-        return x.index * ((x.p * 4) / (x.twice + x.p))
-    inner = x.p * (x.raised + x.h)
-    return x.index * ((x.p / (x.twice + x.p)) * inner)
-
-
-def _mixed(x: Basis, first: Any, second: Any) -> Any:
-    """(1 - 2n) first + 2n second, the covariance being linear in n."""
-    weight = 2 * x.n
-    if weight == 0:
-        return first(x)
-    if weight == 1:
-        return second(x)
-    return times(1 - weight, first(x)) + times(weight, second(x))
-
-
-def updated_covariance(x: Basis) -> dict[str, Any]:
-    """Entries of the updated covariance in units of sigma_v^2 and T."""
-    gain = gains(x)
-    rate = _mixed(x, _with_independent_noise, _with_interval_noise)
-    return {"updated_11": gain["alpha"], "updated_12": gain["beta"], "updated_22": rate}
-
-
-def predicted_covariance(x: Basis) -> dict[str, Any]:
-    """Entries of the predicted covariance in units of sigma_v^2 and T."""
-    rate = _mixed(x, _with_independent_noise, _with_interval_noise)
-    return {
-        "predicted_11": x.deviation * (x.p * x.s),
-        "predicted_12": x.index * x.deviation,
-        "predicted_22": rate + x.index * x.index,
-    }
+    velocity = x.share * x.share_unit
+    if x.e == 1:  # (1 + 1/rho) alpha with alpha = 2/(1 + rho)
+        return {"position": (2 * x.unit) / x.rho, "velocity": velocity}
+    ratio = x.twice if x.e == 0 else x.rho
+    return {"position": x.share * (ratio + x.share_unit), "velocity": velocity}
 
 
 def gain_derivatives(x: Basis) -> dict[str, Any]:
-    """d alpha/d Lambda and d beta/d Lambda."""
-    if x.e == 0:  # h = 2/p saves divisions
-        doubled = x.h * (2 / x.m)  # 2/sigma
-        square, share = doubled * doubled, Fraction(1, 8) / x.s
-        return {"alpha": (x.h * share) * square, "beta": (x.p * share + QUARTER) * square}
-    square = x.inverse_deviation * x.inverse_deviation
-    share = 1 / ((x.p * x.s) * x.h)
-    return {"alpha": (share * x.raised) * square, "beta": (share * (x.twice + x.p)) * square}
+    """d alpha/d Lambda = (kappa + e/2)/(rho sigma^2 kappa Lambda), d beta/d Lambda."""
+    if x.e == 1:
+        small = x.inverse_deviation()
+        square = (small * small) / x.half_eta
+        return {
+            "alpha": square * x.rho,
+            "beta": square * (x.unit * x.unit / x.rho + 2 * x.unit),
+        }
+    if x.e == 0:
+        small = x.inverse_deviation()
+        square = (small * small) / x.twice
+        return {"alpha": square * x.kappa, "beta": square * x.wider}
+    small = x.inverse_deviation(x.root)
+    square = ((small / x.half_eta) * small) / x.rho
+    return {"alpha": square * x.raised, "beta": (square * 2) * x.shifted}
 
 
 def predictor_gain_derivatives(x: Basis) -> dict[str, Any]:
@@ -136,44 +128,4 @@ def predictor_gain_derivatives(x: Basis) -> dict[str, Any]:
     return {
         "position": derivative["alpha"] + derivative["beta"],
         "velocity": derivative["beta"],
-    }
-
-
-def _rate_with_independent_noise(x: Basis) -> Any:
-    return x.index * (x.s / x.p) + (x.raised / x.h) * (x.index * (x.ends / x.twice))
-
-
-def _rate_with_interval_noise(x: Basis) -> Any:
-    start = (4 / x.m) / x.s
-    if x.e == 0:
-        return start + (x.index * (x.h / x.s)) / 2
-    end = (x.raised / x.h) * (x.raised / x.twice)
-    if x.e != 1:
-        end = end + times(x.e * (1 - x.e) / 8, (x.p / x.h) * (x.p / x.s))
-    return start + x.index * end
-
-
-def updated_covariance_derivatives(x: Basis) -> dict[str, Any]:
-    """Derivatives of the updated covariance with respect to Lambda."""
-    derivative = gain_derivatives(x)
-    rate = _mixed(x, _rate_with_independent_noise, _rate_with_interval_noise)
-    return {
-        "updated_11": derivative["alpha"],
-        "updated_12": derivative["beta"],
-        "updated_22": rate,
-    }
-
-
-def predicted_covariance_derivatives(x: Basis) -> dict[str, Any]:
-    """Derivatives of the predicted covariance with respect to Lambda."""
-    rate = _mixed(x, _rate_with_independent_noise, _rate_with_interval_noise)
-    first = (x.m / 2) * (x.deviation / x.s)
-    second = 1 + x.p / x.twice
-    if x.e != 0:
-        growth = x.raised / x.h
-        first, second = growth * first, 1 + growth * (x.p / x.twice)
-    return {
-        "predicted_11": first,
-        "predicted_12": x.deviation * second,
-        "predicted_22": rate + x.index * 2,
     }

@@ -8,34 +8,40 @@ from typing import Any
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.steady_state import inverses, poles
-from gainproof.derive.steady_state.forms import Basis, times
+from gainproof.derive.steady_state.forms import Basis
 
 Names = dict[str, Node]
-SHIFT = 30  # h is taken as 2^30 sqrt(h^2/2^60), so that 4/Lambda cannot overflow
+
+
+def unit_root(e: Fraction) -> Fraction:
+    """The root of the unit of a kernel's basis.
+
+    Times the unit 2/Lambda is finite, and over it (e = 0: twice it) beta is normal, for every
+    positive float64; its square keeps e Lambda/4 out of the way of float32's least numbers.
+    """
+    return Fraction(1, 2**27 if e == 0 else 2**26)
 
 
 def graph_basis(builder: GraphBuilder, e: Fraction, n: Fraction) -> tuple[Basis, Names]:
     """Lambda and the quantities made from it as nodes, with their names."""
     index = builder.symbol("tracking_index")
-    p = builder.sqrt(index)
-    half = p / 2
-    names: Names = {"p": p, "half_p": half}
+    names: Names = {}
+    root = unit_root(e)
+    unit = root * root
     if e == 0:
-        h = 2 / p
-        s = builder.sqrt(index / 4 + 2)
+        kappa = (2 * unit) / index
+        half_eta = builder.number(2 * unit)
     else:
-        small = Fraction(4, 4**SHIFT) / index + index * (e / 4 / 4**SHIFT)
+        # a square of Lambda could overflow: eta/2 = p h and kappa = h/p with p = sqrt(Lambda)
+        names["p"] = builder.sqrt(index)
+        small = (4 * unit * unit) / index + index * (e / 4 * unit * unit)
         names["h_scaled"] = builder.sqrt(small)
-        h = names["h_scaled"] * 2**SHIFT
-        # s^2 = (1 + e) p (p + 4 h/(1 + e))/4, so taken that nothing overflows before s does
-        if e == 1:
-            names["s_half"] = builder.sqrt((p / 4) * (half + h))
-            s = names["s_half"] * 2
-        else:
-            s = builder.sqrt(times((1 + e) / 4, p) * (p + h * (4 / (1 + e))))
-    basis = Basis(index, p, half, h, s, e, n)
-    names |= {"h": h, "s": s, "m": basis.m}
-    return basis, names
+        kappa = names["h_scaled"] / names["p"]
+        half_eta = names["p"] * names["h_scaled"]
+    names["rho_scaled"] = builder.sqrt(kappa + unit * (1 + e) / 4)
+    rho, twice = names["rho_scaled"] * root, names["rho_scaled"] * (2 * root)
+    basis = Basis(index, kappa, rho, twice, half_eta, e, n, unit, root)
+    return basis, names | {"kappa": kappa, "rho": rho, "twice_rho": twice, "half_eta": half_eta}
 
 
 FormsOf = Callable[[Basis], Mapping[str, Any]]
@@ -93,7 +99,7 @@ def pole_graph(e: Fraction, n: Fraction) -> Graph:
     """Both closed-loop poles, each as real and imaginary part, and their moduli."""
     builder = GraphBuilder()
     x, names = graph_basis(builder, e, n)
-    mean_modulus = x.inverse_deviation
+    mean_modulus = x.inverse_deviation()
     if e == 1:
         middle, width = poles.centre(x, None), poles.half_width(x, None, None)
         return builder.graph(_outputs(middle, middle, width, -width, mean_modulus), names)

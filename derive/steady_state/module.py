@@ -8,7 +8,7 @@ import sympy
 
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
-from gainproof.derive.steady_state import forms
+from gainproof.derive.steady_state import covariance_forms, forms
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.kernels import FormsOf, largest_beta
 
@@ -18,10 +18,10 @@ INDEX_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
     "gains_with_derivatives": (forms.gains, forms.gain_derivatives),
     "predictor_gains": (forms.predictor_gains,),
     "predictor_gain_derivatives": (forms.predictor_gain_derivatives,),
-    "predicted_covariance": (forms.predicted_covariance,),
-    "predicted_covariance_derivatives": (forms.predicted_covariance_derivatives,),
-    "updated_covariance": (forms.updated_covariance,),
-    "updated_covariance_derivatives": (forms.updated_covariance_derivatives,),
+    "predicted_covariance": (covariance_forms.predicted_covariance,),
+    "predicted_covariance_derivatives": (covariance_forms.predicted_covariance_derivatives,),
+    "updated_covariance": (covariance_forms.updated_covariance,),
+    "updated_covariance_derivatives": (covariance_forms.updated_covariance_derivatives,),
 }
 
 SUMMARIES = {
@@ -114,19 +114,19 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
     if "_from_" in name:
         return (f"{c.spectrum.relation} = 0, Lambda^2 = beta^2/(1 - alpha)",)
     own = {
-        "gains": ("alpha = 2 s/m, beta = 2 p/m",),
+        "gains": ("beta = 2/(1/2 + kappa + rho), alpha = rho beta",),
         "closed_loop_poles": (
             "z^2 - (2 - alpha - beta) z + (1 - alpha) = 0",
             "all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52",
         ),
         "gain_derivatives": (
-            f"d alpha = (1 + {e} p/(2 h))/(p s sigma^2), d beta = (2 + p/s)/(p h sigma^2)",
+            f"d alpha = (1 + {e / 2}/kappa)/(rho sigma^2 Lambda),",
+            "d beta = (2 + 1/rho)/(kappa sigma^2 Lambda)",
         ),
     }
-    h = "2/p" if e == 0 else f"sqrt(4/Lambda + {e / 4} Lambda)"
-    s = "sqrt(Lambda + 8)/2" if e == 0 else f"sqrt(p ({1 + e} p + 4 h))/2"
+    kappa = "2/Lambda" if e == 0 else f"sqrt(4/Lambda^2 + {e / 4})"
     return (
         *own.get(name, ()),
-        f"p = sqrt(Lambda), h = {h}, s = {s},",
-        "m = p/2 + h + s, sigma = p m/2",
+        f"kappa = {kappa}, rho = sqrt(kappa + {(1 + e) / 4}) = alpha/beta,",
+        "sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2",
     )

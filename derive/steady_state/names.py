@@ -20,6 +20,8 @@ LATEX = {
     "p": r"p",
     "H": r"\eta",
     "s": r"s",
+    "kappa": r"\kappa",
+    "rho": r"\rho",
     "alpha": r"\alpha",
     "beta": r"\beta",
     "innovation_deviation": r"\sigma",

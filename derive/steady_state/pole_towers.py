@@ -15,7 +15,7 @@ from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.steady_state import poles
 from gainproof.derive.steady_state.forms import Basis
-from gainproof.derive.steady_state.names import INDEX, ROOT
+from gainproof.derive.steady_state.names import DEVIATION, INDEX
 from gainproof.derive.steady_state.towers import (
     rational,
     root_of_16,
@@ -132,10 +132,10 @@ def real_tower(e: Fraction, n: Fraction) -> Tower:
 
 
 def middle_size(x: Basis) -> sp.Expr:
-    """(p - h)/(2 m) where Lambda > L1, positive by its looks."""
+    """(1 - 2 kappa) Lambda/(4 sigma) where Lambda > L1, positive by its looks."""
     ratio, limit = rational(x.e), rational(8 / (1 - x.e))
     top = sp.expand((1 - ratio) * (limit + G**2) ** 2 - 16)
-    return top / (2 * INDEX * x.m * (2 * x.h + ROOT))
+    return top / (4 * INDEX * DEVIATION * (2 * x.kappa + 1))
 
 
 def real_ends(e: Fraction) -> dict[str, End]:

@@ -12,7 +12,7 @@ from gainproof.derive.relation import equal, increasing_onto
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT, Z
 from gainproof.derive.steady_state.spectrum import V, index_equation
-from gainproof.derive.steady_state.towers import ROOT_S, rational, root_of_16
+from gainproof.derive.steady_state.towers import KAPPA, RHO, ROOT_S, rational, root_of_16
 
 
 def _ratio_text(number: Fraction) -> str:
@@ -31,6 +31,7 @@ def gain_steps(c: Context) -> list[Step]:
     noise = c.spectrum.noise
     closed = c.spectrum.closed_loop
     high, ratio = root_of_16(c.e), rational(c.e)
+    total = sp.Rational(1, 2) + KAPPA + RHO
     return [
         Step(
             "parameter",
@@ -79,6 +80,35 @@ def gain_steps(c: Context) -> list[Step]:
             "The position gain follows from the variance.",
             equal(ALPHA, ROOT * ROOT_S / DEVIATION),
             "alpha = 1 - 1/sigma^2 and sigma - 1/sigma = p s.",
+        ),
+        Step(
+            "kappa-and-rho",
+            "Two quantities carry everything that follows: kappa, and the ratio rho of the gains.",
+            equal(
+                sp.ImmutableDenseMatrix([[KAPPA, RHO]]),
+                sp.ImmutableDenseMatrix([[high / (2 * INDEX), ALPHA / BETA]]),
+            ),
+            "kappa = eta/(2 Lambda) and rho = s/p.",
+        ),
+        Step(
+            "roots-in-the-index",
+            "Both are roots of positive terms in the index.",
+            equal(
+                sp.ImmutableDenseMatrix([[KAPPA**2, RHO**2]]),
+                sp.ImmutableDenseMatrix([[4 / INDEX**2 + ratio / 4, KAPPA + (1 + ratio) / 4]]),
+            ),
+            "Divide eta^2 by 4 Lambda^2, and s^2 by Lambda.",
+        ),
+        Step(
+            "stable-gains",
+            "The innovation's deviation and both gains without a subtraction.",
+            equal(
+                sp.ImmutableDenseMatrix([[DEVIATION, BETA, ALPHA]]),
+                sp.ImmutableDenseMatrix(
+                    [[INDEX * total / 2, 2 / total, 2 * RHO / total]],
+                ),
+            ),
+            "sigma is Lambda/4 + eta/4 + p s/2; then beta = Lambda/sigma and alpha = rho beta.",
         ),
         Step(
             "factorisation",

@@ -21,17 +21,12 @@ from gainproof.derive.steady_state.pole_towers import (
     turning_root,
 )
 from gainproof.derive.steady_state.steps_poles import FIRST, IM, RE, SECOND
-from gainproof.derive.steady_state.towers import rational
+from gainproof.derive.steady_state.towers import graph_roots, rational
 
 
 def pole_programs(c: Context, graph: Mapping[str, Any]) -> list[Step]:
     """The pole kernel computes these poles on each side."""
-    roots = {
-        "p": c.basis.p,
-        "h_scaled": c.basis.h / 2**30,
-        "s": c.basis.s,
-        "s_half": c.basis.s / 2,
-    }
+    roots = graph_roots(c.e)
     reason = "Evaluate the kernel's graph in the tower."
     sentence = "The kernel closed_loop_poles computes"
     if c.e == 1:

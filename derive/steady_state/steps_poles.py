@@ -46,7 +46,7 @@ def pole_steps(c: Context) -> list[Step]:
             hint={
                 "form": (1 - rational(c.e)) ** 2
                 * (INDEX + limit)
-                / (4 * c.basis.s**2 * c.basis.m**2)
+                / (16 * (c.basis.rho * DEVIATION) ** 2)
             },
         ),
         *_complex(c, limit),

@@ -10,7 +10,7 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, cited, equal, increasing_onto, positive
 from gainproof.derive.source import RICCATI
-from gainproof.derive.steady_state import forms
+from gainproof.derive.steady_state import covariance_forms, forms
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.names import ALPHA, BETA, INDEX, PREDICTED, UPDATED
 from gainproof.derive.steady_state.towers import rational
@@ -54,13 +54,16 @@ def covariance_steps(c: Context) -> list[Step]:
             "X = (I - K H) M.",
         ),
     ]
-    stable = {**forms.predicted_covariance(c.basis), **forms.updated_covariance(c.basis)}
+    stable = {
+        **covariance_forms.predicted_covariance(c.basis),
+        **covariance_forms.updated_covariance(c.basis),
+    }
     steps += [
         Step(
             f"stable-{name.replace('_', '-')}",
             f"{name.replace('_', ' ')} without a subtraction.",
             equal(real(name), stable[name]),
-            "Multiply by the conjugate where a difference of roots stood.",
+            "1/(1 - alpha) = sigma^2; rho - 1/2 is (rho^2 - 1/4)/(rho + 1/2).",
         )
         for name in (*PREDICTED, "updated_22")
     ]

@@ -8,10 +8,10 @@ from gainproof.derive.algebra.tower import Generator, Tower
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.relation import equal, limit, positive
-from gainproof.derive.steady_state import forms, inverses
+from gainproof.derive.steady_state import covariance_forms, forms, inverses
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, PREDICTED, ROOT
-from gainproof.derive.steady_state.towers import rational, root_of_16, surd
+from gainproof.derive.steady_state.towers import ROOT_S, rational, root_of_16, surd
 
 
 def derivative_steps(c: Context) -> list[Step]:
@@ -20,8 +20,8 @@ def derivative_steps(c: Context) -> list[Step]:
     entries = {
         **gains,
         "predictor_position": forms.predictor_gain_derivatives(c.basis)["position"],
-        **forms.predicted_covariance_derivatives(c.basis),
-        "updated_22": forms.updated_covariance_derivatives(c.basis)["updated_22"],
+        **covariance_forms.predicted_covariance_derivatives(c.basis),
+        "updated_22": covariance_forms.updated_covariance_derivatives(c.basis)["updated_22"],
     }
     steps = []
     for name, form in entries.items():
@@ -32,7 +32,7 @@ def derivative_steps(c: Context) -> list[Step]:
                 f"derivative-{label}",
                 f"How {words} changes with the index.",
                 equal(derivative, form),
-                "Differentiate p, eta and s, then multiply by the conjugate.",
+                "Differentiate kappa^2 and rho^2, then gather positive terms.",
             ),
             Step(
                 f"increasing-{label}",
@@ -59,7 +59,7 @@ def inverse_tower(c: Context) -> Tower:
 def inverse_roots(c: Context) -> dict[str, sp.Expr]:
     """Tower values of the radicals in `inverses`."""
     ratio = rational(c.e)
-    from_beta = (2 * ROOT * c.basis.s + INDEX) / DEVIATION
+    from_beta = (2 * ROOT * ROOT_S + INDEX) / DEVIATION
     return {
         "alpha_radical": (ratio * INDEX + root_of_16(c.e)) / (2 * DEVIATION),
         "beta_radical": from_beta,

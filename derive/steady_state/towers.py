@@ -9,11 +9,14 @@ import sympy as sp
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.steady_state.forms import Basis, updated_covariance
+from gainproof.derive.steady_state.covariance_forms import updated_covariance
+from gainproof.derive.steady_state.forms import Basis
+from gainproof.derive.steady_state.kernels import unit_root
 from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT
 
 ROOT_16 = real("H")
 ROOT_S = real("s")
+KAPPA, RHO = real("kappa"), real("rho")
 
 
 def rational(value: Fraction) -> sp.Rational:
@@ -46,6 +49,8 @@ def steady_elements(e: Fraction, n: Fraction, index: sp.Expr) -> dict[str, sp.Ex
     deviation = (p**2 + high + 2 * p * s) / 4
     return {
         "tracking_index": index,
+        "kappa": high / (2 * INDEX),
+        "rho": s / p,
         "innovation_deviation": deviation,
         "alpha": p * s / DEVIATION,
         "beta": INDEX / DEVIATION,
@@ -61,9 +66,18 @@ def steady_elements(e: Fraction, n: Fraction, index: sp.Expr) -> dict[str, sp.Ex
 
 
 def symbolic_basis(e: Fraction, n: Fraction) -> Basis:
-    """The basis of the stable forms over the variables of the main tower."""
-    h = root_of_16(e) / (2 * ROOT)
-    return Basis(INDEX, ROOT, ROOT / 2, h, ROOT_S, e, n)
+    """The basis of the stable forms over the named quantities."""
+    return Basis(INDEX, KAPPA, RHO, 2 * RHO, INDEX * KAPPA, e, n)
+
+
+def graph_roots(e: Fraction) -> dict[str, sp.Expr]:
+    """Tower values of the roots in `kernels.graph_basis`."""
+    root = rational(unit_root(e))
+    return {
+        "p": ROOT,
+        "h_scaled": root**2 * root_of_16(e) / (2 * ROOT),
+        "rho_scaled": root * RHO,
+    }
 
 
 def surd(value: Fraction) -> tuple[sp.Expr, dict[str, int]]:

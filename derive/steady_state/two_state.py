@@ -29,6 +29,7 @@ from gainproof.derive.steady_state.steps_use import (
     inverse_tower,
 )
 from gainproof.derive.steady_state.textbook import textbook_forms
+from gainproof.derive.steady_state.towers import graph_roots
 from gainproof.derive.subject import Program, Subject
 
 OPENING = (
@@ -91,10 +92,7 @@ def _graphs(c: Context) -> dict[str, Graph]:
 def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
     """Every kernel but the poles computes what its outputs are called."""
     roots = {
-        "p": c.basis.p,
-        "h_scaled": c.basis.h / 2**30,
-        "s": c.basis.s,
-        "s_half": c.basis.s / 2,
+        **graph_roots(c.e),
         **inverse_roots(c),
     }
     return [

@@ -102,6 +102,26 @@ def test_registers_never_overwrite_what_is_needed(kind: type[np.floating]) -> No
         assert np.allclose(found, wanted, rtol=1e-5 if single else 1e-13, atol=0), output.name
 
 
+def test_output_arrays_are_first_written_by_slow_operations() -> None:
+    """The way of an array into the cache then costs no time of its own."""
+    b = GraphBuilder()
+    x = b.symbol("x")
+    root = b.sqrt(x + 1)
+    share = 2 / (root + x)
+    kernel = kernel_of(b.graph({"first": root * share, "second": share * x}))
+    steps = program(kernel.graph)
+    chosen = plan(steps, [steps.outputs[output.name] for output in kernel.outputs])
+    for output in (0, 1):
+        first = next(step for step in chosen.order if chosen.register[step] == output)
+        assert steps.steps[first].operation in ("div", "sqrt")
+
+
+def test_a_product_with_itself_is_a_square() -> None:
+    b = GraphBuilder()
+    x = b.symbol("x")
+    assert "np.square(x, out=y)" in text_of(kernel_of(b.graph({"y": x * x}), upper=100))
+
+
 def test_the_text_is_formatted_and_clean(tmp_path: Path) -> None:
     ruff = shutil.which("ruff", path=str(Path(sys.executable).parent)) or shutil.which("ruff")
     if ruff is None:

@@ -1,0 +1,37 @@
+"""Every two-state model within the method's reach has kernels with proved bounds."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
+from gainproof.derive.printer.kernel import Input, Kernel, Output
+from gainproof.derive.steady_state.kernels import index_graph
+from gainproof.derive.steady_state.module import INDEX_KERNELS
+
+HALF = Fraction(1, 2)
+
+
+@pytest.mark.parametrize("form", [FLOAT64, FLOAT32], ids=lambda form: form.name)
+@pytest.mark.parametrize(
+    "e", [Fraction(0), Fraction(1, 1000), Fraction(2, 3), Fraction(1)], ids=str
+)
+@pytest.mark.parametrize("n", [Fraction(0), HALF], ids=str)
+def test_kernels_have_bounds(e: Fraction, n: Fraction, form: Format) -> None:
+    """Noise ratios at the ends, next to one and between: gains and derivatives keep the limits."""
+    for name, most in (
+        ("gains_with_derivatives", 16),
+        ("predicted_covariance", 8),
+        ("updated_covariance_derivatives", 16),
+    ):
+        graph = index_graph(e, n, *INDEX_KERNELS[name])
+        outputs = tuple(Output(output, "a value") for output in graph["outputs"])
+        index = Input("tracking_index", "the index")
+        kernel = Kernel(name, "Result", "Under test.", (), (index,), outputs, graph, "this test")
+        bounds = prove(kernel, form).outputs
+        assert max(bound.bound for bound in bounds) <= most
+        gains = [bound for bound in bounds if bound.name in ("alpha", "beta")]
+        assert all(bound.bound <= 8 for bound in gains)
