@@ -4,20 +4,48 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from gainproof.generated._runtime import Domain, Signature, choose, evaluate, mask_of
+from gainproof.generated._two_state_results import (
+    AlphaFromBeta,
+    BetaFromAlpha,
+    ClosedLoopPoles,
+    GainDerivatives,
+    Gains,
+    GainsWithDerivatives,
+    IndexFromAlpha,
+    IndexFromBeta,
+    PredictedCovariance,
+    PredictedCovarianceDerivatives,
+    PredictorGainDerivatives,
+    PredictorGains,
+    UpdatedCovariance,
+    UpdatedCovarianceDerivatives,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike
 
-    from gainproof.generated._runtime import Array, Real
+    from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "AlphaFromBeta",
+    "BetaFromAlpha",
+    "ClosedLoopPoles",
+    "GainDerivatives",
+    "Gains",
+    "GainsWithDerivatives",
+    "IndexFromAlpha",
+    "IndexFromBeta",
+    "PredictedCovariance",
+    "PredictedCovarianceDerivatives",
+    "PredictorGainDerivatives",
+    "PredictorGains",
+    "UpdatedCovariance",
+    "UpdatedCovarianceDerivatives",
     "alpha_from_beta",
     "beta_from_alpha",
     "closed_loop_poles",
@@ -34,14 +62,24 @@ __all__ = [
     "updated_covariance_derivatives",
 ]
 
-
-class Gains(NamedTuple):
-    """Result of `gains`."""
-
-    alpha: Real
-    """Position gain."""
-    beta: Real
-    """Velocity gain times the sampling interval."""
+_TRACKING_INDEX_DOMAIN = Domain(
+    "tracking_index",
+    "a number above 0 and finite",
+    (5e-324, 1.7976931348623157e308),
+    (1.401298464324817e-45, 3.4028234663852886e38),
+)
+_ALPHA_DOMAIN = Domain(
+    "alpha",
+    "a number above 0 and below 1",
+    (5e-324, 0.9999999999999999),
+    (1.401298464324817e-45, 0.9999999403953552),
+)
+_BETA_DOMAIN = Domain(
+    "beta",
+    "a number above 0 and below 1.2679491924311228",
+    (5e-324, 1.2679491924311226),
+    (1.401298464324817e-45, 1.267949104309082),
+)
 
 
 def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
@@ -76,51 +114,33 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     return Gains(*evaluate(_GAINS, (tracking_index,), out))
 
 
-def _gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
     (w0,) = work
-    p = np.sqrt(tracking_index, out=alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=beta)
-    h_scaled = np.sqrt(t6, out=beta)
-    kappa = np.divide(h_scaled, p, out=beta)
-    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t15 = np.add(rho, 1.1102230246251565e-16, out=alpha)
-    t16 = np.add(kappa, t15, out=beta)
-    t18 = np.divide(2.0, t16, out=beta)
-    np.multiply(t18, rho, out=alpha)
-    np.multiply(t18, 2.220446049250313e-16, out=beta)
+    p = np.sqrt(tracking_index, alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, beta)
+    h_scaled = np.sqrt(t6, beta)
+    kappa = np.divide(h_scaled, p, beta)
+    t10 = np.add(kappa, 7.401486830834377e-17, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, alpha)
+    t16 = np.add(kappa, t15, beta)
+    t18 = np.divide(2.0, t16, beta)
+    np.multiply(t18, rho, alpha)
+    np.multiply(t18, 2.220446049250313e-16, beta)
 
 
 _GAINS = Signature(
     "gains",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     1,
     _gains_block,
 )
-
-
-class GainDerivatives(NamedTuple):
-    """Result of `gain_derivatives`."""
-
-    alpha: Real
-    """Derivative of the position gain."""
-    beta: Real
-    """Derivative of the velocity gain times the sampling interval."""
 
 
 def gain_derivatives(
@@ -157,62 +177,40 @@ def gain_derivatives(
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out))
 
 
-def _gain_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=beta)
-    h_scaled = np.sqrt(t6, out=beta)
-    kappa = np.divide(h_scaled, p, out=w0)
-    half_eta = np.multiply(p, h_scaled, out=alpha)
-    t11 = np.add(kappa, 7.401486830834377e-17, out=beta)
-    rho_scaled = np.sqrt(t11, out=beta)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=beta)
-    t16 = np.add(rho, 1.1102230246251565e-16, out=w1)
-    t17 = np.add(kappa, t16, out=w2)
-    t18 = np.multiply(tracking_index, t17, out=w2)
-    t20 = np.divide(6.617444900424222e-24, t18, out=w2)
-    t21 = np.divide(t20, half_eta, out=alpha)
-    t22 = np.multiply(t21, t20, out=alpha)
-    t23 = np.divide(t22, rho, out=alpha)
-    t25 = np.add(kappa, 3.700743415417188e-17, out=w0)
-    t28 = np.multiply(t23, 2.0, out=w2)
-    np.multiply(t23, t25, out=alpha)
-    np.multiply(t28, t16, out=beta)
+    p = np.sqrt(tracking_index, alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, beta)
+    h_scaled = np.sqrt(t6, beta)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, alpha)
+    t11 = np.add(kappa, 7.401486830834377e-17, beta)
+    rho_scaled = np.sqrt(t11, beta)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, beta)
+    t16 = np.add(rho, 1.1102230246251565e-16, w1)
+    t17 = np.add(kappa, t16, w2)
+    t18 = np.multiply(tracking_index, t17, w2)
+    t20 = np.divide(6.617444900424222e-24, t18, w2)
+    t21 = np.divide(t20, half_eta, alpha)
+    t22 = np.multiply(t21, t20, alpha)
+    t23 = np.divide(t22, rho, alpha)
+    t25 = np.add(kappa, 3.700743415417188e-17, w0)
+    t28 = np.multiply(t23, 2.0, w2)
+    np.multiply(t23, t25, alpha)
+    np.multiply(t28, t16, beta)
 
 
 _GAIN_DERIVATIVES = Signature(
     "gain_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     3,
     _gain_derivatives_block,
 )
-
-
-class GainsWithDerivatives(NamedTuple):
-    """Result of `gains_with_derivatives`."""
-
-    alpha: Real
-    """Position gain."""
-    beta: Real
-    """Velocity gain times the sampling interval."""
-    d_alpha: Real
-    """Derivative of the position gain."""
-    d_beta: Real
-    """Derivative of the velocity gain times the sampling interval."""
 
 
 def gains_with_derivatives(
@@ -254,61 +252,43 @@ def gains_with_derivatives(
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out))
 
 
-def _gains_with_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, out=alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=beta)
-    h_scaled = np.sqrt(t6, out=d_alpha)
-    kappa = np.divide(h_scaled, p, out=d_beta)
-    half_eta = np.multiply(p, h_scaled, out=alpha)
-    t11 = np.add(kappa, 7.401486830834377e-17, out=w0)
-    rho_scaled = np.sqrt(t11, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t16 = np.add(rho, 1.1102230246251565e-16, out=w1)
-    t17 = np.add(kappa, t16, out=beta)
-    t19 = np.divide(2.0, t17, out=d_alpha)
-    t23 = np.multiply(tracking_index, t17, out=beta)
-    t25 = np.divide(6.617444900424222e-24, t23, out=beta)
-    t26 = np.divide(t25, half_eta, out=alpha)
-    t27 = np.multiply(t26, t25, out=alpha)
-    t28 = np.divide(t27, rho, out=w2)
-    t30 = np.add(kappa, 3.700743415417188e-17, out=d_beta)
-    t32 = np.multiply(t28, 2.0, out=w3)
-    np.multiply(t19, rho, out=alpha)
-    np.multiply(t19, 2.220446049250313e-16, out=beta)
-    np.multiply(t28, t30, out=d_alpha)
-    np.multiply(t32, t16, out=d_beta)
+    p = np.sqrt(tracking_index, alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, beta)
+    h_scaled = np.sqrt(t6, d_alpha)
+    kappa = np.divide(h_scaled, p, d_beta)
+    half_eta = np.multiply(p, h_scaled, alpha)
+    t11 = np.add(kappa, 7.401486830834377e-17, w0)
+    rho_scaled = np.sqrt(t11, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t16 = np.add(rho, 1.1102230246251565e-16, w1)
+    t17 = np.add(kappa, t16, beta)
+    t19 = np.divide(2.0, t17, d_alpha)
+    t23 = np.multiply(tracking_index, t17, beta)
+    t25 = np.divide(6.617444900424222e-24, t23, beta)
+    t26 = np.divide(t25, half_eta, alpha)
+    t27 = np.multiply(t26, t25, alpha)
+    t28 = np.divide(t27, rho, w2)
+    t30 = np.add(kappa, 3.700743415417188e-17, d_beta)
+    t32 = np.multiply(t28, 2.0, w3)
+    np.multiply(t19, rho, alpha)
+    np.multiply(t19, 2.220446049250313e-16, beta)
+    np.multiply(t28, t30, d_alpha)
+    np.multiply(t32, t16, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
     4,
     _gains_with_derivatives_block,
 )
-
-
-class PredictorGains(NamedTuple):
-    """Result of `predictor_gains`."""
-
-    position: Real
-    """Position entry of F K, alpha + beta."""
-    velocity: Real
-    """Velocity entry of F K times the sampling interval, beta."""
 
 
 def predictor_gains(
@@ -344,52 +324,34 @@ def predictor_gains(
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out))
 
 
-def _predictor_gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     position, velocity = out
     (w0,) = work
-    p = np.sqrt(tracking_index, out=velocity)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=position)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=position)
-    h_scaled = np.sqrt(t6, out=position)
-    kappa = np.divide(h_scaled, p, out=position)
-    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t15 = np.add(rho, 1.1102230246251565e-16, out=velocity)
-    t16 = np.add(kappa, t15, out=position)
-    t18 = np.divide(2.0, t16, out=position)
-    t21 = np.add(rho, 2.220446049250313e-16, out=w0)
-    np.multiply(t18, 2.220446049250313e-16, out=velocity)
-    np.multiply(t18, t21, out=position)
+    p = np.sqrt(tracking_index, velocity)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, position)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, position)
+    h_scaled = np.sqrt(t6, position)
+    kappa = np.divide(h_scaled, p, position)
+    t10 = np.add(kappa, 7.401486830834377e-17, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, velocity)
+    t16 = np.add(kappa, t15, position)
+    t18 = np.divide(2.0, t16, position)
+    t21 = np.add(rho, 2.220446049250313e-16, w0)
+    np.multiply(t18, 2.220446049250313e-16, velocity)
+    np.multiply(t18, t21, position)
 
 
 _PREDICTOR_GAINS = Signature(
     "predictor_gains",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
     1,
     _predictor_gains_block,
 )
-
-
-class PredictorGainDerivatives(NamedTuple):
-    """Result of `predictor_gain_derivatives`."""
-
-    position: Real
-    """Derivative of the position entry of F K, alpha + beta."""
-    velocity: Real
-    """Derivative of the velocity entry of F K times the sampling interval, beta."""
 
 
 def predictor_gain_derivatives(
@@ -426,60 +388,42 @@ def predictor_gain_derivatives(
 
 
 def _predictor_gain_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=velocity)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=position)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=position)
-    h_scaled = np.sqrt(t6, out=position)
-    kappa = np.divide(h_scaled, p, out=w0)
-    half_eta = np.multiply(p, h_scaled, out=velocity)
-    t11 = np.add(kappa, 7.401486830834377e-17, out=position)
-    rho_scaled = np.sqrt(t11, out=position)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=position)
-    t16 = np.add(rho, 1.1102230246251565e-16, out=w1)
-    t17 = np.add(kappa, t16, out=w2)
-    t18 = np.multiply(tracking_index, t17, out=w2)
-    t20 = np.divide(6.617444900424222e-24, t18, out=w2)
-    t21 = np.divide(t20, half_eta, out=velocity)
-    t22 = np.multiply(t21, t20, out=velocity)
-    t23 = np.divide(t22, rho, out=velocity)
-    t25 = np.add(kappa, 3.700743415417188e-17, out=w0)
-    t26 = np.multiply(t23, t25, out=w0)
-    t28 = np.multiply(t23, 2.0, out=velocity)
-    np.multiply(t28, t16, out=velocity)
-    np.add(t26, velocity, out=position)
+    p = np.sqrt(tracking_index, velocity)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, position)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, position)
+    h_scaled = np.sqrt(t6, position)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, velocity)
+    t11 = np.add(kappa, 7.401486830834377e-17, position)
+    rho_scaled = np.sqrt(t11, position)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, position)
+    t16 = np.add(rho, 1.1102230246251565e-16, w1)
+    t17 = np.add(kappa, t16, w2)
+    t18 = np.multiply(tracking_index, t17, w2)
+    t20 = np.divide(6.617444900424222e-24, t18, w2)
+    t21 = np.divide(t20, half_eta, velocity)
+    t22 = np.multiply(t21, t20, velocity)
+    t23 = np.divide(t22, rho, velocity)
+    t25 = np.add(kappa, 3.700743415417188e-17, w0)
+    t26 = np.multiply(t23, t25, w0)
+    t28 = np.multiply(t23, 2.0, velocity)
+    np.multiply(t28, t16, velocity)
+    np.add(t26, velocity, position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
     "predictor_gain_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
     3,
     _predictor_gain_derivatives_block,
 )
-
-
-class PredictedCovariance(NamedTuple):
-    """Result of `predicted_covariance`."""
-
-    predicted_11: Real
-    """Variance of the predicted position over sigma_v^2."""
-    predicted_12: Real
-    """Covariance of predicted position and velocity times T/sigma_v^2."""
-    predicted_22: Real
-    """Variance of the predicted velocity times T^2/sigma_v^2."""
 
 
 def predicted_covariance(
@@ -519,62 +463,42 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out))
 
 
-def _predicted_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=predicted_11)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=predicted_12)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=predicted_12)
-    h_scaled = np.sqrt(t6, out=predicted_22)
-    kappa = np.divide(h_scaled, p, out=predicted_22)
-    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t15 = np.add(kappa, 1.850371707708594e-17, out=predicted_11)
-    t17 = np.add(rho, 1.1102230246251565e-16, out=predicted_12)
-    t18 = np.divide(t15, t17, out=predicted_11)
-    t19 = np.multiply(tracking_index, t18, out=predicted_11)
-    t20 = np.multiply(tracking_index, t19, out=w1)
-    t21 = np.add(kappa, t17, out=predicted_22)
-    t22 = np.multiply(tracking_index, t21, out=predicted_22)
-    t24 = np.multiply(t22, 2251799813685248.0, out=predicted_22)
-    t25 = np.multiply(tracking_index, rho, out=w0)
-    t27 = np.multiply(t25, 4503599627370496.0, out=w0)
-    t30 = np.square(tracking_index, out=w2)
-    np.multiply(t24, t27, out=predicted_11)
-    np.multiply(tracking_index, t24, out=predicted_12)
-    np.add(t20, t30, out=predicted_22)
+    p = np.sqrt(tracking_index, predicted_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, predicted_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, predicted_12)
+    h_scaled = np.sqrt(t6, predicted_22)
+    kappa = np.divide(h_scaled, p, predicted_22)
+    t10 = np.add(kappa, 7.401486830834377e-17, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t15 = np.add(kappa, 1.850371707708594e-17, predicted_11)
+    t17 = np.add(rho, 1.1102230246251565e-16, predicted_12)
+    t18 = np.divide(t15, t17, predicted_11)
+    t19 = np.multiply(tracking_index, t18, predicted_11)
+    t20 = np.multiply(tracking_index, t19, w1)
+    t21 = np.add(kappa, t17, predicted_22)
+    t22 = np.multiply(tracking_index, t21, predicted_22)
+    t24 = np.multiply(t22, 2251799813685248.0, predicted_22)
+    t25 = np.multiply(tracking_index, rho, w0)
+    t27 = np.multiply(t25, 4503599627370496.0, w0)
+    t30 = np.square(tracking_index, w2)
+    np.multiply(t24, t27, predicted_11)
+    np.multiply(tracking_index, t24, predicted_12)
+    np.add(t20, t30, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
     3,
     _predicted_covariance_block,
 )
-
-
-class PredictedCovarianceDerivatives(NamedTuple):
-    """Result of `predicted_covariance_derivatives`."""
-
-    predicted_11: Real
-    """Derivative of the variance of the predicted position over sigma_v^2."""
-    predicted_12: Real
-    """Derivative of the covariance of predicted position and velocity times T/sigma_v^2."""
-    predicted_22: Real
-    """Derivative of the variance of the predicted velocity times T^2/sigma_v^2."""
 
 
 def predicted_covariance_derivatives(
@@ -618,76 +542,58 @@ def predicted_covariance_derivatives(
 
 
 def _predicted_covariance_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=predicted_11)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=predicted_12)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=predicted_12)
-    h_scaled = np.sqrt(t6, out=predicted_22)
-    kappa = np.divide(h_scaled, p, out=predicted_22)
-    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t15 = np.add(kappa, 1.850371707708594e-17, out=predicted_11)
-    t17 = np.add(rho, 1.1102230246251565e-16, out=predicted_12)
-    t18 = np.divide(t15, t17, out=predicted_11)
-    t19 = np.multiply(tracking_index, t18, out=w1)
-    t20 = np.multiply(t18, 1.1102230246251565e-16, out=predicted_11)
-    t21 = np.divide(t20, rho, out=predicted_11)
-    t23 = np.add(1.0, t21, out=predicted_11)
-    t24 = np.multiply(t19, t23, out=w1)
-    t26 = np.add(kappa, 2.220446049250313e-16, out=predicted_11)
-    t27 = np.divide(t26, kappa, out=predicted_11)
-    t29 = np.divide(9.25185853854297e-18, rho, out=w2)
-    t30 = np.multiply(t27, t29, out=predicted_11)
-    t31 = np.multiply(tracking_index, t30, out=predicted_11)
-    t32 = np.add(t24, t31, out=w1)
-    t34 = np.add(kappa, 3.700743415417188e-17, out=w2)
-    t35 = np.divide(t34, kappa, out=w2)
-    t36 = np.add(kappa, t17, out=predicted_22)
-    t37 = np.multiply(tracking_index, t36, out=predicted_11)
-    t39 = np.multiply(t37, 2251799813685248.0, out=predicted_12)
-    t40 = np.divide(t36, rho, out=predicted_22)
-    t42 = np.multiply(t40, 0.5, out=predicted_22)
-    t43 = np.multiply(t35, t42, out=predicted_22)
-    t45 = np.divide(1.1102230246251565e-16, rho, out=w0)
-    t46 = np.multiply(t35, t45, out=w2)
-    t47 = np.add(1.0, t46, out=w2)
-    t49 = np.multiply(tracking_index, 2.0, out=w0)
-    np.multiply(t39, t43, out=predicted_11)
-    np.multiply(t39, t47, out=predicted_12)
-    np.add(t32, t49, out=predicted_22)
+    p = np.sqrt(tracking_index, predicted_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, predicted_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, predicted_12)
+    h_scaled = np.sqrt(t6, predicted_22)
+    kappa = np.divide(h_scaled, p, predicted_22)
+    t10 = np.add(kappa, 7.401486830834377e-17, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t15 = np.add(kappa, 1.850371707708594e-17, predicted_11)
+    t17 = np.add(rho, 1.1102230246251565e-16, predicted_12)
+    t18 = np.divide(t15, t17, predicted_11)
+    t19 = np.multiply(tracking_index, t18, w1)
+    t20 = np.multiply(t18, 1.1102230246251565e-16, predicted_11)
+    t21 = np.divide(t20, rho, predicted_11)
+    t23 = np.add(1.0, t21, predicted_11)
+    t24 = np.multiply(t19, t23, w1)
+    t26 = np.add(kappa, 2.220446049250313e-16, predicted_11)
+    t27 = np.divide(t26, kappa, predicted_11)
+    t29 = np.divide(9.25185853854297e-18, rho, w2)
+    t30 = np.multiply(t27, t29, predicted_11)
+    t31 = np.multiply(tracking_index, t30, predicted_11)
+    t32 = np.add(t24, t31, w1)
+    t34 = np.add(kappa, 3.700743415417188e-17, w2)
+    t35 = np.divide(t34, kappa, w2)
+    t36 = np.add(kappa, t17, predicted_22)
+    t37 = np.multiply(tracking_index, t36, predicted_11)
+    t39 = np.multiply(t37, 2251799813685248.0, predicted_12)
+    t40 = np.divide(t36, rho, predicted_22)
+    t42 = np.multiply(t40, 0.5, predicted_22)
+    t43 = np.multiply(t35, t42, predicted_22)
+    t45 = np.divide(1.1102230246251565e-16, rho, w0)
+    t46 = np.multiply(t35, t45, w2)
+    t47 = np.add(1.0, t46, w2)
+    t49 = np.multiply(tracking_index, 2.0, w0)
+    np.multiply(t39, t43, predicted_11)
+    np.multiply(t39, t47, predicted_12)
+    np.add(t32, t49, predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
     3,
     _predicted_covariance_derivatives_block,
 )
-
-
-class UpdatedCovariance(NamedTuple):
-    """Result of `updated_covariance`."""
-
-    updated_11: Real
-    """Variance of the updated position over sigma_v^2."""
-    updated_12: Real
-    """Covariance of updated position and velocity times T/sigma_v^2."""
-    updated_22: Real
-    """Variance of the updated velocity times T^2/sigma_v^2."""
 
 
 def updated_covariance(
@@ -727,57 +633,37 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out))
 
 
-def _updated_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     (w0,) = work
-    p = np.sqrt(tracking_index, out=updated_11)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=updated_12)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=updated_12)
-    h_scaled = np.sqrt(t6, out=updated_22)
-    kappa = np.divide(h_scaled, p, out=updated_22)
-    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t15 = np.add(rho, 1.1102230246251565e-16, out=updated_11)
-    t16 = np.add(kappa, t15, out=updated_12)
-    t18 = np.divide(2.0, t16, out=updated_12)
-    t23 = np.add(kappa, 1.850371707708594e-17, out=updated_22)
-    t24 = np.divide(t23, t15, out=updated_22)
-    t25 = np.multiply(tracking_index, t24, out=updated_22)
-    np.multiply(t18, rho, out=updated_11)
-    np.multiply(t18, 2.220446049250313e-16, out=updated_12)
-    np.multiply(tracking_index, t25, out=updated_22)
+    p = np.sqrt(tracking_index, updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, updated_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, updated_12)
+    h_scaled = np.sqrt(t6, updated_22)
+    kappa = np.divide(h_scaled, p, updated_22)
+    t10 = np.add(kappa, 7.401486830834377e-17, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, updated_11)
+    t16 = np.add(kappa, t15, updated_12)
+    t18 = np.divide(2.0, t16, updated_12)
+    t23 = np.add(kappa, 1.850371707708594e-17, updated_22)
+    t24 = np.divide(t23, t15, updated_22)
+    t25 = np.multiply(tracking_index, t24, updated_22)
+    np.multiply(t18, rho, updated_11)
+    np.multiply(t18, 2.220446049250313e-16, updated_12)
+    np.multiply(tracking_index, t25, updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
     1,
     _updated_covariance_block,
 )
-
-
-class UpdatedCovarianceDerivatives(NamedTuple):
-    """Result of `updated_covariance_derivatives`."""
-
-    updated_11: Real
-    """Derivative of the variance of the updated position over sigma_v^2."""
-    updated_12: Real
-    """Derivative of the covariance of updated position and velocity times T/sigma_v^2."""
-    updated_22: Real
-    """Derivative of the variance of the updated velocity times T^2/sigma_v^2."""
 
 
 def updated_covariance_derivatives(
@@ -820,74 +706,54 @@ def updated_covariance_derivatives(
 
 
 def _updated_covariance_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3, w4 = work
-    p = np.sqrt(tracking_index, out=updated_11)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=updated_12)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=updated_12)
-    h_scaled = np.sqrt(t6, out=updated_22)
-    kappa = np.divide(h_scaled, p, out=w0)
-    half_eta = np.multiply(p, h_scaled, out=updated_11)
-    t11 = np.add(kappa, 7.401486830834377e-17, out=updated_12)
-    rho_scaled = np.sqrt(t11, out=updated_12)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=updated_12)
-    t16 = np.add(rho, 1.1102230246251565e-16, out=updated_22)
-    t17 = np.add(kappa, t16, out=w1)
-    t18 = np.multiply(tracking_index, t17, out=w1)
-    t20 = np.divide(6.617444900424222e-24, t18, out=w1)
-    t21 = np.divide(t20, half_eta, out=updated_11)
-    t22 = np.multiply(t21, t20, out=updated_11)
-    t23 = np.divide(t22, rho, out=updated_11)
-    t25 = np.add(kappa, 3.700743415417188e-17, out=w1)
-    t28 = np.multiply(t23, 2.0, out=w2)
-    t31 = np.add(kappa, 1.850371707708594e-17, out=w3)
-    t32 = np.divide(t31, t16, out=w3)
-    t33 = np.multiply(tracking_index, t32, out=w4)
-    t34 = np.multiply(t32, 1.1102230246251565e-16, out=w3)
-    t35 = np.divide(t34, rho, out=w3)
-    t37 = np.add(1.0, t35, out=w3)
-    t38 = np.multiply(t33, t37, out=w4)
-    t40 = np.add(kappa, 2.220446049250313e-16, out=w3)
-    t41 = np.divide(t40, kappa, out=w3)
-    t43 = np.divide(9.25185853854297e-18, rho, out=updated_12)
-    t44 = np.multiply(t41, t43, out=w3)
-    t45 = np.multiply(tracking_index, t44, out=w3)
-    np.multiply(t23, t25, out=updated_11)
-    np.multiply(t28, t16, out=updated_12)
-    np.add(t38, t45, out=updated_22)
+    p = np.sqrt(tracking_index, updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, updated_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, updated_12)
+    h_scaled = np.sqrt(t6, updated_22)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, updated_11)
+    t11 = np.add(kappa, 7.401486830834377e-17, updated_12)
+    rho_scaled = np.sqrt(t11, updated_12)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, updated_12)
+    t16 = np.add(rho, 1.1102230246251565e-16, updated_22)
+    t17 = np.add(kappa, t16, w1)
+    t18 = np.multiply(tracking_index, t17, w1)
+    t20 = np.divide(6.617444900424222e-24, t18, w1)
+    t21 = np.divide(t20, half_eta, updated_11)
+    t22 = np.multiply(t21, t20, updated_11)
+    t23 = np.divide(t22, rho, updated_11)
+    t25 = np.add(kappa, 3.700743415417188e-17, w1)
+    t28 = np.multiply(t23, 2.0, w2)
+    t31 = np.add(kappa, 1.850371707708594e-17, w3)
+    t32 = np.divide(t31, t16, w3)
+    t33 = np.multiply(tracking_index, t32, w4)
+    t34 = np.multiply(t32, 1.1102230246251565e-16, w3)
+    t35 = np.divide(t34, rho, w3)
+    t37 = np.add(1.0, t35, w3)
+    t38 = np.multiply(t33, t37, w4)
+    t40 = np.add(kappa, 2.220446049250313e-16, w3)
+    t41 = np.divide(t40, kappa, w3)
+    t43 = np.divide(9.25185853854297e-18, rho, updated_12)
+    t44 = np.multiply(t41, t43, w3)
+    t45 = np.multiply(tracking_index, t44, w3)
+    np.multiply(t23, t25, updated_11)
+    np.multiply(t28, t16, updated_12)
+    np.add(t38, t45, updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
     5,
     _updated_covariance_derivatives_block,
 )
-
-
-class ClosedLoopPoles(NamedTuple):
-    """Result of `closed_loop_poles`."""
-
-    first_real: Real
-    """Real part of the first pole."""
-    first_imaginary: Real
-    """Imaginary part of the first pole, not negative."""
-    second_real: Real
-    """Real part of the second pole."""
-    second_imaginary: Real
-    """Imaginary part of the second pole, not positive."""
 
 
 def closed_loop_poles(
@@ -930,53 +796,51 @@ def closed_loop_poles(
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
 
 
-def _closed_loop_poles_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], single: bool
-) -> None:
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
     w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=first_real)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=second_real)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, out=w0)
-    t6 = np.add(t3, t5, out=second_real)
-    h_scaled = np.sqrt(t6, out=first_imaginary)
-    kappa = np.divide(h_scaled, p, out=second_imaginary)
-    t10 = np.add(kappa, 7.401486830834377e-17, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t15 = np.add(rho, 1.1102230246251565e-16, out=first_real)
-    t16 = np.add(kappa, t15, out=first_real)
-    t17 = np.multiply(tracking_index, t16, out=first_real)
-    t19 = np.divide(4.440892098500626e-16, t17, out=first_real)
-    t23 = np.multiply(tracking_index, 0.25, out=first_imaginary)
-    t24 = np.subtract(3.0, t23, out=second_real)
-    distance = np.absolute(t24, out=second_real)
-    below = np.sqrt(distance, out=second_real)
-    t27 = np.add(3.0, t23, out=first_imaginary)
-    above = np.sqrt(t27, out=first_imaginary)
-    t29 = np.add(kappa, 1.1102230246251565e-16, out=second_imaginary)
-    t30 = np.multiply(tracking_index, t29, out=second_imaginary)
-    t33 = np.multiply(tracking_index, 0.5, out=w1)
+    p = np.sqrt(tracking_index, first_real)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, second_real)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, second_real)
+    h_scaled = np.sqrt(t6, first_imaginary)
+    kappa = np.divide(h_scaled, p, second_imaginary)
+    t10 = np.add(kappa, 7.401486830834377e-17, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, first_real)
+    t16 = np.add(kappa, t15, first_real)
+    t17 = np.multiply(tracking_index, t16, first_real)
+    t19 = np.divide(4.440892098500626e-16, t17, first_real)
+    t23 = np.multiply(tracking_index, 0.25, first_imaginary)
+    t24 = np.subtract(3.0, t23, second_real)
+    distance = np.absolute(t24, second_real)
+    below = np.sqrt(distance, second_real)
+    t27 = np.add(3.0, t23, first_imaginary)
+    above = np.sqrt(t27, first_imaginary)
+    t29 = np.add(kappa, 1.1102230246251565e-16, second_imaginary)
+    t30 = np.multiply(tracking_index, t29, second_imaginary)
+    t33 = np.multiply(tracking_index, 0.5, w1)
     rest = -8.914125970704845e-08 if single else 2.168616518103246e-16
-    np.subtract(2.449489742783178, t33, out=w2)
-    t34 = np.add(w2, rest, out=w2)
-    t35 = np.divide(t34, t30, out=w2)
-    t36 = np.add(2.449489742783178, t33, out=w1)
-    t37 = np.multiply(t36, t19, out=w1)
-    t38 = np.multiply(t35, t37, out=w2)
-    t39 = np.multiply(t38, 7.401486830834377e-17, out=w2)
-    t40 = np.divide(below, rho, out=second_real)
-    t41 = np.multiply(above, t19, out=first_imaginary)
-    t42 = np.multiply(t40, t41, out=second_real)
-    t43 = np.multiply(t42, 7.401486830834377e-17, out=w0)
-    middle_size = np.absolute(t39, out=w1)
-    t45 = np.add(middle_size, t43, out=w1)
-    t46 = np.divide(t19, t45, out=first_imaginary)
-    t47 = np.multiply(t46, t19, out=first_imaginary)
-    t49 = np.negative(t45, out=w1)
-    t51 = np.negative(t47, out=first_imaginary)
-    t54 = np.negative(t43, out=second_imaginary)
+    np.subtract(2.449489742783178, t33, w2)
+    t34 = np.add(w2, rest, w2)
+    t35 = np.divide(t34, t30, w2)
+    t36 = np.add(2.449489742783178, t33, w1)
+    t37 = np.multiply(t36, t19, w1)
+    t38 = np.multiply(t35, t37, w2)
+    t39 = np.multiply(t38, 7.401486830834377e-17, w2)
+    t40 = np.divide(below, rho, second_real)
+    t41 = np.multiply(above, t19, first_imaginary)
+    t42 = np.multiply(t40, t41, second_real)
+    t43 = np.multiply(t42, 7.401486830834377e-17, w0)
+    middle_size = np.absolute(t39, w1)
+    t45 = np.add(middle_size, t43, w1)
+    t46 = np.divide(t19, t45, first_imaginary)
+    t47 = np.multiply(t46, t19, first_imaginary)
+    t49 = np.negative(t45, w1)
+    t51 = np.negative(t47, first_imaginary)
+    t54 = np.negative(t43, second_imaginary)
     mask = mask_of(np.less(tracking_index, 12.0), single)
     choose(mask, t39, t49, out=first_real)
     choose(mask, t39, t51, out=second_real)
@@ -986,25 +850,11 @@ def _closed_loop_poles_block(
 
 _CLOSED_LOOP_POLES = Signature(
     "closed_loop_poles",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
     3,
     _closed_loop_poles_block,
 )
-
-
-class IndexFromAlpha(NamedTuple):
-    """Result of `index_from_alpha`."""
-
-    tracking_index: Real
-    """Tracking index Lambda."""
 
 
 def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromAlpha:
@@ -1031,47 +881,31 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out))
 
 
-def _index_from_alpha_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _index_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = np.subtract(1.0, alpha, out=w0)
-    t4 = np.multiply(t2, 4.0, out=w1)
-    t5 = np.square(alpha, out=w2)
-    t7 = np.divide(t5, 3.0, out=tracking_index)
-    t8 = np.add(t4, t7, out=w1)
-    alpha_radical = np.sqrt(t8, out=w1)
-    root_of_rest = np.sqrt(t2, out=w0)
-    t12 = np.multiply(t5, 2.0, out=w2)
-    t13 = np.subtract(2.0, alpha, out=tracking_index)
-    t14 = np.add(t13, alpha_radical, out=tracking_index)
-    t15 = np.divide(t12, t14, out=w2)
-    np.divide(t15, root_of_rest, out=tracking_index)
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(t2, 4.0, w1)
+    t5 = np.square(alpha, w2)
+    t7 = np.divide(t5, 3.0, tracking_index)
+    t8 = np.add(t4, t7, w1)
+    alpha_radical = np.sqrt(t8, w1)
+    root_of_rest = np.sqrt(t2, w0)
+    t12 = np.multiply(t5, 2.0, w2)
+    t13 = np.subtract(2.0, alpha, tracking_index)
+    t14 = np.add(t13, alpha_radical, tracking_index)
+    t15 = np.divide(t12, t14, w2)
+    np.divide(t15, root_of_rest, tracking_index)
 
 
 _INDEX_FROM_ALPHA = Signature(
     "index_from_alpha",
-    (
-        Domain(
-            "alpha",
-            "a number above 0 and below 1",
-            (5e-324, 0.9999999999999999),
-            (1.401298464324817e-45, 0.9999999403953552),
-        ),
-    ),
+    (_ALPHA_DOMAIN,),
     ("tracking_index",),
     3,
     _index_from_alpha_block,
 )
-
-
-class BetaFromAlpha(NamedTuple):
-    """Result of `beta_from_alpha`."""
-
-    beta: Real
-    """Velocity gain times the sampling interval."""
 
 
 def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> BetaFromAlpha:
@@ -1098,45 +932,29 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out))
 
 
-def _beta_from_alpha_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _beta_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = np.subtract(1.0, alpha, out=w0)
-    t4 = np.multiply(t2, 4.0, out=w0)
-    t5 = np.square(alpha, out=w1)
-    t7 = np.divide(t5, 3.0, out=beta)
-    t8 = np.add(t4, t7, out=w0)
-    alpha_radical = np.sqrt(t8, out=w0)
-    t11 = np.multiply(t5, 2.0, out=w1)
-    t12 = np.subtract(2.0, alpha, out=beta)
-    t13 = np.add(t12, alpha_radical, out=beta)
-    np.divide(t11, t13, out=beta)
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(t2, 4.0, w0)
+    t5 = np.square(alpha, w1)
+    t7 = np.divide(t5, 3.0, beta)
+    t8 = np.add(t4, t7, w0)
+    alpha_radical = np.sqrt(t8, w0)
+    t11 = np.multiply(t5, 2.0, w1)
+    t12 = np.subtract(2.0, alpha, beta)
+    t13 = np.add(t12, alpha_radical, beta)
+    np.divide(t11, t13, beta)
 
 
 _BETA_FROM_ALPHA = Signature(
     "beta_from_alpha",
-    (
-        Domain(
-            "alpha",
-            "a number above 0 and below 1",
-            (5e-324, 0.9999999999999999),
-            (1.401298464324817e-45, 0.9999999403953552),
-        ),
-    ),
+    (_ALPHA_DOMAIN,),
     ("beta",),
     2,
     _beta_from_alpha_block,
 )
-
-
-class IndexFromBeta(NamedTuple):
-    """Result of `index_from_beta`."""
-
-    tracking_index: Real
-    """Tracking index Lambda."""
 
 
 def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromBeta:
@@ -1163,53 +981,37 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out))
 
 
-def _index_from_beta_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], single: bool
-) -> None:
+def _index_from_beta_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
     (beta,) = given
     (tracking_index,) = out
     w0, w1 = work
-    t2 = np.divide(beta, 3.0, out=tracking_index)
-    t4 = np.add(8.0, t2, out=tracking_index)
-    t5 = np.multiply(beta, t4, out=tracking_index)
-    beta_radical = np.sqrt(t5, out=tracking_index)
+    t2 = np.divide(beta, 3.0, tracking_index)
+    t4 = np.add(8.0, t2, tracking_index)
+    t5 = np.multiply(beta, t4, tracking_index)
+    beta_radical = np.sqrt(t5, tracking_index)
     rest = -3.1087250107475484e-08 if single else -1.0035084221806903e-16
-    np.subtract(1.2679491924311228, beta, out=w0)
-    t10 = np.add(w0, rest, out=w0)
+    np.subtract(1.2679491924311228, beta, w0)
+    t10 = np.add(w0, rest, w0)
     rest_ = -8.812204299601945e-08 if single else -3.437383676319936e-16
-    np.subtract(4.732050807568878, beta, out=w1)
-    t12 = np.add(w1, rest_, out=w1)
-    t13 = np.multiply(t10, t12, out=w0)
-    t14 = np.multiply(t13, 0.6666666666666666, out=w0)
-    t15 = np.add(2.0, beta, out=w1)
-    t16 = np.add(t15, beta_radical, out=w1)
-    t17 = np.multiply(t16, 2.0, out=w1)
-    t18 = np.divide(t14, t17, out=w0)
-    root_of_rest = np.sqrt(t18, out=w0)
-    np.divide(beta, root_of_rest, out=tracking_index)
+    np.subtract(4.732050807568878, beta, w1)
+    t12 = np.add(w1, rest_, w1)
+    t13 = np.multiply(t10, t12, w0)
+    t14 = np.multiply(t13, 0.6666666666666666, w0)
+    t15 = np.add(2.0, beta, w1)
+    t16 = np.add(t15, beta_radical, w1)
+    t17 = np.multiply(t16, 2.0, w1)
+    t18 = np.divide(t14, t17, w0)
+    root_of_rest = np.sqrt(t18, w0)
+    np.divide(beta, root_of_rest, tracking_index)
 
 
 _INDEX_FROM_BETA = Signature(
     "index_from_beta",
-    (
-        Domain(
-            "beta",
-            "a number above 0 and below 1.2679491924311228",
-            (5e-324, 1.2679491924311226),
-            (1.401298464324817e-45, 1.267949104309082),
-        ),
-    ),
+    (_BETA_DOMAIN,),
     ("tracking_index",),
     2,
     _index_from_beta_block,
 )
-
-
-class AlphaFromBeta(NamedTuple):
-    """Result of `alpha_from_beta`."""
-
-    alpha: Real
-    """Position gain."""
 
 
 def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> AlphaFromBeta:
@@ -1236,36 +1038,27 @@ def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Alpha
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out))
 
 
-def _alpha_from_beta_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _alpha_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = np.multiply(beta, 1.152921504606847e18, out=w0)
-    t4 = np.divide(beta, 3.0, out=alpha)
-    t6 = np.add(8.0, t4, out=alpha)
-    t7 = np.multiply(t2, t6, out=alpha)
-    scaled_beta_radical = np.sqrt(t7, out=alpha)
-    t10 = np.subtract(12.0, beta, out=w1)
-    t12 = np.multiply(t10, 0.6666666666666666, out=w1)
-    t13 = np.multiply(t2, t12, out=w0)
-    t15 = np.multiply(beta, 1073741824.0, out=w1)
-    t16 = np.add(scaled_beta_radical, t15, out=alpha)
-    t18 = np.multiply(t16, 2147483648.0, out=alpha)
-    np.divide(t13, t18, out=alpha)
+    t2 = np.multiply(beta, 1.152921504606847e18, w0)
+    t4 = np.divide(beta, 3.0, alpha)
+    t6 = np.add(8.0, t4, alpha)
+    t7 = np.multiply(t2, t6, alpha)
+    scaled_beta_radical = np.sqrt(t7, alpha)
+    t10 = np.subtract(12.0, beta, w1)
+    t12 = np.multiply(t10, 0.6666666666666666, w1)
+    t13 = np.multiply(t2, t12, w0)
+    t15 = np.multiply(beta, 1073741824.0, w1)
+    t16 = np.add(scaled_beta_radical, t15, alpha)
+    t18 = np.multiply(t16, 2147483648.0, alpha)
+    np.divide(t13, t18, alpha)
 
 
 _ALPHA_FROM_BETA = Signature(
     "alpha_from_beta",
-    (
-        Domain(
-            "beta",
-            "a number above 0 and below 1.2679491924311228",
-            (5e-324, 1.2679491924311226),
-            (1.401298464324817e-45, 1.267949104309082),
-        ),
-    ),
+    (_BETA_DOMAIN,),
     ("alpha",),
     2,
     _alpha_from_beta_block,

@@ -11,13 +11,33 @@ import numpy as np
 from gainproof.generated._runtime import Domain, Signature, evaluate
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike
 
-    from gainproof.generated._runtime import Array, Real
+    from gainproof.generated._runtime import Arrays, Real
 
-__all__ = ["gains", "predicted_covariance", "updated_covariance"]
+__all__ = [
+    "Gains",
+    "PredictedCovariance",
+    "UpdatedCovariance",
+    "gains",
+    "predicted_covariance",
+    "updated_covariance",
+]
+
+_SAMPLE_NUMBER_DOMAIN = Domain(
+    "sample_number",
+    "a whole number at least 1 and at most 9007199254740992",
+    (1.0, 9007199254740992.0),
+    (1.0, 9007199254740992.0),
+    whole=True,
+)
+_SAMPLE_NUMBER_DOMAIN_2 = Domain(
+    "sample_number",
+    "a whole number at least 2 and at most 9007199254740992",
+    (2.0, 9007199254740992.0),
+    (2.0, 9007199254740992.0),
+    whole=True,
+)
 
 
 class Gains(NamedTuple):
@@ -58,33 +78,23 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real, Real] | None = None) -> 
     return Gains(*evaluate(_GAINS, (sample_number,), out))
 
 
-def _gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     alpha, beta = out
     w0, w1, w2 = work
-    t2 = np.multiply(sample_number, 2.0, out=w0)
-    t4 = np.add(t2, 1.0, out=w0)
-    t5 = np.add(sample_number, 1.0, out=w1)
-    t6 = np.add(sample_number, 2.0, out=w2)
-    t7 = np.multiply(t4, 2.0, out=w0)
-    t8 = np.multiply(t5, t6, out=w1)
-    np.divide(t7, t8, out=alpha)
-    np.divide(6.0, t8, out=beta)
+    t2 = np.multiply(sample_number, 2.0, w0)
+    t4 = np.add(t2, 1.0, w0)
+    t5 = np.add(sample_number, 1.0, w1)
+    t6 = np.add(sample_number, 2.0, w2)
+    t7 = np.multiply(t4, 2.0, w0)
+    t8 = np.multiply(t5, t6, w1)
+    np.divide(t7, t8, alpha)
+    np.divide(6.0, t8, beta)
 
 
 _GAINS = Signature(
     "gains",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 1 and at most 9007199254740992",
-            (1.0, 9007199254740992.0),
-            (1.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN,),
     ("alpha", "beta"),
     3,
     _gains_block,
@@ -135,36 +145,26 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
 
 
-def _updated_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2, w3 = work
-    t2 = np.multiply(sample_number, 2.0, out=w0)
-    t4 = np.add(t2, 1.0, out=w0)
-    t5 = np.add(sample_number, 1.0, out=w1)
-    t6 = np.add(sample_number, 2.0, out=w2)
-    t7 = np.multiply(t4, 2.0, out=w0)
-    t8 = np.multiply(t5, t6, out=w3)
-    t13 = np.multiply(sample_number, t5, out=w1)
-    t14 = np.divide(12.0, t13, out=updated_22)
-    np.divide(t7, t8, out=updated_11)
-    np.divide(6.0, t8, out=updated_12)
-    np.divide(t14, t6, out=updated_22)
+    t2 = np.multiply(sample_number, 2.0, w0)
+    t4 = np.add(t2, 1.0, w0)
+    t5 = np.add(sample_number, 1.0, w1)
+    t6 = np.add(sample_number, 2.0, w2)
+    t7 = np.multiply(t4, 2.0, w0)
+    t8 = np.multiply(t5, t6, w3)
+    t13 = np.multiply(sample_number, t5, w1)
+    t14 = np.divide(12.0, t13, updated_22)
+    np.divide(t7, t8, updated_11)
+    np.divide(6.0, t8, updated_12)
+    np.divide(t14, t6, updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 1 and at most 9007199254740992",
-            (1.0, 9007199254740992.0),
-            (1.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
     4,
     _updated_covariance_block,
@@ -215,35 +215,25 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
 
 
-def _predicted_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
-    t2 = np.multiply(sample_number, 2.0, out=w0)
-    t4 = np.add(t2, 1.0, out=w0)
-    t6 = np.add(sample_number, -1.0, out=w1)
-    t7 = np.multiply(t4, 2.0, out=w0)
-    t8 = np.multiply(t6, sample_number, out=w1)
-    t12 = np.add(sample_number, 1.0, out=w2)
-    t14 = np.divide(12.0, t8, out=predicted_22)
-    np.divide(t7, t8, out=predicted_11)
-    np.divide(6.0, t8, out=predicted_12)
-    np.divide(t14, t12, out=predicted_22)
+    t2 = np.multiply(sample_number, 2.0, w0)
+    t4 = np.add(t2, 1.0, w0)
+    t6 = np.add(sample_number, -1.0, w1)
+    t7 = np.multiply(t4, 2.0, w0)
+    t8 = np.multiply(t6, sample_number, w1)
+    t12 = np.add(sample_number, 1.0, w2)
+    t14 = np.divide(12.0, t8, predicted_22)
+    np.divide(t7, t8, predicted_11)
+    np.divide(6.0, t8, predicted_12)
+    np.divide(t14, t12, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 2 and at most 9007199254740992",
-            (2.0, 9007199254740992.0),
-            (2.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN_2,),
     ("predicted_11", "predicted_12", "predicted_22"),
     3,
     _predicted_covariance_block,

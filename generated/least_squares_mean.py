@@ -11,13 +11,33 @@ import numpy as np
 from gainproof.generated._runtime import Domain, Signature, evaluate
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike
 
-    from gainproof.generated._runtime import Array, Real
+    from gainproof.generated._runtime import Arrays, Real
 
-__all__ = ["gains", "predicted_covariance", "updated_covariance"]
+__all__ = [
+    "Gains",
+    "PredictedCovariance",
+    "UpdatedCovariance",
+    "gains",
+    "predicted_covariance",
+    "updated_covariance",
+]
+
+_SAMPLE_NUMBER_DOMAIN = Domain(
+    "sample_number",
+    "a whole number at least 0 and at most 9007199254740992",
+    (0.0, 9007199254740992.0),
+    (0.0, 9007199254740992.0),
+    whole=True,
+)
+_SAMPLE_NUMBER_DOMAIN_2 = Domain(
+    "sample_number",
+    "a whole number at least 1 and at most 9007199254740992",
+    (1.0, 9007199254740992.0),
+    (1.0, 9007199254740992.0),
+    whole=True,
+)
 
 
 class Gains(NamedTuple):
@@ -52,27 +72,17 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None) -> Gains:
     return Gains(*evaluate(_GAINS, (sample_number,), out))
 
 
-def _gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     (alpha,) = out
     (w0,) = work
-    t2 = np.add(sample_number, 1.0, out=w0)
-    np.divide(1.0, t2, out=alpha)
+    t2 = np.add(sample_number, 1.0, w0)
+    np.divide(1.0, t2, alpha)
 
 
 _GAINS = Signature(
     "gains",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 0 and at most 9007199254740992",
-            (0.0, 9007199254740992.0),
-            (0.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN,),
     ("alpha",),
     1,
     _gains_block,
@@ -113,27 +123,17 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
 
 
-def _updated_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     (updated_11,) = out
     (w0,) = work
-    t2 = np.add(sample_number, 1.0, out=w0)
-    np.divide(1.0, t2, out=updated_11)
+    t2 = np.add(sample_number, 1.0, w0)
+    np.divide(1.0, t2, updated_11)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 0 and at most 9007199254740992",
-            (0.0, 9007199254740992.0),
-            (0.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN,),
     ("updated_11",),
     1,
     _updated_covariance_block,
@@ -174,25 +174,15 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
 
 
-def _predicted_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], _work: Sequence[Array], _single: bool
-) -> None:
+def _predicted_covariance_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     (predicted_11,) = out
-    np.divide(1.0, sample_number, out=predicted_11)
+    np.divide(1.0, sample_number, predicted_11)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 1 and at most 9007199254740992",
-            (1.0, 9007199254740992.0),
-            (1.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN_2,),
     ("predicted_11",),
     0,
     _predicted_covariance_block,

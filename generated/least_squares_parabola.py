@@ -11,13 +11,33 @@ import numpy as np
 from gainproof.generated._runtime import Domain, Signature, evaluate
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike
 
-    from gainproof.generated._runtime import Array, Real
+    from gainproof.generated._runtime import Arrays, Real
 
-__all__ = ["gains", "predicted_covariance", "updated_covariance"]
+__all__ = [
+    "Gains",
+    "PredictedCovariance",
+    "UpdatedCovariance",
+    "gains",
+    "predicted_covariance",
+    "updated_covariance",
+]
+
+_SAMPLE_NUMBER_DOMAIN = Domain(
+    "sample_number",
+    "a whole number at least 2 and at most 9007199254740992",
+    (2.0, 9007199254740992.0),
+    (2.0, 9007199254740992.0),
+    whole=True,
+)
+_SAMPLE_NUMBER_DOMAIN_2 = Domain(
+    "sample_number",
+    "a whole number at least 3 and at most 9007199254740992",
+    (3.0, 9007199254740992.0),
+    (3.0, 9007199254740992.0),
+    whole=True,
+)
 
 
 class Gains(NamedTuple):
@@ -64,43 +84,33 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = Non
     return Gains(*evaluate(_GAINS, (sample_number,), out))
 
 
-def _gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     alpha, beta, gamma = out
     w0, w1, w2, w3 = work
-    t2 = np.multiply(sample_number, 3.0, out=w0)
-    t3 = np.add(t2, 3.0, out=w0)
-    t4 = np.multiply(t3, sample_number, out=w0)
-    t6 = np.add(t4, 2.0, out=w0)
-    t8 = np.add(sample_number, 1.0, out=w1)
-    t9 = np.add(sample_number, 2.0, out=w2)
-    t10 = np.add(sample_number, 3.0, out=w3)
-    t11 = np.multiply(t6, 3.0, out=w0)
-    t12 = np.multiply(t8, t9, out=w1)
-    t13 = np.divide(t11, t12, out=alpha)
-    t15 = np.multiply(sample_number, 2.0, out=w0)
-    t16 = np.add(t15, 1.0, out=w0)
-    t18 = np.multiply(t16, 18.0, out=w0)
-    t19 = np.divide(t18, t12, out=beta)
-    t22 = np.divide(60.0, t12, out=gamma)
-    np.divide(t13, t10, out=alpha)
-    np.divide(t19, t10, out=beta)
-    np.divide(t22, t10, out=gamma)
+    t2 = np.multiply(sample_number, 3.0, w0)
+    t3 = np.add(t2, 3.0, w0)
+    t4 = np.multiply(t3, sample_number, w0)
+    t6 = np.add(t4, 2.0, w0)
+    t8 = np.add(sample_number, 1.0, w1)
+    t9 = np.add(sample_number, 2.0, w2)
+    t10 = np.add(sample_number, 3.0, w3)
+    t11 = np.multiply(t6, 3.0, w0)
+    t12 = np.multiply(t8, t9, w1)
+    t13 = np.divide(t11, t12, alpha)
+    t15 = np.multiply(sample_number, 2.0, w0)
+    t16 = np.add(t15, 1.0, w0)
+    t18 = np.multiply(t16, 18.0, w0)
+    t19 = np.divide(t18, t12, beta)
+    t22 = np.divide(60.0, t12, gamma)
+    np.divide(t13, t10, alpha)
+    np.divide(t19, t10, beta)
+    np.divide(t22, t10, gamma)
 
 
 _GAINS = Signature(
     "gains",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 2 and at most 9007199254740992",
-            (2.0, 9007199254740992.0),
-            (2.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN,),
     ("alpha", "beta", "gamma"),
     4,
     _gains_block,
@@ -166,59 +176,49 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
 
 
-def _updated_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
     w0, w1, w2, w3, w4, w5, w6 = work
-    t2 = np.multiply(sample_number, 3.0, out=w0)
-    t3 = np.add(t2, 3.0, out=w0)
-    t4 = np.multiply(t3, sample_number, out=w0)
-    t6 = np.add(t4, 2.0, out=w0)
-    t8 = np.add(sample_number, 1.0, out=w1)
-    t9 = np.add(sample_number, 2.0, out=w2)
-    t10 = np.add(sample_number, 3.0, out=w3)
-    t11 = np.multiply(t6, 3.0, out=w0)
-    t12 = np.multiply(t8, t9, out=w4)
-    t13 = np.divide(t11, t12, out=updated_11)
-    t15 = np.multiply(sample_number, 2.0, out=w0)
-    t16 = np.add(t15, 1.0, out=w0)
-    t18 = np.multiply(t16, 18.0, out=w5)
-    t19 = np.divide(t18, t12, out=updated_12)
-    t22 = np.divide(60.0, t12, out=updated_13)
-    t25 = np.multiply(sample_number, 8.0, out=w5)
-    t27 = np.add(t25, -3.0, out=w5)
-    t29 = np.add(sample_number, -1.0, out=w6)
-    t31 = np.multiply(t16, t27, out=w0)
-    t32 = np.multiply(t31, 12.0, out=w0)
-    t33 = np.multiply(t29, sample_number, out=w5)
-    t34 = np.divide(t32, t33, out=updated_22)
-    t35 = np.divide(t34, t12, out=updated_23)
-    t38 = np.multiply(t29, t8, out=w6)
-    t39 = np.divide(360.0, t38, out=updated_33)
-    t40 = np.multiply(t9, t10, out=w2)
-    t43 = np.divide(720.0, t33, out=w5)
-    t44 = np.divide(t43, t12, out=w5)
-    np.divide(t13, t10, out=updated_11)
-    np.divide(t19, t10, out=updated_12)
-    np.divide(t22, t10, out=updated_13)
-    np.divide(t35, t10, out=updated_22)
-    np.divide(t39, t40, out=updated_23)
-    np.divide(t44, t10, out=updated_33)
+    t2 = np.multiply(sample_number, 3.0, w0)
+    t3 = np.add(t2, 3.0, w0)
+    t4 = np.multiply(t3, sample_number, w0)
+    t6 = np.add(t4, 2.0, w0)
+    t8 = np.add(sample_number, 1.0, w1)
+    t9 = np.add(sample_number, 2.0, w2)
+    t10 = np.add(sample_number, 3.0, w3)
+    t11 = np.multiply(t6, 3.0, w0)
+    t12 = np.multiply(t8, t9, w4)
+    t13 = np.divide(t11, t12, updated_11)
+    t15 = np.multiply(sample_number, 2.0, w0)
+    t16 = np.add(t15, 1.0, w0)
+    t18 = np.multiply(t16, 18.0, w5)
+    t19 = np.divide(t18, t12, updated_12)
+    t22 = np.divide(60.0, t12, updated_13)
+    t25 = np.multiply(sample_number, 8.0, w5)
+    t27 = np.add(t25, -3.0, w5)
+    t29 = np.add(sample_number, -1.0, w6)
+    t31 = np.multiply(t16, t27, w0)
+    t32 = np.multiply(t31, 12.0, w0)
+    t33 = np.multiply(t29, sample_number, w5)
+    t34 = np.divide(t32, t33, updated_22)
+    t35 = np.divide(t34, t12, updated_23)
+    t38 = np.multiply(t29, t8, w6)
+    t39 = np.divide(360.0, t38, updated_33)
+    t40 = np.multiply(t9, t10, w2)
+    t43 = np.divide(720.0, t33, w5)
+    t44 = np.divide(t43, t12, w5)
+    np.divide(t13, t10, updated_11)
+    np.divide(t19, t10, updated_12)
+    np.divide(t22, t10, updated_13)
+    np.divide(t35, t10, updated_22)
+    np.divide(t39, t40, updated_23)
+    np.divide(t44, t10, updated_33)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 2 and at most 9007199254740992",
-            (2.0, 9007199254740992.0),
-            (2.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     7,
     _updated_covariance_block,
@@ -286,58 +286,48 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
 
 
-def _predicted_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (sample_number,) = given
     predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
     w0, w1, w2, w3, w4 = work
-    t2 = np.multiply(sample_number, 3.0, out=w0)
-    t3 = np.add(t2, 3.0, out=w0)
-    t4 = np.multiply(t3, sample_number, out=w0)
-    t6 = np.add(t4, 2.0, out=w0)
-    t8 = np.add(sample_number, -2.0, out=w1)
-    t11 = np.add(sample_number, -1.0, out=w2)
-    t12 = np.multiply(t6, 3.0, out=w0)
-    t13 = np.multiply(t8, t11, out=w1)
-    t14 = np.divide(t12, t13, out=predicted_11)
-    t16 = np.multiply(sample_number, 2.0, out=w0)
-    t17 = np.add(t16, 1.0, out=w0)
-    t19 = np.multiply(t17, 18.0, out=w2)
-    t20 = np.divide(t19, t13, out=predicted_12)
-    t23 = np.divide(60.0, t13, out=predicted_13)
-    t26 = np.multiply(sample_number, 8.0, out=w2)
-    t28 = np.add(t26, 11.0, out=w2)
-    t29 = np.add(sample_number, 1.0, out=w3)
-    t30 = np.add(sample_number, 2.0, out=w4)
-    t32 = np.multiply(t17, t28, out=w0)
-    t33 = np.multiply(t32, 12.0, out=w0)
-    t34 = np.divide(t33, t13, out=predicted_22)
-    t35 = np.multiply(sample_number, t29, out=w3)
-    t36 = np.divide(t34, t35, out=predicted_23)
-    t39 = np.divide(360.0, t13, out=predicted_33)
-    t40 = np.multiply(sample_number, t30, out=w0)
-    t43 = np.divide(720.0, t13, out=w1)
-    t44 = np.divide(t43, t35, out=w1)
-    np.divide(t14, sample_number, out=predicted_11)
-    np.divide(t20, sample_number, out=predicted_12)
-    np.divide(t23, sample_number, out=predicted_13)
-    np.divide(t36, t30, out=predicted_22)
-    np.divide(t39, t40, out=predicted_23)
-    np.divide(t44, t30, out=predicted_33)
+    t2 = np.multiply(sample_number, 3.0, w0)
+    t3 = np.add(t2, 3.0, w0)
+    t4 = np.multiply(t3, sample_number, w0)
+    t6 = np.add(t4, 2.0, w0)
+    t8 = np.add(sample_number, -2.0, w1)
+    t11 = np.add(sample_number, -1.0, w2)
+    t12 = np.multiply(t6, 3.0, w0)
+    t13 = np.multiply(t8, t11, w1)
+    t14 = np.divide(t12, t13, predicted_11)
+    t16 = np.multiply(sample_number, 2.0, w0)
+    t17 = np.add(t16, 1.0, w0)
+    t19 = np.multiply(t17, 18.0, w2)
+    t20 = np.divide(t19, t13, predicted_12)
+    t23 = np.divide(60.0, t13, predicted_13)
+    t26 = np.multiply(sample_number, 8.0, w2)
+    t28 = np.add(t26, 11.0, w2)
+    t29 = np.add(sample_number, 1.0, w3)
+    t30 = np.add(sample_number, 2.0, w4)
+    t32 = np.multiply(t17, t28, w0)
+    t33 = np.multiply(t32, 12.0, w0)
+    t34 = np.divide(t33, t13, predicted_22)
+    t35 = np.multiply(sample_number, t29, w3)
+    t36 = np.divide(t34, t35, predicted_23)
+    t39 = np.divide(360.0, t13, predicted_33)
+    t40 = np.multiply(sample_number, t30, w0)
+    t43 = np.divide(720.0, t13, w1)
+    t44 = np.divide(t43, t35, w1)
+    np.divide(t14, sample_number, predicted_11)
+    np.divide(t20, sample_number, predicted_12)
+    np.divide(t23, sample_number, predicted_13)
+    np.divide(t36, t30, predicted_22)
+    np.divide(t39, t40, predicted_23)
+    np.divide(t44, t30, predicted_33)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (
-        Domain(
-            "sample_number",
-            "a whole number at least 3 and at most 9007199254740992",
-            (3.0, 9007199254740992.0),
-            (3.0, 9007199254740992.0),
-            whole=True,
-        ),
-    ),
+    (_SAMPLE_NUMBER_DOMAIN_2,),
     (
         "predicted_11",
         "predicted_12",

@@ -4,20 +4,48 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from gainproof.generated._runtime import Domain, Signature, choose, evaluate, mask_of
+from gainproof.generated._two_state_results import (
+    AlphaFromBeta,
+    BetaFromAlpha,
+    ClosedLoopPoles,
+    GainDerivatives,
+    Gains,
+    GainsWithDerivatives,
+    IndexFromAlpha,
+    IndexFromBeta,
+    PredictedCovariance,
+    PredictedCovarianceDerivatives,
+    PredictorGainDerivatives,
+    PredictorGains,
+    UpdatedCovariance,
+    UpdatedCovarianceDerivatives,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike
 
-    from gainproof.generated._runtime import Array, Real
+    from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "AlphaFromBeta",
+    "BetaFromAlpha",
+    "ClosedLoopPoles",
+    "GainDerivatives",
+    "Gains",
+    "GainsWithDerivatives",
+    "IndexFromAlpha",
+    "IndexFromBeta",
+    "PredictedCovariance",
+    "PredictedCovarianceDerivatives",
+    "PredictorGainDerivatives",
+    "PredictorGains",
+    "UpdatedCovariance",
+    "UpdatedCovarianceDerivatives",
     "alpha_from_beta",
     "beta_from_alpha",
     "closed_loop_poles",
@@ -34,14 +62,24 @@ __all__ = [
     "updated_covariance_derivatives",
 ]
 
-
-class Gains(NamedTuple):
-    """Result of `gains`."""
-
-    alpha: Real
-    """Position gain."""
-    beta: Real
-    """Velocity gain times the sampling interval."""
+_TRACKING_INDEX_DOMAIN = Domain(
+    "tracking_index",
+    "a number above 0 and finite",
+    (5e-324, 1.7976931348623157e308),
+    (1.401298464324817e-45, 3.4028234663852886e38),
+)
+_ALPHA_DOMAIN = Domain(
+    "alpha",
+    "a number above 0 and below 1",
+    (5e-324, 0.9999999999999999),
+    (1.401298464324817e-45, 0.9999999403953552),
+)
+_BETA_DOMAIN = Domain(
+    "beta",
+    "a number above 0 and below 2",
+    (5e-324, 1.9999999999999998),
+    (1.401298464324817e-45, 1.9999998807907104),
+)
 
 
 def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
@@ -76,46 +114,28 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     return Gains(*evaluate(_GAINS, (tracking_index,), out))
 
 
-def _gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
     (w0,) = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=alpha)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=alpha)
-    rho_scaled = np.sqrt(t4, out=beta)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=beta)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=alpha)
-    t10 = np.square(t9, out=alpha)
-    t12 = np.divide(2.220446049250313e-16, t10, out=w0)
-    np.multiply(t12, twice_rho, out=alpha)
-    np.multiply(t12, 1.1102230246251565e-16, out=beta)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, alpha)
+    t4 = np.add(kappa, 1.3877787807814457e-17, alpha)
+    rho_scaled = np.sqrt(t4, beta)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, beta)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, alpha)
+    t10 = np.square(t9, alpha)
+    t12 = np.divide(2.220446049250313e-16, t10, w0)
+    np.multiply(t12, twice_rho, alpha)
+    np.multiply(t12, 1.1102230246251565e-16, beta)
 
 
 _GAINS = Signature(
     "gains",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     1,
     _gains_block,
 )
-
-
-class GainDerivatives(NamedTuple):
-    """Result of `gain_derivatives`."""
-
-    alpha: Real
-    """Derivative of the position gain."""
-    beta: Real
-    """Derivative of the velocity gain times the sampling interval."""
 
 
 def gain_derivatives(
@@ -152,53 +172,31 @@ def gain_derivatives(
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out))
 
 
-def _gain_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1 = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=alpha)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
-    rho_scaled = np.sqrt(t4, out=beta)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=beta)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
-    t10 = np.square(t9, out=w1)
-    t11 = np.multiply(tracking_index, t10, out=w1)
-    t13 = np.divide(2.465190328815662e-32, t11, out=w1)
-    t14 = np.square(t13, out=w1)
-    t15 = np.divide(t14, twice_rho, out=w1)
-    np.multiply(t15, kappa, out=alpha)
-    np.multiply(t15, t9, out=beta)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, alpha)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, beta)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, beta)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, w0)
+    t10 = np.square(t9, w1)
+    t11 = np.multiply(tracking_index, t10, w1)
+    t13 = np.divide(2.465190328815662e-32, t11, w1)
+    t14 = np.square(t13, w1)
+    t15 = np.divide(t14, twice_rho, w1)
+    np.multiply(t15, kappa, alpha)
+    np.multiply(t15, t9, beta)
 
 
 _GAIN_DERIVATIVES = Signature(
     "gain_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     2,
     _gain_derivatives_block,
 )
-
-
-class GainsWithDerivatives(NamedTuple):
-    """Result of `gains_with_derivatives`."""
-
-    alpha: Real
-    """Position gain."""
-    beta: Real
-    """Velocity gain times the sampling interval."""
-    d_alpha: Real
-    """Derivative of the position gain."""
-    d_beta: Real
-    """Derivative of the velocity gain times the sampling interval."""
 
 
 def gains_with_derivatives(
@@ -240,52 +238,34 @@ def gains_with_derivatives(
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out))
 
 
-def _gains_with_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1 = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=d_alpha)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
-    rho_scaled = np.sqrt(t4, out=alpha)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=alpha)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
-    t10 = np.square(t9, out=w1)
-    t12 = np.divide(2.220446049250313e-16, t10, out=beta)
-    t15 = np.multiply(tracking_index, t10, out=w1)
-    t17 = np.divide(2.465190328815662e-32, t15, out=d_beta)
-    t18 = np.square(t17, out=d_beta)
-    t19 = np.divide(t18, twice_rho, out=d_beta)
-    np.multiply(t12, twice_rho, out=alpha)
-    np.multiply(t12, 1.1102230246251565e-16, out=beta)
-    np.multiply(t19, kappa, out=d_alpha)
-    np.multiply(t19, t9, out=d_beta)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, d_alpha)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, alpha)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, alpha)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, w0)
+    t10 = np.square(t9, w1)
+    t12 = np.divide(2.220446049250313e-16, t10, beta)
+    t15 = np.multiply(tracking_index, t10, w1)
+    t17 = np.divide(2.465190328815662e-32, t15, d_beta)
+    t18 = np.square(t17, d_beta)
+    t19 = np.divide(t18, twice_rho, d_beta)
+    np.multiply(t12, twice_rho, alpha)
+    np.multiply(t12, 1.1102230246251565e-16, beta)
+    np.multiply(t19, kappa, d_alpha)
+    np.multiply(t19, t9, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
     2,
     _gains_with_derivatives_block,
 )
-
-
-class PredictorGains(NamedTuple):
-    """Result of `predictor_gains`."""
-
-    position: Real
-    """Position entry of F K, alpha + beta."""
-    velocity: Real
-    """Velocity entry of F K times the sampling interval, beta."""
 
 
 def predictor_gains(
@@ -321,47 +301,29 @@ def predictor_gains(
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out))
 
 
-def _predictor_gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     position, velocity = out
     (w0,) = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=velocity)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=velocity)
-    rho_scaled = np.sqrt(t4, out=position)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=position)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=velocity)
-    t10 = np.square(t9, out=velocity)
-    t12 = np.divide(2.220446049250313e-16, t10, out=w0)
-    t14 = np.add(twice_rho, 1.1102230246251565e-16, out=position)
-    np.multiply(t12, 1.1102230246251565e-16, out=velocity)
-    np.multiply(t12, t14, out=position)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, velocity)
+    t4 = np.add(kappa, 1.3877787807814457e-17, velocity)
+    rho_scaled = np.sqrt(t4, position)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, position)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, velocity)
+    t10 = np.square(t9, velocity)
+    t12 = np.divide(2.220446049250313e-16, t10, w0)
+    t14 = np.add(twice_rho, 1.1102230246251565e-16, position)
+    np.multiply(t12, 1.1102230246251565e-16, velocity)
+    np.multiply(t12, t14, position)
 
 
 _PREDICTOR_GAINS = Signature(
     "predictor_gains",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
     1,
     _predictor_gains_block,
 )
-
-
-class PredictorGainDerivatives(NamedTuple):
-    """Result of `predictor_gain_derivatives`."""
-
-    position: Real
-    """Derivative of the position entry of F K, alpha + beta."""
-    velocity: Real
-    """Derivative of the velocity entry of F K times the sampling interval, beta."""
 
 
 def predictor_gain_derivatives(
@@ -398,51 +360,33 @@ def predictor_gain_derivatives(
 
 
 def _predictor_gain_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1 = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=velocity)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
-    rho_scaled = np.sqrt(t4, out=position)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=position)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
-    t10 = np.square(t9, out=w1)
-    t11 = np.multiply(tracking_index, t10, out=w1)
-    t13 = np.divide(2.465190328815662e-32, t11, out=w1)
-    t14 = np.square(t13, out=w1)
-    t15 = np.divide(t14, twice_rho, out=w1)
-    t16 = np.multiply(t15, kappa, out=position)
-    np.multiply(t15, t9, out=velocity)
-    np.add(t16, velocity, out=position)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, velocity)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, position)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, position)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, w0)
+    t10 = np.square(t9, w1)
+    t11 = np.multiply(tracking_index, t10, w1)
+    t13 = np.divide(2.465190328815662e-32, t11, w1)
+    t14 = np.square(t13, w1)
+    t15 = np.divide(t14, twice_rho, w1)
+    t16 = np.multiply(t15, kappa, position)
+    np.multiply(t15, t9, velocity)
+    np.add(t16, velocity, position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
     "predictor_gain_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
     2,
     _predictor_gain_derivatives_block,
 )
-
-
-class PredictedCovariance(NamedTuple):
-    """Result of `predicted_covariance`."""
-
-    predicted_11: Real
-    """Variance of the predicted position over sigma_v^2."""
-    predicted_12: Real
-    """Covariance of predicted position and velocity times T/sigma_v^2."""
-    predicted_22: Real
-    """Variance of the predicted velocity times T^2/sigma_v^2."""
 
 
 def predicted_covariance(
@@ -482,55 +426,35 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out))
 
 
-def _predicted_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1 = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=predicted_11)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=predicted_11)
-    rho_scaled = np.sqrt(t4, out=predicted_12)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=predicted_12)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=predicted_11)
-    t11 = np.divide(2.220446049250313e-16, t9, out=predicted_22)
-    t12 = np.multiply(tracking_index, t11, out=predicted_22)
-    t13 = np.square(t9, out=predicted_11)
-    t14 = np.multiply(tracking_index, t13, out=predicted_11)
-    t16 = np.multiply(t14, 4.056481920730334e31, out=w0)
-    t17 = np.multiply(tracking_index, twice_rho, out=predicted_12)
-    t19 = np.multiply(t17, 9007199254740992.0, out=predicted_12)
-    t22 = np.square(tracking_index, out=w1)
-    np.multiply(t16, t19, out=predicted_11)
-    np.multiply(tracking_index, t16, out=predicted_12)
-    np.add(t12, t22, out=predicted_22)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, predicted_11)
+    t4 = np.add(kappa, 1.3877787807814457e-17, predicted_11)
+    rho_scaled = np.sqrt(t4, predicted_12)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, predicted_12)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, predicted_11)
+    t11 = np.divide(2.220446049250313e-16, t9, predicted_22)
+    t12 = np.multiply(tracking_index, t11, predicted_22)
+    t13 = np.square(t9, predicted_11)
+    t14 = np.multiply(tracking_index, t13, predicted_11)
+    t16 = np.multiply(t14, 4.056481920730334e31, w0)
+    t17 = np.multiply(tracking_index, twice_rho, predicted_12)
+    t19 = np.multiply(t17, 9007199254740992.0, predicted_12)
+    t22 = np.square(tracking_index, w1)
+    np.multiply(t16, t19, predicted_11)
+    np.multiply(tracking_index, t16, predicted_12)
+    np.add(t12, t22, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
     2,
     _predicted_covariance_block,
 )
-
-
-class PredictedCovarianceDerivatives(NamedTuple):
-    """Result of `predicted_covariance_derivatives`."""
-
-    predicted_11: Real
-    """Derivative of the variance of the predicted position over sigma_v^2."""
-    predicted_12: Real
-    """Derivative of the covariance of predicted position and velocity times T/sigma_v^2."""
-    predicted_22: Real
-    """Derivative of the variance of the predicted velocity times T^2/sigma_v^2."""
 
 
 def predicted_covariance_derivatives(
@@ -574,58 +498,40 @@ def predicted_covariance_derivatives(
 
 
 def _predicted_covariance_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1 = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=predicted_12)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
-    rho_scaled = np.sqrt(t4, out=predicted_11)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=predicted_11)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
-    t11 = np.divide(2.220446049250313e-16, t9, out=predicted_22)
-    t12 = np.divide(kappa, t9, out=predicted_12)
-    t13 = np.divide(1.1102230246251565e-16, twice_rho, out=w1)
-    t14 = np.multiply(t12, t13, out=predicted_12)
-    t16 = np.add(1.0, t14, out=predicted_12)
-    t17 = np.multiply(t11, t16, out=predicted_22)
-    t18 = np.square(t9, out=w1)
-    t19 = np.multiply(tracking_index, t18, out=w1)
-    t21 = np.multiply(t19, 4.056481920730334e31, out=w1)
-    t22 = np.divide(t9, twice_rho, out=predicted_11)
-    np.multiply(t21, t22, out=predicted_12)
-    t25 = np.multiply(t9, 4503599627370496.0, out=w0)
-    t28 = np.multiply(tracking_index, 2.0, out=w1)
-    np.multiply(predicted_12, t25, out=predicted_11)
-    np.add(t17, t28, out=predicted_22)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, predicted_12)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, predicted_11)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, predicted_11)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, w0)
+    t11 = np.divide(2.220446049250313e-16, t9, predicted_22)
+    t12 = np.divide(kappa, t9, predicted_12)
+    t13 = np.divide(1.1102230246251565e-16, twice_rho, w1)
+    t14 = np.multiply(t12, t13, predicted_12)
+    t16 = np.add(1.0, t14, predicted_12)
+    t17 = np.multiply(t11, t16, predicted_22)
+    t18 = np.square(t9, w1)
+    t19 = np.multiply(tracking_index, t18, w1)
+    t21 = np.multiply(t19, 4.056481920730334e31, w1)
+    t22 = np.divide(t9, twice_rho, predicted_11)
+    np.multiply(t21, t22, predicted_12)
+    t25 = np.multiply(t9, 4503599627370496.0, w0)
+    t28 = np.multiply(tracking_index, 2.0, w1)
+    np.multiply(predicted_12, t25, predicted_11)
+    np.add(t17, t28, predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
     2,
     _predicted_covariance_derivatives_block,
 )
-
-
-class UpdatedCovariance(NamedTuple):
-    """Result of `updated_covariance`."""
-
-    updated_11: Real
-    """Variance of the updated position over sigma_v^2."""
-    updated_12: Real
-    """Covariance of updated position and velocity times T/sigma_v^2."""
-    updated_22: Real
-    """Variance of the updated velocity times T^2/sigma_v^2."""
 
 
 def updated_covariance(
@@ -665,50 +571,30 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out))
 
 
-def _updated_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     (w0,) = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=updated_11)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=updated_11)
-    rho_scaled = np.sqrt(t4, out=updated_12)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=updated_12)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=updated_11)
-    t10 = np.square(t9, out=w0)
-    t12 = np.divide(2.220446049250313e-16, t10, out=updated_22)
-    t15 = np.divide(2.220446049250313e-16, t9, out=w0)
-    np.multiply(t12, twice_rho, out=updated_11)
-    np.multiply(t12, 1.1102230246251565e-16, out=updated_12)
-    np.multiply(tracking_index, t15, out=updated_22)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, updated_11)
+    t4 = np.add(kappa, 1.3877787807814457e-17, updated_11)
+    rho_scaled = np.sqrt(t4, updated_12)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, updated_12)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, updated_11)
+    t10 = np.square(t9, w0)
+    t12 = np.divide(2.220446049250313e-16, t10, updated_22)
+    t15 = np.divide(2.220446049250313e-16, t9, w0)
+    np.multiply(t12, twice_rho, updated_11)
+    np.multiply(t12, 1.1102230246251565e-16, updated_12)
+    np.multiply(tracking_index, t15, updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
     1,
     _updated_covariance_block,
 )
-
-
-class UpdatedCovarianceDerivatives(NamedTuple):
-    """Result of `updated_covariance_derivatives`."""
-
-    updated_11: Real
-    """Derivative of the variance of the updated position over sigma_v^2."""
-    updated_12: Real
-    """Derivative of the covariance of updated position and velocity times T/sigma_v^2."""
-    updated_22: Real
-    """Derivative of the variance of the updated velocity times T^2/sigma_v^2."""
 
 
 def updated_covariance_derivatives(
@@ -751,58 +637,38 @@ def updated_covariance_derivatives(
 
 
 def _updated_covariance_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2 = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=updated_11)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
-    rho_scaled = np.sqrt(t4, out=updated_12)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=updated_12)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, out=w0)
-    t10 = np.square(t9, out=w1)
-    t11 = np.multiply(tracking_index, t10, out=w1)
-    t13 = np.divide(2.465190328815662e-32, t11, out=updated_22)
-    t14 = np.square(t13, out=updated_22)
-    t15 = np.divide(t14, twice_rho, out=updated_22)
-    t19 = np.divide(2.220446049250313e-16, t9, out=w1)
-    t20 = np.divide(kappa, t9, out=w2)
-    t21 = np.divide(1.1102230246251565e-16, twice_rho, out=updated_12)
-    t22 = np.multiply(t20, t21, out=w2)
-    t24 = np.add(1.0, t22, out=w2)
-    np.multiply(t15, kappa, out=updated_11)
-    np.multiply(t15, t9, out=updated_12)
-    np.multiply(t19, t24, out=updated_22)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, updated_11)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, updated_12)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, updated_12)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, w0)
+    t10 = np.square(t9, w1)
+    t11 = np.multiply(tracking_index, t10, w1)
+    t13 = np.divide(2.465190328815662e-32, t11, updated_22)
+    t14 = np.square(t13, updated_22)
+    t15 = np.divide(t14, twice_rho, updated_22)
+    t19 = np.divide(2.220446049250313e-16, t9, w1)
+    t20 = np.divide(kappa, t9, w2)
+    t21 = np.divide(1.1102230246251565e-16, twice_rho, updated_12)
+    t22 = np.multiply(t20, t21, w2)
+    t24 = np.add(1.0, t22, w2)
+    np.multiply(t15, kappa, updated_11)
+    np.multiply(t15, t9, updated_12)
+    np.multiply(t19, t24, updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
     3,
     _updated_covariance_derivatives_block,
 )
-
-
-class ClosedLoopPoles(NamedTuple):
-    """Result of `closed_loop_poles`."""
-
-    first_real: Real
-    """Real part of the first pole."""
-    first_imaginary: Real
-    """Imaginary part of the first pole, not negative."""
-    second_real: Real
-    """Real part of the second pole."""
-    second_imaginary: Real
-    """Imaginary part of the second pole, not positive."""
 
 
 def closed_loop_poles(
@@ -845,47 +711,45 @@ def closed_loop_poles(
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
 
 
-def _closed_loop_poles_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], single: bool
-) -> None:
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
     w0, w1, w2, w3 = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, out=first_real)
-    t4 = np.add(kappa, 1.3877787807814457e-17, out=w0)
-    rho_scaled = np.sqrt(t4, out=second_real)
-    rho = np.multiply(rho_scaled, 7.450580596923828e-09, out=w0)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=second_real)
-    t11 = np.add(twice_rho, 5.551115123125783e-17, out=second_real)
-    t12 = np.square(t11, out=second_real)
-    t13 = np.multiply(tracking_index, t12, out=second_real)
-    t15 = np.divide(2.465190328815662e-32, t13, out=first_imaginary)
-    t19 = np.multiply(tracking_index, 0.25, out=second_real)
-    t20 = np.subtract(2.0, t19, out=w1)
-    distance = np.absolute(t20, out=w1)
-    below = np.sqrt(distance, out=second_imaginary)
-    t23 = np.add(2.0, t19, out=second_real)
-    above = np.sqrt(t23, out=second_real)
-    t26 = np.add(kappa, 2.7755575615628914e-17, out=first_real)
-    t27 = np.multiply(tracking_index, t26, out=first_real)
-    t28 = np.multiply(tracking_index, 0.5, out=w1)
-    t29 = np.subtract(2.0, t28, out=w2)
-    t30 = np.divide(t29, t27, out=w2)
-    t31 = np.add(2.0, t28, out=w1)
-    t32 = np.multiply(t31, t15, out=w1)
-    t33 = np.multiply(t30, t32, out=w2)
-    t34 = np.multiply(t33, 2.7755575615628914e-17, out=w2)
-    t35 = np.divide(below, rho, out=second_imaginary)
-    t36 = np.multiply(above, t15, out=second_real)
-    t37 = np.multiply(t35, t36, out=second_imaginary)
-    t38 = np.multiply(t37, 2.7755575615628914e-17, out=second_imaginary)
-    middle_size = np.absolute(t34, out=w0)
-    t40 = np.add(middle_size, t38, out=w0)
-    t41 = np.divide(t15, t40, out=w1)
-    t42 = np.multiply(t41, t15, out=w1)
-    t44 = np.negative(t40, out=w0)
-    t46 = np.negative(t42, out=w1)
-    t49 = np.negative(t38, out=w3)
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, first_real)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, second_real)
+    rho = np.multiply(rho_scaled, 7.450580596923828e-09, w0)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, second_real)
+    t11 = np.add(twice_rho, 5.551115123125783e-17, second_real)
+    t12 = np.square(t11, second_real)
+    t13 = np.multiply(tracking_index, t12, second_real)
+    t15 = np.divide(2.465190328815662e-32, t13, first_imaginary)
+    t19 = np.multiply(tracking_index, 0.25, second_real)
+    t20 = np.subtract(2.0, t19, w1)
+    distance = np.absolute(t20, w1)
+    below = np.sqrt(distance, second_imaginary)
+    t23 = np.add(2.0, t19, second_real)
+    above = np.sqrt(t23, second_real)
+    t26 = np.add(kappa, 2.7755575615628914e-17, first_real)
+    t27 = np.multiply(tracking_index, t26, first_real)
+    t28 = np.multiply(tracking_index, 0.5, w1)
+    t29 = np.subtract(2.0, t28, w2)
+    t30 = np.divide(t29, t27, w2)
+    t31 = np.add(2.0, t28, w1)
+    t32 = np.multiply(t31, t15, w1)
+    t33 = np.multiply(t30, t32, w2)
+    t34 = np.multiply(t33, 2.7755575615628914e-17, w2)
+    t35 = np.divide(below, rho, second_imaginary)
+    t36 = np.multiply(above, t15, second_real)
+    t37 = np.multiply(t35, t36, second_imaginary)
+    t38 = np.multiply(t37, 2.7755575615628914e-17, second_imaginary)
+    middle_size = np.absolute(t34, w0)
+    t40 = np.add(middle_size, t38, w0)
+    t41 = np.divide(t15, t40, w1)
+    t42 = np.multiply(t41, t15, w1)
+    t44 = np.negative(t40, w0)
+    t46 = np.negative(t42, w1)
+    t49 = np.negative(t38, w3)
     mask = mask_of(np.less(tracking_index, 8.0), single)
     choose(mask, t34, t44, out=first_real)
     choose(mask, t34, t46, out=second_real)
@@ -895,25 +759,11 @@ def _closed_loop_poles_block(
 
 _CLOSED_LOOP_POLES = Signature(
     "closed_loop_poles",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
     4,
     _closed_loop_poles_block,
 )
-
-
-class IndexFromAlpha(NamedTuple):
-    """Result of `index_from_alpha`."""
-
-    tracking_index: Real
-    """Tracking index Lambda."""
 
 
 def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromAlpha:
@@ -940,45 +790,29 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out))
 
 
-def _index_from_alpha_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _index_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = np.subtract(1.0, alpha, out=w0)
-    t4 = np.multiply(t2, 4.0, out=w1)
-    alpha_radical = np.sqrt(t4, out=tracking_index)
-    root_of_rest = np.sqrt(t2, out=w0)
-    t7 = np.square(alpha, out=w1)
-    t9 = np.multiply(t7, 2.0, out=w1)
-    t10 = np.subtract(2.0, alpha, out=w2)
-    t11 = np.add(t10, alpha_radical, out=w2)
-    t12 = np.divide(t9, t11, out=w1)
-    np.divide(t12, root_of_rest, out=tracking_index)
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(t2, 4.0, w1)
+    alpha_radical = np.sqrt(t4, tracking_index)
+    root_of_rest = np.sqrt(t2, w0)
+    t7 = np.square(alpha, w1)
+    t9 = np.multiply(t7, 2.0, w1)
+    t10 = np.subtract(2.0, alpha, w2)
+    t11 = np.add(t10, alpha_radical, w2)
+    t12 = np.divide(t9, t11, w1)
+    np.divide(t12, root_of_rest, tracking_index)
 
 
 _INDEX_FROM_ALPHA = Signature(
     "index_from_alpha",
-    (
-        Domain(
-            "alpha",
-            "a number above 0 and below 1",
-            (5e-324, 0.9999999999999999),
-            (1.401298464324817e-45, 0.9999999403953552),
-        ),
-    ),
+    (_ALPHA_DOMAIN,),
     ("tracking_index",),
     3,
     _index_from_alpha_block,
 )
-
-
-class BetaFromAlpha(NamedTuple):
-    """Result of `beta_from_alpha`."""
-
-    beta: Real
-    """Velocity gain times the sampling interval."""
 
 
 def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> BetaFromAlpha:
@@ -1005,43 +839,27 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out))
 
 
-def _beta_from_alpha_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _beta_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = np.subtract(1.0, alpha, out=w0)
-    t4 = np.multiply(t2, 4.0, out=w0)
-    alpha_radical = np.sqrt(t4, out=beta)
-    t6 = np.square(alpha, out=w0)
-    t8 = np.multiply(t6, 2.0, out=w0)
-    t9 = np.subtract(2.0, alpha, out=w1)
-    t10 = np.add(t9, alpha_radical, out=w1)
-    np.divide(t8, t10, out=beta)
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(t2, 4.0, w0)
+    alpha_radical = np.sqrt(t4, beta)
+    t6 = np.square(alpha, w0)
+    t8 = np.multiply(t6, 2.0, w0)
+    t9 = np.subtract(2.0, alpha, w1)
+    t10 = np.add(t9, alpha_radical, w1)
+    np.divide(t8, t10, beta)
 
 
 _BETA_FROM_ALPHA = Signature(
     "beta_from_alpha",
-    (
-        Domain(
-            "alpha",
-            "a number above 0 and below 1",
-            (5e-324, 0.9999999999999999),
-            (1.401298464324817e-45, 0.9999999403953552),
-        ),
-    ),
+    (_ALPHA_DOMAIN,),
     ("beta",),
     2,
     _beta_from_alpha_block,
 )
-
-
-class IndexFromBeta(NamedTuple):
-    """Result of `index_from_beta`."""
-
-    tracking_index: Real
-    """Tracking index Lambda."""
 
 
 def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromBeta:
@@ -1068,45 +886,29 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out))
 
 
-def _index_from_beta_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _index_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (beta,) = given
     (tracking_index,) = out
     w0, w1 = work
-    t2 = np.multiply(beta, 8.0, out=w0)
-    beta_radical = np.sqrt(t2, out=tracking_index)
-    t5 = np.subtract(2.0, beta, out=w0)
-    t6 = np.square(t5, out=w0)
-    t7 = np.add(2.0, beta, out=w1)
-    t8 = np.add(t7, beta_radical, out=w1)
-    t9 = np.multiply(t8, 2.0, out=w1)
-    t10 = np.divide(t6, t9, out=w0)
-    root_of_rest = np.sqrt(t10, out=w0)
-    np.divide(beta, root_of_rest, out=tracking_index)
+    t2 = np.multiply(beta, 8.0, w0)
+    beta_radical = np.sqrt(t2, tracking_index)
+    t5 = np.subtract(2.0, beta, w0)
+    t6 = np.square(t5, w0)
+    t7 = np.add(2.0, beta, w1)
+    t8 = np.add(t7, beta_radical, w1)
+    t9 = np.multiply(t8, 2.0, w1)
+    t10 = np.divide(t6, t9, w0)
+    root_of_rest = np.sqrt(t10, w0)
+    np.divide(beta, root_of_rest, tracking_index)
 
 
 _INDEX_FROM_BETA = Signature(
     "index_from_beta",
-    (
-        Domain(
-            "beta",
-            "a number above 0 and below 2",
-            (5e-324, 1.9999999999999998),
-            (1.401298464324817e-45, 1.9999998807907104),
-        ),
-    ),
+    (_BETA_DOMAIN,),
     ("tracking_index",),
     2,
     _index_from_beta_block,
 )
-
-
-class AlphaFromBeta(NamedTuple):
-    """Result of `alpha_from_beta`."""
-
-    alpha: Real
-    """Position gain."""
 
 
 def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> AlphaFromBeta:
@@ -1133,33 +935,24 @@ def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Alpha
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out))
 
 
-def _alpha_from_beta_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _alpha_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = np.multiply(beta, 1.152921504606847e18, out=w0)
-    t4 = np.multiply(t2, 8.0, out=w1)
-    scaled_beta_radical = np.sqrt(t4, out=alpha)
-    t6 = np.subtract(8.0, beta, out=w1)
-    t7 = np.multiply(t2, t6, out=w0)
-    t9 = np.multiply(beta, 1073741824.0, out=w1)
-    t10 = np.add(scaled_beta_radical, t9, out=alpha)
-    t12 = np.multiply(t10, 2147483648.0, out=alpha)
-    np.divide(t7, t12, out=alpha)
+    t2 = np.multiply(beta, 1.152921504606847e18, w0)
+    t4 = np.multiply(t2, 8.0, w1)
+    scaled_beta_radical = np.sqrt(t4, alpha)
+    t6 = np.subtract(8.0, beta, w1)
+    t7 = np.multiply(t2, t6, w0)
+    t9 = np.multiply(beta, 1073741824.0, w1)
+    t10 = np.add(scaled_beta_radical, t9, alpha)
+    t12 = np.multiply(t10, 2147483648.0, alpha)
+    np.divide(t7, t12, alpha)
 
 
 _ALPHA_FROM_BETA = Signature(
     "alpha_from_beta",
-    (
-        Domain(
-            "beta",
-            "a number above 0 and below 2",
-            (5e-324, 1.9999999999999998),
-            (1.401298464324817e-45, 1.9999998807907104),
-        ),
-    ),
+    (_BETA_DOMAIN,),
     ("alpha",),
     2,
     _alpha_from_beta_block,

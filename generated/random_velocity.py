@@ -4,20 +4,48 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from gainproof.generated._runtime import Domain, Signature, evaluate
+from gainproof.generated._two_state_results import (
+    AlphaFromBeta,
+    BetaFromAlpha,
+    ClosedLoopPoles,
+    GainDerivatives,
+    Gains,
+    GainsWithDerivatives,
+    IndexFromAlpha,
+    IndexFromBeta,
+    PredictedCovariance,
+    PredictedCovarianceDerivatives,
+    PredictorGainDerivatives,
+    PredictorGains,
+    UpdatedCovariance,
+    UpdatedCovarianceDerivatives,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike
 
-    from gainproof.generated._runtime import Array, Real
+    from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "AlphaFromBeta",
+    "BetaFromAlpha",
+    "ClosedLoopPoles",
+    "GainDerivatives",
+    "Gains",
+    "GainsWithDerivatives",
+    "IndexFromAlpha",
+    "IndexFromBeta",
+    "PredictedCovariance",
+    "PredictedCovarianceDerivatives",
+    "PredictorGainDerivatives",
+    "PredictorGains",
+    "UpdatedCovariance",
+    "UpdatedCovarianceDerivatives",
     "alpha_from_beta",
     "beta_from_alpha",
     "closed_loop_poles",
@@ -34,14 +62,24 @@ __all__ = [
     "updated_covariance_derivatives",
 ]
 
-
-class Gains(NamedTuple):
-    """Result of `gains`."""
-
-    alpha: Real
-    """Position gain."""
-    beta: Real
-    """Velocity gain times the sampling interval."""
+_TRACKING_INDEX_DOMAIN = Domain(
+    "tracking_index",
+    "a number above 0 and finite",
+    (5e-324, 1.7976931348623157e308),
+    (1.401298464324817e-45, 3.4028234663852886e38),
+)
+_ALPHA_DOMAIN = Domain(
+    "alpha",
+    "a number above 0 and below 1",
+    (5e-324, 0.9999999999999999),
+    (1.401298464324817e-45, 0.9999999403953552),
+)
+_BETA_DOMAIN = Domain(
+    "beta",
+    "a number above 0 and below 1",
+    (5e-324, 0.9999999999999999),
+    (1.401298464324817e-45, 0.9999999403953552),
+)
 
 
 def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
@@ -76,51 +114,33 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     return Gains(*evaluate(_GAINS, (tracking_index,), out))
 
 
-def _gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
     (w0,) = work
-    p = np.sqrt(tracking_index, out=alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=beta)
-    h_scaled = np.sqrt(t6, out=beta)
-    kappa = np.divide(h_scaled, p, out=beta)
-    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t14 = np.add(rho, 1.1102230246251565e-16, out=alpha)
-    t15 = np.add(kappa, t14, out=beta)
-    t17 = np.divide(2.0, t15, out=beta)
-    np.multiply(t17, rho, out=alpha)
-    np.multiply(t17, 2.220446049250313e-16, out=beta)
+    p = np.sqrt(tracking_index, alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, beta)
+    h_scaled = np.sqrt(t6, beta)
+    kappa = np.divide(h_scaled, p, beta)
+    t10 = np.add(kappa, 1.1102230246251565e-16, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t14 = np.add(rho, 1.1102230246251565e-16, alpha)
+    t15 = np.add(kappa, t14, beta)
+    t17 = np.divide(2.0, t15, beta)
+    np.multiply(t17, rho, alpha)
+    np.multiply(t17, 2.220446049250313e-16, beta)
 
 
 _GAINS = Signature(
     "gains",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     1,
     _gains_block,
 )
-
-
-class GainDerivatives(NamedTuple):
-    """Result of `gain_derivatives`."""
-
-    alpha: Real
-    """Derivative of the position gain."""
-    beta: Real
-    """Derivative of the velocity gain times the sampling interval."""
 
 
 def gain_derivatives(
@@ -157,61 +177,39 @@ def gain_derivatives(
     return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out))
 
 
-def _gain_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
     w0, w1 = work
-    p = np.sqrt(tracking_index, out=alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=beta)
-    h_scaled = np.sqrt(t6, out=beta)
-    kappa = np.divide(h_scaled, p, out=w0)
-    half_eta = np.multiply(p, h_scaled, out=alpha)
-    t11 = np.add(kappa, 1.1102230246251565e-16, out=beta)
-    rho_scaled = np.sqrt(t11, out=beta)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=beta)
-    t15 = np.add(rho, 1.1102230246251565e-16, out=w1)
-    t16 = np.add(kappa, t15, out=w0)
-    t17 = np.multiply(tracking_index, t16, out=w0)
-    t19 = np.divide(4.440892098500626e-16, t17, out=w0)
-    t20 = np.square(t19, out=w0)
-    t21 = np.divide(t20, half_eta, out=w0)
-    t24 = np.divide(4.930380657631324e-32, rho, out=w1)
-    t25 = np.add(t24, 4.440892098500626e-16, out=w1)
-    np.multiply(t21, rho, out=alpha)
-    np.multiply(t21, t25, out=beta)
+    p = np.sqrt(tracking_index, alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, beta)
+    h_scaled = np.sqrt(t6, beta)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, alpha)
+    t11 = np.add(kappa, 1.1102230246251565e-16, beta)
+    rho_scaled = np.sqrt(t11, beta)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, beta)
+    t15 = np.add(rho, 1.1102230246251565e-16, w1)
+    t16 = np.add(kappa, t15, w0)
+    t17 = np.multiply(tracking_index, t16, w0)
+    t19 = np.divide(4.440892098500626e-16, t17, w0)
+    t20 = np.square(t19, w0)
+    t21 = np.divide(t20, half_eta, w0)
+    t24 = np.divide(4.930380657631324e-32, rho, w1)
+    t25 = np.add(t24, 4.440892098500626e-16, w1)
+    np.multiply(t21, rho, alpha)
+    np.multiply(t21, t25, beta)
 
 
 _GAIN_DERIVATIVES = Signature(
     "gain_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
     2,
     _gain_derivatives_block,
 )
-
-
-class GainsWithDerivatives(NamedTuple):
-    """Result of `gains_with_derivatives`."""
-
-    alpha: Real
-    """Position gain."""
-    beta: Real
-    """Velocity gain times the sampling interval."""
-    d_alpha: Real
-    """Derivative of the position gain."""
-    d_beta: Real
-    """Derivative of the velocity gain times the sampling interval."""
 
 
 def gains_with_derivatives(
@@ -253,60 +251,42 @@ def gains_with_derivatives(
     return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out))
 
 
-def _gains_with_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1 = work
-    p = np.sqrt(tracking_index, out=alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=beta)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=beta)
-    h_scaled = np.sqrt(t6, out=d_alpha)
-    kappa = np.divide(h_scaled, p, out=d_beta)
-    half_eta = np.multiply(p, h_scaled, out=alpha)
-    t11 = np.add(kappa, 1.1102230246251565e-16, out=w0)
-    rho_scaled = np.sqrt(t11, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t15 = np.add(rho, 1.1102230246251565e-16, out=beta)
-    t16 = np.add(kappa, t15, out=d_beta)
-    t18 = np.divide(2.0, t16, out=beta)
-    t22 = np.multiply(tracking_index, t16, out=d_beta)
-    t24 = np.divide(4.440892098500626e-16, t22, out=d_beta)
-    t25 = np.square(t24, out=d_beta)
-    t26 = np.divide(t25, half_eta, out=d_beta)
-    t29 = np.divide(4.930380657631324e-32, rho, out=alpha)
-    t30 = np.add(t29, 4.440892098500626e-16, out=w1)
-    np.multiply(t18, rho, out=alpha)
-    np.multiply(t18, 2.220446049250313e-16, out=beta)
-    np.multiply(t26, rho, out=d_alpha)
-    np.multiply(t26, t30, out=d_beta)
+    p = np.sqrt(tracking_index, alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, beta)
+    h_scaled = np.sqrt(t6, d_alpha)
+    kappa = np.divide(h_scaled, p, d_beta)
+    half_eta = np.multiply(p, h_scaled, alpha)
+    t11 = np.add(kappa, 1.1102230246251565e-16, w0)
+    rho_scaled = np.sqrt(t11, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t15 = np.add(rho, 1.1102230246251565e-16, beta)
+    t16 = np.add(kappa, t15, d_beta)
+    t18 = np.divide(2.0, t16, beta)
+    t22 = np.multiply(tracking_index, t16, d_beta)
+    t24 = np.divide(4.440892098500626e-16, t22, d_beta)
+    t25 = np.square(t24, d_beta)
+    t26 = np.divide(t25, half_eta, d_beta)
+    t29 = np.divide(4.930380657631324e-32, rho, alpha)
+    t30 = np.add(t29, 4.440892098500626e-16, w1)
+    np.multiply(t18, rho, alpha)
+    np.multiply(t18, 2.220446049250313e-16, beta)
+    np.multiply(t26, rho, d_alpha)
+    np.multiply(t26, t30, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
     2,
     _gains_with_derivatives_block,
 )
-
-
-class PredictorGains(NamedTuple):
-    """Result of `predictor_gains`."""
-
-    position: Real
-    """Position entry of F K, alpha + beta."""
-    velocity: Real
-    """Velocity entry of F K times the sampling interval, beta."""
 
 
 def predictor_gains(
@@ -342,51 +322,33 @@ def predictor_gains(
     return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out))
 
 
-def _predictor_gains_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     position, velocity = out
     (w0,) = work
-    p = np.sqrt(tracking_index, out=velocity)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=position)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=position)
-    h_scaled = np.sqrt(t6, out=position)
-    kappa = np.divide(h_scaled, p, out=position)
-    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t14 = np.add(rho, 1.1102230246251565e-16, out=velocity)
-    t15 = np.add(kappa, t14, out=position)
-    t17 = np.divide(2.0, t15, out=position)
-    np.multiply(t17, 2.220446049250313e-16, out=velocity)
-    np.divide(4.440892098500626e-16, rho, out=position)
+    p = np.sqrt(tracking_index, velocity)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, position)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, position)
+    h_scaled = np.sqrt(t6, position)
+    kappa = np.divide(h_scaled, p, position)
+    t10 = np.add(kappa, 1.1102230246251565e-16, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t14 = np.add(rho, 1.1102230246251565e-16, velocity)
+    t15 = np.add(kappa, t14, position)
+    t17 = np.divide(2.0, t15, position)
+    np.multiply(t17, 2.220446049250313e-16, velocity)
+    np.divide(4.440892098500626e-16, rho, position)
 
 
 _PREDICTOR_GAINS = Signature(
     "predictor_gains",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
     1,
     _predictor_gains_block,
 )
-
-
-class PredictorGainDerivatives(NamedTuple):
-    """Result of `predictor_gain_derivatives`."""
-
-    position: Real
-    """Derivative of the position entry of F K, alpha + beta."""
-    velocity: Real
-    """Derivative of the velocity entry of F K times the sampling interval, beta."""
 
 
 def predictor_gain_derivatives(
@@ -423,59 +385,41 @@ def predictor_gain_derivatives(
 
 
 def _predictor_gain_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     position, velocity = out
     w0, w1 = work
-    p = np.sqrt(tracking_index, out=velocity)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=position)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=position)
-    h_scaled = np.sqrt(t6, out=position)
-    kappa = np.divide(h_scaled, p, out=w0)
-    half_eta = np.multiply(p, h_scaled, out=velocity)
-    t11 = np.add(kappa, 1.1102230246251565e-16, out=position)
-    rho_scaled = np.sqrt(t11, out=position)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=position)
-    t15 = np.add(rho, 1.1102230246251565e-16, out=w1)
-    t16 = np.add(kappa, t15, out=w0)
-    t17 = np.multiply(tracking_index, t16, out=w0)
-    t19 = np.divide(4.440892098500626e-16, t17, out=w0)
-    t20 = np.square(t19, out=w0)
-    t21 = np.divide(t20, half_eta, out=w0)
-    t22 = np.multiply(t21, rho, out=w1)
-    t24 = np.divide(4.930380657631324e-32, rho, out=position)
-    t25 = np.add(t24, 4.440892098500626e-16, out=position)
-    np.multiply(t21, t25, out=velocity)
-    np.add(t22, velocity, out=position)
+    p = np.sqrt(tracking_index, velocity)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, position)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, position)
+    h_scaled = np.sqrt(t6, position)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, velocity)
+    t11 = np.add(kappa, 1.1102230246251565e-16, position)
+    rho_scaled = np.sqrt(t11, position)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, position)
+    t15 = np.add(rho, 1.1102230246251565e-16, w1)
+    t16 = np.add(kappa, t15, w0)
+    t17 = np.multiply(tracking_index, t16, w0)
+    t19 = np.divide(4.440892098500626e-16, t17, w0)
+    t20 = np.square(t19, w0)
+    t21 = np.divide(t20, half_eta, w0)
+    t22 = np.multiply(t21, rho, w1)
+    t24 = np.divide(4.930380657631324e-32, rho, position)
+    t25 = np.add(t24, 4.440892098500626e-16, position)
+    np.multiply(t21, t25, velocity)
+    np.add(t22, velocity, position)
 
 
 _PREDICTOR_GAIN_DERIVATIVES = Signature(
     "predictor_gain_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
     2,
     _predictor_gain_derivatives_block,
 )
-
-
-class PredictedCovariance(NamedTuple):
-    """Result of `predicted_covariance`."""
-
-    predicted_11: Real
-    """Variance of the predicted position over sigma_v^2."""
-    predicted_12: Real
-    """Covariance of predicted position and velocity times T/sigma_v^2."""
-    predicted_22: Real
-    """Variance of the predicted velocity times T^2/sigma_v^2."""
 
 
 def predicted_covariance(
@@ -515,59 +459,39 @@ def predicted_covariance(
     return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out))
 
 
-def _predicted_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1 = work
-    p = np.sqrt(tracking_index, out=predicted_11)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=predicted_12)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=predicted_12)
-    h_scaled = np.sqrt(t6, out=predicted_22)
-    kappa = np.divide(h_scaled, p, out=predicted_22)
-    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t14 = np.multiply(tracking_index, rho, out=predicted_11)
-    t16 = np.multiply(t14, 4503599627370496.0, out=predicted_11)
-    t17 = np.multiply(tracking_index, t16, out=w1)
-    t18 = np.add(rho, 1.1102230246251565e-16, out=w0)
-    t19 = np.add(kappa, t18, out=predicted_22)
-    t20 = np.multiply(tracking_index, t19, out=predicted_22)
-    t22 = np.multiply(t20, 2251799813685248.0, out=predicted_22)
-    t25 = np.square(tracking_index, out=w0)
-    np.multiply(t22, t16, out=predicted_11)
-    np.multiply(tracking_index, t22, out=predicted_12)
-    np.add(t17, t25, out=predicted_22)
+    p = np.sqrt(tracking_index, predicted_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, predicted_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, predicted_12)
+    h_scaled = np.sqrt(t6, predicted_22)
+    kappa = np.divide(h_scaled, p, predicted_22)
+    t10 = np.add(kappa, 1.1102230246251565e-16, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t14 = np.multiply(tracking_index, rho, predicted_11)
+    t16 = np.multiply(t14, 4503599627370496.0, predicted_11)
+    t17 = np.multiply(tracking_index, t16, w1)
+    t18 = np.add(rho, 1.1102230246251565e-16, w0)
+    t19 = np.add(kappa, t18, predicted_22)
+    t20 = np.multiply(tracking_index, t19, predicted_22)
+    t22 = np.multiply(t20, 2251799813685248.0, predicted_22)
+    t25 = np.square(tracking_index, w0)
+    np.multiply(t22, t16, predicted_11)
+    np.multiply(tracking_index, t22, predicted_12)
+    np.add(t17, t25, predicted_22)
 
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
     2,
     _predicted_covariance_block,
 )
-
-
-class PredictedCovarianceDerivatives(NamedTuple):
-    """Result of `predicted_covariance_derivatives`."""
-
-    predicted_11: Real
-    """Derivative of the variance of the predicted position over sigma_v^2."""
-    predicted_12: Real
-    """Derivative of the covariance of predicted position and velocity times T/sigma_v^2."""
-    predicted_22: Real
-    """Derivative of the variance of the predicted velocity times T^2/sigma_v^2."""
 
 
 def predicted_covariance_derivatives(
@@ -611,68 +535,50 @@ def predicted_covariance_derivatives(
 
 
 def _predicted_covariance_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     predicted_11, predicted_12, predicted_22 = out
     w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=predicted_11)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=predicted_12)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=predicted_12)
-    h_scaled = np.sqrt(t6, out=predicted_22)
-    kappa = np.divide(h_scaled, p, out=predicted_22)
-    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
-    rho_scaled = np.sqrt(t10, out=predicted_11)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=predicted_11)
-    t14 = np.divide(t10, rho, out=predicted_12)
-    t15 = np.divide(t10, kappa, out=w0)
-    t16 = np.multiply(t14, t15, out=predicted_12)
-    t18 = np.multiply(rho, 4503599627370496.0, out=w1)
-    t20 = np.multiply(t16, 0.5, out=predicted_12)
-    t21 = np.add(t18, t20, out=w1)
-    t22 = np.multiply(tracking_index, t21, out=w1)
-    t23 = np.add(rho, 1.1102230246251565e-16, out=predicted_12)
-    t24 = np.add(kappa, t23, out=predicted_22)
-    t25 = np.multiply(tracking_index, t24, out=predicted_12)
-    t27 = np.multiply(t25, 2251799813685248.0, out=predicted_12)
-    t28 = np.divide(t24, rho, out=predicted_22)
-    t29 = np.multiply(t28, 0.5, out=predicted_22)
-    t30 = np.multiply(t15, t29, out=predicted_22)
-    t32 = np.divide(1.1102230246251565e-16, rho, out=predicted_11)
-    t33 = np.multiply(t15, t32, out=w0)
-    t35 = np.add(1.0, t33, out=w0)
-    t37 = np.multiply(tracking_index, 2.0, out=w2)
-    np.multiply(t27, t30, out=predicted_11)
-    np.multiply(t27, t35, out=predicted_12)
-    np.add(t22, t37, out=predicted_22)
+    p = np.sqrt(tracking_index, predicted_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, predicted_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, predicted_12)
+    h_scaled = np.sqrt(t6, predicted_22)
+    kappa = np.divide(h_scaled, p, predicted_22)
+    t10 = np.add(kappa, 1.1102230246251565e-16, w0)
+    rho_scaled = np.sqrt(t10, predicted_11)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, predicted_11)
+    t14 = np.divide(t10, rho, predicted_12)
+    t15 = np.divide(t10, kappa, w0)
+    t16 = np.multiply(t14, t15, predicted_12)
+    t18 = np.multiply(rho, 4503599627370496.0, w1)
+    t20 = np.multiply(t16, 0.5, predicted_12)
+    t21 = np.add(t18, t20, w1)
+    t22 = np.multiply(tracking_index, t21, w1)
+    t23 = np.add(rho, 1.1102230246251565e-16, predicted_12)
+    t24 = np.add(kappa, t23, predicted_22)
+    t25 = np.multiply(tracking_index, t24, predicted_12)
+    t27 = np.multiply(t25, 2251799813685248.0, predicted_12)
+    t28 = np.divide(t24, rho, predicted_22)
+    t29 = np.multiply(t28, 0.5, predicted_22)
+    t30 = np.multiply(t15, t29, predicted_22)
+    t32 = np.divide(1.1102230246251565e-16, rho, predicted_11)
+    t33 = np.multiply(t15, t32, w0)
+    t35 = np.add(1.0, t33, w0)
+    t37 = np.multiply(tracking_index, 2.0, w2)
+    np.multiply(t27, t30, predicted_11)
+    np.multiply(t27, t35, predicted_12)
+    np.add(t22, t37, predicted_22)
 
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("predicted_11", "predicted_12", "predicted_22"),
     3,
     _predicted_covariance_derivatives_block,
 )
-
-
-class UpdatedCovariance(NamedTuple):
-    """Result of `updated_covariance`."""
-
-    updated_11: Real
-    """Variance of the updated position over sigma_v^2."""
-    updated_12: Real
-    """Covariance of updated position and velocity times T/sigma_v^2."""
-    updated_22: Real
-    """Variance of the updated velocity times T^2/sigma_v^2."""
 
 
 def updated_covariance(
@@ -712,56 +618,36 @@ def updated_covariance(
     return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out))
 
 
-def _updated_covariance_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1 = work
-    p = np.sqrt(tracking_index, out=updated_11)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=updated_12)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=updated_12)
-    h_scaled = np.sqrt(t6, out=updated_22)
-    kappa = np.divide(h_scaled, p, out=updated_22)
-    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
-    rho_scaled = np.sqrt(t10, out=w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=w0)
-    t14 = np.add(rho, 1.1102230246251565e-16, out=updated_11)
-    t15 = np.add(kappa, t14, out=updated_22)
-    t17 = np.divide(2.0, t15, out=updated_22)
-    t21 = np.multiply(tracking_index, rho, out=updated_11)
-    t23 = np.multiply(t21, 4503599627370496.0, out=w1)
-    np.multiply(t17, rho, out=updated_11)
-    np.multiply(t17, 2.220446049250313e-16, out=updated_12)
-    np.multiply(tracking_index, t23, out=updated_22)
+    p = np.sqrt(tracking_index, updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, updated_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, updated_12)
+    h_scaled = np.sqrt(t6, updated_22)
+    kappa = np.divide(h_scaled, p, updated_22)
+    t10 = np.add(kappa, 1.1102230246251565e-16, w0)
+    rho_scaled = np.sqrt(t10, w0)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
+    t14 = np.add(rho, 1.1102230246251565e-16, updated_11)
+    t15 = np.add(kappa, t14, updated_22)
+    t17 = np.divide(2.0, t15, updated_22)
+    t21 = np.multiply(tracking_index, rho, updated_11)
+    t23 = np.multiply(t21, 4503599627370496.0, w1)
+    np.multiply(t17, rho, updated_11)
+    np.multiply(t17, 2.220446049250313e-16, updated_12)
+    np.multiply(tracking_index, t23, updated_22)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
     2,
     _updated_covariance_block,
 )
-
-
-class UpdatedCovarianceDerivatives(NamedTuple):
-    """Result of `updated_covariance_derivatives`."""
-
-    updated_11: Real
-    """Derivative of the variance of the updated position over sigma_v^2."""
-    updated_12: Real
-    """Derivative of the covariance of updated position and velocity times T/sigma_v^2."""
-    updated_22: Real
-    """Derivative of the variance of the updated velocity times T^2/sigma_v^2."""
 
 
 def updated_covariance_derivatives(
@@ -804,67 +690,47 @@ def updated_covariance_derivatives(
 
 
 def _updated_covariance_derivatives_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_22 = out
     w0, w1, w2 = work
-    p = np.sqrt(tracking_index, out=updated_11)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=updated_12)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=updated_12)
-    h_scaled = np.sqrt(t6, out=updated_22)
-    kappa = np.divide(h_scaled, p, out=w0)
-    half_eta = np.multiply(p, h_scaled, out=updated_11)
-    t11 = np.add(kappa, 1.1102230246251565e-16, out=updated_12)
-    rho_scaled = np.sqrt(t11, out=updated_22)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=updated_22)
-    t15 = np.add(rho, 1.1102230246251565e-16, out=w1)
-    t16 = np.add(kappa, t15, out=w1)
-    t17 = np.multiply(tracking_index, t16, out=w1)
-    t19 = np.divide(4.440892098500626e-16, t17, out=w1)
-    t20 = np.square(t19, out=w1)
-    t21 = np.divide(t20, half_eta, out=w1)
-    t24 = np.divide(4.930380657631324e-32, rho, out=updated_11)
-    t25 = np.add(t24, 4.440892098500626e-16, out=w2)
-    t27 = np.divide(t11, rho, out=updated_11)
-    t28 = np.divide(t11, kappa, out=updated_12)
-    t29 = np.multiply(t27, t28, out=updated_11)
-    t31 = np.multiply(rho, 4503599627370496.0, out=w0)
-    t33 = np.multiply(t29, 0.5, out=updated_11)
-    t34 = np.add(t31, t33, out=w0)
-    np.multiply(t21, rho, out=updated_11)
-    np.multiply(t21, t25, out=updated_12)
-    np.multiply(tracking_index, t34, out=updated_22)
+    p = np.sqrt(tracking_index, updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, updated_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, updated_12)
+    h_scaled = np.sqrt(t6, updated_22)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, updated_11)
+    t11 = np.add(kappa, 1.1102230246251565e-16, updated_12)
+    rho_scaled = np.sqrt(t11, updated_22)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, updated_22)
+    t15 = np.add(rho, 1.1102230246251565e-16, w1)
+    t16 = np.add(kappa, t15, w1)
+    t17 = np.multiply(tracking_index, t16, w1)
+    t19 = np.divide(4.440892098500626e-16, t17, w1)
+    t20 = np.square(t19, w1)
+    t21 = np.divide(t20, half_eta, w1)
+    t24 = np.divide(4.930380657631324e-32, rho, updated_11)
+    t25 = np.add(t24, 4.440892098500626e-16, w2)
+    t27 = np.divide(t11, rho, updated_11)
+    t28 = np.divide(t11, kappa, updated_12)
+    t29 = np.multiply(t27, t28, updated_11)
+    t31 = np.multiply(rho, 4503599627370496.0, w0)
+    t33 = np.multiply(t29, 0.5, updated_11)
+    t34 = np.add(t31, t33, w0)
+    np.multiply(t21, rho, updated_11)
+    np.multiply(t21, t25, updated_12)
+    np.multiply(tracking_index, t34, updated_22)
 
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_22"),
     3,
     _updated_covariance_derivatives_block,
 )
-
-
-class ClosedLoopPoles(NamedTuple):
-    """Result of `closed_loop_poles`."""
-
-    first_real: Real
-    """Real part of the first pole."""
-    first_imaginary: Real
-    """Imaginary part of the first pole, not negative."""
-    second_real: Real
-    """Real part of the second pole."""
-    second_imaginary: Real
-    """Imaginary part of the second pole, not positive."""
 
 
 def closed_loop_poles(
@@ -907,55 +773,39 @@ def closed_loop_poles(
     return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
 
 
-def _closed_loop_poles_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     first_real, first_imaginary, second_real, second_imaginary = out
     (w0,) = work
-    p = np.sqrt(tracking_index, out=first_imaginary)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, out=first_real)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, out=w0)
-    t6 = np.add(t3, t5, out=first_real)
-    h_scaled = np.sqrt(t6, out=second_imaginary)
-    kappa = np.divide(h_scaled, p, out=second_imaginary)
-    t10 = np.add(kappa, 1.1102230246251565e-16, out=w0)
-    rho_scaled = np.sqrt(t10, out=first_real)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, out=first_real)
-    t14 = np.add(rho, 1.1102230246251565e-16, out=first_imaginary)
-    t15 = np.add(kappa, t14, out=second_imaginary)
-    t16 = np.multiply(tracking_index, t15, out=second_imaginary)
-    t18 = np.divide(4.440892098500626e-16, t16, out=second_imaginary)
-    t19 = np.multiply(tracking_index, t10, out=w0)
-    t21 = np.multiply(t19, 2251799813685248.0, out=w0)
-    t23 = np.divide(t18, rho, out=first_real)
-    np.multiply(t23, 2.220446049250313e-16, out=first_imaginary)
-    np.divide(t18, t21, out=first_real)
-    np.negative(first_imaginary, out=second_imaginary)
+    p = np.sqrt(tracking_index, first_imaginary)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, first_real)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, first_real)
+    h_scaled = np.sqrt(t6, second_imaginary)
+    kappa = np.divide(h_scaled, p, second_imaginary)
+    t10 = np.add(kappa, 1.1102230246251565e-16, w0)
+    rho_scaled = np.sqrt(t10, first_real)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, first_real)
+    t14 = np.add(rho, 1.1102230246251565e-16, first_imaginary)
+    t15 = np.add(kappa, t14, second_imaginary)
+    t16 = np.multiply(tracking_index, t15, second_imaginary)
+    t18 = np.divide(4.440892098500626e-16, t16, second_imaginary)
+    t19 = np.multiply(tracking_index, t10, w0)
+    t21 = np.multiply(t19, 2251799813685248.0, w0)
+    t23 = np.divide(t18, rho, first_real)
+    np.multiply(t23, 2.220446049250313e-16, first_imaginary)
+    np.divide(t18, t21, first_real)
+    np.negative(first_imaginary, second_imaginary)
     np.copyto(second_real, first_real)
 
 
 _CLOSED_LOOP_POLES = Signature(
     "closed_loop_poles",
-    (
-        Domain(
-            "tracking_index",
-            "a number above 0 and finite",
-            (5e-324, 1.7976931348623157e308),
-            (1.401298464324817e-45, 3.4028234663852886e38),
-        ),
-    ),
+    (_TRACKING_INDEX_DOMAIN,),
     ("first_real", "first_imaginary", "second_real", "second_imaginary"),
     1,
     _closed_loop_poles_block,
 )
-
-
-class IndexFromAlpha(NamedTuple):
-    """Result of `index_from_alpha`."""
-
-    tracking_index: Real
-    """Tracking index Lambda."""
 
 
 def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromAlpha:
@@ -982,46 +832,30 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
     return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out))
 
 
-def _index_from_alpha_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _index_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (alpha,) = given
     (tracking_index,) = out
     w0, w1, w2 = work
-    t2 = np.subtract(1.0, alpha, out=w0)
-    t4 = np.multiply(t2, 4.0, out=w1)
-    t5 = np.square(alpha, out=w2)
-    t6 = np.add(t4, t5, out=w1)
-    alpha_radical = np.sqrt(t6, out=tracking_index)
-    root_of_rest = np.sqrt(t2, out=w0)
-    t10 = np.multiply(t5, 2.0, out=w2)
-    t11 = np.subtract(2.0, alpha, out=w1)
-    t12 = np.add(t11, alpha_radical, out=w1)
-    t13 = np.divide(t10, t12, out=w2)
-    np.divide(t13, root_of_rest, out=tracking_index)
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(t2, 4.0, w1)
+    t5 = np.square(alpha, w2)
+    t6 = np.add(t4, t5, w1)
+    alpha_radical = np.sqrt(t6, tracking_index)
+    root_of_rest = np.sqrt(t2, w0)
+    t10 = np.multiply(t5, 2.0, w2)
+    t11 = np.subtract(2.0, alpha, w1)
+    t12 = np.add(t11, alpha_radical, w1)
+    t13 = np.divide(t10, t12, w2)
+    np.divide(t13, root_of_rest, tracking_index)
 
 
 _INDEX_FROM_ALPHA = Signature(
     "index_from_alpha",
-    (
-        Domain(
-            "alpha",
-            "a number above 0 and below 1",
-            (5e-324, 0.9999999999999999),
-            (1.401298464324817e-45, 0.9999999403953552),
-        ),
-    ),
+    (_ALPHA_DOMAIN,),
     ("tracking_index",),
     3,
     _index_from_alpha_block,
 )
-
-
-class BetaFromAlpha(NamedTuple):
-    """Result of `beta_from_alpha`."""
-
-    beta: Real
-    """Velocity gain times the sampling interval."""
 
 
 def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> BetaFromAlpha:
@@ -1048,44 +882,28 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
     return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out))
 
 
-def _beta_from_alpha_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _beta_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (alpha,) = given
     (beta,) = out
     w0, w1 = work
-    t2 = np.subtract(1.0, alpha, out=w0)
-    t4 = np.multiply(t2, 4.0, out=w0)
-    t5 = np.square(alpha, out=w1)
-    t6 = np.add(t4, t5, out=w0)
-    alpha_radical = np.sqrt(t6, out=beta)
-    t9 = np.multiply(t5, 2.0, out=w1)
-    t10 = np.subtract(2.0, alpha, out=w0)
-    t11 = np.add(t10, alpha_radical, out=w0)
-    np.divide(t9, t11, out=beta)
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(t2, 4.0, w0)
+    t5 = np.square(alpha, w1)
+    t6 = np.add(t4, t5, w0)
+    alpha_radical = np.sqrt(t6, beta)
+    t9 = np.multiply(t5, 2.0, w1)
+    t10 = np.subtract(2.0, alpha, w0)
+    t11 = np.add(t10, alpha_radical, w0)
+    np.divide(t9, t11, beta)
 
 
 _BETA_FROM_ALPHA = Signature(
     "beta_from_alpha",
-    (
-        Domain(
-            "alpha",
-            "a number above 0 and below 1",
-            (5e-324, 0.9999999999999999),
-            (1.401298464324817e-45, 0.9999999403953552),
-        ),
-    ),
+    (_ALPHA_DOMAIN,),
     ("beta",),
     2,
     _beta_from_alpha_block,
 )
-
-
-class IndexFromBeta(NamedTuple):
-    """Result of `index_from_beta`."""
-
-    tracking_index: Real
-    """Tracking index Lambda."""
 
 
 def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromBeta:
@@ -1112,46 +930,30 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
     return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out))
 
 
-def _index_from_beta_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _index_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (beta,) = given
     (tracking_index,) = out
     w0, w1 = work
-    t2 = np.add(8.0, beta, out=w0)
-    t3 = np.multiply(beta, t2, out=w0)
-    beta_radical = np.sqrt(t3, out=tracking_index)
-    t6 = np.subtract(1.0, beta, out=w0)
-    t8 = np.multiply(t6, 4.0, out=w0)
-    t10 = np.add(2.0, beta, out=w1)
-    t11 = np.add(t10, beta_radical, out=w1)
-    t12 = np.multiply(t11, 2.0, out=w1)
-    t13 = np.divide(t8, t12, out=w0)
-    root_of_rest = np.sqrt(t13, out=w0)
-    np.divide(beta, root_of_rest, out=tracking_index)
+    t2 = np.add(8.0, beta, w0)
+    t3 = np.multiply(beta, t2, w0)
+    beta_radical = np.sqrt(t3, tracking_index)
+    t6 = np.subtract(1.0, beta, w0)
+    t8 = np.multiply(t6, 4.0, w0)
+    t10 = np.add(2.0, beta, w1)
+    t11 = np.add(t10, beta_radical, w1)
+    t12 = np.multiply(t11, 2.0, w1)
+    t13 = np.divide(t8, t12, w0)
+    root_of_rest = np.sqrt(t13, w0)
+    np.divide(beta, root_of_rest, tracking_index)
 
 
 _INDEX_FROM_BETA = Signature(
     "index_from_beta",
-    (
-        Domain(
-            "beta",
-            "a number above 0 and below 1",
-            (5e-324, 0.9999999999999999),
-            (1.401298464324817e-45, 0.9999999403953552),
-        ),
-    ),
+    (_BETA_DOMAIN,),
     ("tracking_index",),
     2,
     _index_from_beta_block,
 )
-
-
-class AlphaFromBeta(NamedTuple):
-    """Result of `alpha_from_beta`."""
-
-    alpha: Real
-    """Position gain."""
 
 
 def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> AlphaFromBeta:
@@ -1178,33 +980,24 @@ def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Alpha
     return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out))
 
 
-def _alpha_from_beta_block(
-    given: Sequence[Array], out: Sequence[Array], work: Sequence[Array], _single: bool
-) -> None:
+def _alpha_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (beta,) = given
     (alpha,) = out
     w0, w1 = work
-    t2 = np.multiply(beta, 1.152921504606847e18, out=w0)
-    t4 = np.add(8.0, beta, out=w1)
-    t5 = np.multiply(t2, t4, out=w1)
-    scaled_beta_radical = np.sqrt(t5, out=alpha)
-    t7 = np.multiply(t2, 8.0, out=w0)
-    t9 = np.multiply(beta, 1073741824.0, out=w1)
-    t10 = np.add(scaled_beta_radical, t9, out=alpha)
-    t12 = np.multiply(t10, 2147483648.0, out=alpha)
-    np.divide(t7, t12, out=alpha)
+    t2 = np.multiply(beta, 1.152921504606847e18, w0)
+    t4 = np.add(8.0, beta, w1)
+    t5 = np.multiply(t2, t4, w1)
+    scaled_beta_radical = np.sqrt(t5, alpha)
+    t7 = np.multiply(t2, 8.0, w0)
+    t9 = np.multiply(beta, 1073741824.0, w1)
+    t10 = np.add(scaled_beta_radical, t9, alpha)
+    t12 = np.multiply(t10, 2147483648.0, alpha)
+    np.divide(t7, t12, alpha)
 
 
 _ALPHA_FROM_BETA = Signature(
     "alpha_from_beta",
-    (
-        Domain(
-            "beta",
-            "a number above 0 and below 1",
-            (5e-324, 0.9999999999999999),
-            (1.401298464324817e-45, 0.9999999403953552),
-        ),
-    ),
+    (_BETA_DOMAIN,),
     ("alpha",),
     2,
     _alpha_from_beta_block,

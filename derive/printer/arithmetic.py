@@ -26,7 +26,11 @@ UFUNC = {
 
 
 class Arithmetic:
-    """The body of a block function, its `lines` without indentation, and its `work` buffers."""
+    """The body of a block function, its `lines` without indentation, and its `work` buffers.
+
+    The last argument of each NumPy call is the array that it fills: by position, since keywords
+    are a good part of what compiling and calling a block costs.
+    """
 
     def __init__(self, kernel: Kernel) -> None:
         self.kernel = kernel
@@ -113,7 +117,7 @@ class Arithmetic:
         name = UFUNC[step.operation]
         if step.operation == "mul" and operands[0] == operands[1]:
             name, operands = "square", operands[:1]  # the same product, read once
-        yield f"{target}np.{name}({', '.join(operands)}, out={register})"
+        yield f"{target}np.{name}({', '.join(operands)}, {register})"
 
     def _two_parts(self, number: int, step: Step, target: str) -> Iterator[str]:
         """A difference with a constant in two parts, the nearest number and the rest."""
@@ -130,8 +134,8 @@ class Arithmetic:
             high if fixed else self._operand(part)
             for part, fixed in zip(step.operands, constant, strict=True)
         ]
-        yield f"np.{UFUNC[step.operation]}({', '.join(operands)}, out={register})"
-        yield f"{target}np.add({register}, {rest}, out={register})"
+        yield f"np.{UFUNC[step.operation]}({', '.join(operands)}, {register})"
+        yield f"{target}np.add({register}, {rest}, {register})"
 
     def _select(self, number: int, step: Step, target: str) -> Iterator[str]:
         limits = [threshold(self.program, step, form) for form in FORMATS]

@@ -69,10 +69,15 @@ class Kernel:
 
 @dataclass(frozen=True)
 class Module:
-    """One file of `generated`, made by `command`; `derivation`: its origin and SymPy version."""
+    """One file of `generated`, made by `command`; `derivation`: its origin and SymPy version.
+
+    `results`: the file beside it that holds the classes of its results, where several modules
+    have the same; None if they stand in the module.
+    """
 
     name: str
     title: str
     command: str
     derivation: str
     kernels: tuple[Kernel, ...]
+    results: str | None = None

@@ -27,6 +27,8 @@ def prove_both(kernel: Kernel) -> tuple[KernelBound, ...]:
 def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
     """The text of one generated module from bounds already proved, one pair a kernel."""
     names = [kernel.name for kernel in module.kernels]
+    results = [kernel.result for kernel in module.kernels]
+    domains = _domains(module.kernels, bounds)
     arithmetics = [Arithmetic(kernel) for kernel in module.kernels]
     chooses = any(arithmetic.chooses for arithmetic in arithmetics)
     taken = f"Domain, Signature, {'choose, ' if chooses else ''}evaluate"
@@ -37,24 +39,54 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         "from __future__ import annotations",
         "",
-        "from typing import TYPE_CHECKING, NamedTuple",
+        f"from typing import TYPE_CHECKING{'' if module.results else ', NamedTuple'}",
         "",
         "import numpy as np",
         "",
         f"from gainproof.generated._runtime import {taken}{', mask_of' if chooses else ''}",
+        *(_imported(module.results, results) if module.results else ()),
         "",
         "if TYPE_CHECKING:",
-        "    from collections.abc import Sequence",
-        "",
         "    from numpy.typing import ArrayLike",
         "",
-        "    from gainproof.generated._runtime import Array, Real",
+        "    from gainproof.generated._runtime import Arrays, Real",
         "",
-        *_all(names),
+        *_all(results + names),
+        "",
+        *(line for domain, name in domains.items() for line in _named_domain(name, domain)),
     ]
     for kernel, arithmetic, pair in zip(module.kernels, arithmetics, bounds, strict=True):
-        lines += ["", "", *_kernel(kernel, arithmetic, pair)]
+        if not module.results:
+            lines += ["", "", *_result(kernel)]
+        own = [domains[domain] for domain in _kernel_domains(kernel, pair)]
+        lines += ["", "", *_kernel(kernel, arithmetic, pair, own)]
     return "\n".join(lines) + "\n"
+
+
+def results_source(module: Module) -> str:
+    """The text of the file that holds the classes of a module's results."""
+    lines = [
+        "# Made by: gainproof generate",
+        '"""Results of kernels, the same for several modules."""',
+        "",
+        "from __future__ import annotations",
+        "",
+        "from typing import TYPE_CHECKING, NamedTuple",
+        "",
+        "if TYPE_CHECKING:",
+        "    from gainproof.generated._runtime import Real",
+    ]
+    for kernel in module.kernels:
+        lines += ["", "", *_result(kernel)]
+    return "\n".join(lines) + "\n"
+
+
+def _imported(module: str, names: Sequence[str]) -> list[str]:
+    return [
+        f"from gainproof.generated.{module} import (",
+        *(f"    {name}," for name in sorted(names)),
+        ")",
+    ]
 
 
 def _one_line(text: str) -> str:
@@ -71,34 +103,56 @@ def _all(names: Sequence[str]) -> list[str]:
     return ["__all__ = [", *(f"    {name}," for name in quoted), "]"]
 
 
-def _kernel(kernel: Kernel, arithmetic: Arithmetic, bounds: Sequence[KernelBound]) -> Iterator[str]:
+_Domain = tuple[str, ...]
+"""The lines of a domain without indentation."""
+
+
+def _kernel_domains(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[_Domain]:
+    found = []
+    for row, given in enumerate(kernel.inputs):
+        lines = [f'"{given.name}",', f'"{wanted_text(given)}",']
+        for bound in bounds:
+            least, most = (literal(end) for end in bound.inputs[row])
+            lines.append(f"({least}, {most}),")
+        found.append((*lines, "whole=True,") if given.integer else tuple(lines))
+    return found
+
+
+def _domains(
+    kernels: Sequence[Kernel], bounds: Sequence[Sequence[KernelBound]]
+) -> dict[_Domain, str]:
+    """Every domain of a module with its name, in the order of their first use."""
+    names: dict[_Domain, str] = {}
+    for kernel, pair in zip(kernels, bounds, strict=True):
+        for given, domain in zip(kernel.inputs, _kernel_domains(kernel, pair), strict=True):
+            name = f"_{given.name.upper()}_DOMAIN"
+            taken = sum(other.startswith(name) for other in names.values())
+            names.setdefault(domain, f"{name}_{taken + 1}" if taken else name)
+    return names
+
+
+def _named_domain(name: str, domain: _Domain) -> Iterator[str]:
+    yield f"{name} = Domain("
+    yield from (f"    {line}" for line in domain)
+    yield ")"
+
+
+def _kernel(
+    kernel: Kernel, arithmetic: Arithmetic, bounds: Sequence[KernelBound], domains: Sequence[str]
+) -> Iterator[str]:
     block, signature = f"_{kernel.name}_block", f"_{kernel.name.upper()}"
-    yield from _result(kernel)
-    yield from ("", "")
     yield from _function(kernel, bounds, signature)
     yield from ("", "")
     work = "work" if arithmetic.work else "_work"
     single = "single" if arithmetic.uses_type else "_single"
-    arrays = "given: Sequence[Array], out: Sequence[Array]"
-    yield f"def {block}("
-    yield f"    {arrays}, {work}: Sequence[Array], {single}: bool"
-    yield ") -> None:"
+    arguments = f"given: Arrays, out: Arrays, {work}: Arrays, {single}: bool"
+    head = f"def {block}({arguments}) -> None:"
+    yield from [head] if len(head) <= WIDTH else [f"def {block}(", f"    {arguments}", ") -> None:"]
     yield from (f"    {line}" for line in arithmetic.lines)
     yield from ("", "")
     yield f"{signature} = Signature("
     yield f'    "{kernel.name}",'
-    yield "    ("
-    for row, given in enumerate(kernel.inputs):
-        yield "        Domain("
-        yield f'            "{given.name}",'
-        yield f'            "{wanted_text(given)}",'
-        for bound in bounds:
-            least, most = (literal(end) for end in bound.inputs[row])
-            yield f"            ({least}, {most}),"
-        if given.integer:
-            yield "            whole=True,"
-        yield "        ),"
-    yield "    ),"
+    yield f"    ({', '.join(domains)}{',' if len(domains) == 1 else ''}),"
     listed = ", ".join(f'"{output.name}"' for output in kernel.outputs)
     line = f"    ({listed}{',' if len(kernel.outputs) == 1 else ''}),"
     if len(line) <= WIDTH:

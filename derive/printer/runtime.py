@@ -16,8 +16,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     Array: TypeAlias = NDArray[np.floating[Any]]
+    Arrays: TypeAlias = Sequence[Array]
     Real: TypeAlias = np.floating[Any] | NDArray[np.floating[Any]]
-    Block: TypeAlias = Callable[[Sequence[Array], Sequence[Array], Sequence[Array], bool], None]
+    Block: TypeAlias = Callable[[Arrays, Arrays, Arrays, bool], None]
 
 SIZE = 32768  # elements of a block: calls cost little beside it, a few buffers stay in the cache
 

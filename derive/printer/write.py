@@ -9,7 +9,7 @@ from typing import Any
 
 from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.kernel import Module
-from gainproof.derive.printer.numpy_source import module_source
+from gainproof.derive.printer.numpy_source import module_source, results_source
 
 RUNTIME = Path(__file__).with_name("runtime.py")
 
@@ -17,10 +17,11 @@ RUNTIME = Path(__file__).with_name("runtime.py")
 def all_files(
     modules: Sequence[Module], certificates: Mapping[str, Mapping[str, Any]]
 ) -> dict[str, bytes]:
-    """Content by file name: `__init__.py`, `_runtime.py`, and each module with its certificate.
+    """Content by file name: `__init__.py`, `_runtime.py`, modules, certificates, shared results.
 
     `certificates` are by module name. KeyError for a module without one, ValueError for two
-    modules of one name or a certificate of no module; PrintingError where a bound is not proved.
+    modules of one name, a certificate of no module, or modules that share a file of results and
+    differ in them; PrintingError where a bound is not proved.
     """
     names = [module.name for module in modules]
     if len(set(names)) < len(names) or set(certificates) - set(names):
@@ -29,6 +30,12 @@ def all_files(
     for module in sorted(modules, key=lambda module: module.name):
         files[f"{module.name}.py"] = module_source(module)
         files[f"{module.name}.json"] = canonical_json(certificates[module.name])
+        if module.results:
+            results = results_source(module)
+            if files.setdefault(f"{module.results}.py", results) != results:
+                raise ValueError(
+                    f"{module.name}: its results differ from those in {module.results}"
+                )
     return {name: text.encode("utf-8") for name, text in files.items()}
 
 

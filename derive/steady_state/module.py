@@ -68,6 +68,7 @@ def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
         command=f"gainproof generate {c.model.name}",
         derivation=f"gainproof derive {c.model.name}, SymPy {sympy.__version__}",
         kernels=tuple(_kernel(c, name, graph) for name, graph in graphs.items()),
+        results="_two_state_results",
     )
 
 

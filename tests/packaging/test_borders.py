@@ -33,7 +33,11 @@ ARROWS = (
     Border("derive/printer", ("gainproof.derive",), frozenset({"numpy", "mpmath", "flint"})),
     # copied into generated/: it may lean on NumPy alone
     Border("derive/printer/runtime.py", (), frozenset({"numpy"})),
-    Border("generated", ("gainproof.generated._runtime",), frozenset({"numpy"})),
+    Border(
+        "generated",
+        ("gainproof.generated._runtime", "gainproof.generated._two_state_results"),
+        frozenset({"numpy"}),
+    ),
     Border("verify", ("gainproof.verify",), frozenset({"flint", "lark", "mpmath"})),
     Border(
         "verify/oracles",

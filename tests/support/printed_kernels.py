@@ -79,6 +79,8 @@ def _all() -> Iterator[PrintedKernel]:
             continue
         loaded = importlib.import_module(f"gainproof.generated.{module.name}")
         for name in loaded.__all__:
+            if not name[0].islower():  # a class of results
+                continue
             signature = getattr(loaded, f"_{name.upper()}")
             (domain,) = signature.inputs
             function = getattr(loaded, name)

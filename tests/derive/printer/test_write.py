@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 from graph_kernels import kernel_of
@@ -29,6 +30,18 @@ def test_all_files() -> None:
     assert b"`a`: The module a\n- `b`" in files["__init__.py"]
     assert all(b"\r" not in content and content.endswith(b"\n") for content in files.values())
     assert files == all_files([module("a"), module("b")], {"b": {}, "a": {"x": [1]}})
+
+
+def test_results_of_several_modules_stand_in_one_file() -> None:
+    one, other = (replace(module(name), results="_results") for name in "ab")
+    files = all_files([one, other], {"a": {}, "b": {}})
+    assert b"class Result(NamedTuple)" in files["_results.py"]
+    assert b"class " not in files["a.py"]
+    assert b"from gainproof.generated._results import (\n    Result,\n)" in files["a.py"]
+    (kernel,) = other.kernels
+    different = replace(other, kernels=(replace(kernel, result="Other"),))
+    with pytest.raises(ValueError, match="b: its results differ from those in _results"):
+        all_files([one, different], {"a": {}, "b": {}})
 
 
 def test_what_does_not_belong_together() -> None:
