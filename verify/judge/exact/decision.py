@@ -86,7 +86,7 @@ def _outcome(work: Work, judged: list[Judged]) -> Outcome:
             raise Undecided("the formula has no value anywhere on its domain")
         raise Undecided("the conditions hold nowhere on the domain")
     wide = [j for j in held if j.place.is_cell or work.tower.parameter is None]
-    if not wide and held and _is_single(work, judged):
+    if not wide and held and (_is_single(work, judged) or _only_points(judged)):
         wide = held
     domain = _domain_text(work, [j.place for j in held], label)
     method = _method(statement, work)
@@ -111,6 +111,11 @@ def _extent(work: Work) -> str:
 def _is_single(work: Work, judged: list[Judged]) -> bool:
     """Whether the whole domain is one point, so that no cell could be found."""
     return len(judged) == 1 and work.box.lower is not None and work.box.lower == work.box.upper
+
+
+def _only_points(judged: list[Judged]) -> bool:
+    """Whether the conditions leave single points only, as an equation among them does."""
+    return all(j.truth == SKIPPED for j in judged if j.place.is_cell)
 
 
 def _domain_text(work: Work, kept: list[Place], label: str) -> str:

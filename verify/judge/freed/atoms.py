@@ -8,7 +8,15 @@ from fractions import Fraction
 from math import lcm
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, neg, number, power, symbol, walk
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    neg,
+    number,
+    power,
+    symbol,
+    symbols_of,
+    walk,
+)
 from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.freed.monomials import (
@@ -38,6 +46,7 @@ class Atoms:
     divisors: dict[Key, int] = field(default_factory=dict)
     made: dict[str, Box] = field(default_factory=dict)
     names: dict[Key, str] = field(default_factory=dict)
+    exclusions: dict[Expr, str] = field(default_factory=dict)
 
     def collect(self, *roots: Expr) -> None:
         """Notes every power, exponential and angle below the roots."""
@@ -80,9 +89,16 @@ class Atoms:
         return self._named(key, self._range(base, monomial, positive)), divisor
 
     def _refuse_zero(self, base: Expr, monomial: Monomial, c: Fraction) -> None:
-        """Raises Undecided if zero may be raised to a negative number."""
+        """Raises Undecided if zero may be raised to a negative number.
+
+        Where nothing was said of the base, that it is zero is left out.
+        """
         rising = c > 0 and self.is_positive(monomial_expr(monomial) + 1)
-        if not rising and not self.is_positive(power(base, 2)):
+        if rising or self.is_positive(power(base, 2)):
+            return
+        unstated = all(not self.boxes[n].stated for n in symbols_of(base) if n in self.boxes)
+        self.exclusions[base] = f"where {written(base)[1][0]} is not zero"
+        if not unstated:
             raise Undecided("a power that may have base zero and a negative exponent")
 
     def _range(self, base: Expr, monomial: Monomial, positive: bool) -> Box:

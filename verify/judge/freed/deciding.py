@@ -53,8 +53,10 @@ def _freely(
     outcome = settle(opened.statement, opened.boxes, parameter, {**labels, **opened.labels})
     if outcome.verdict != "proved":
         raise Undecided(f"not true of {FREED}, which refutes nothing")
-    domain = _domain_text(statement, boxes, labels)
-    return replace(outcome, method=f"{FREED}; {outcome.method}", domain=domain)
+    domain = ", ".join([_domain_text(statement, boxes, labels), *opened.exclusions])
+    return replace(
+        outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")
+    )
 
 
 def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: str | None) -> bool:
@@ -102,7 +104,8 @@ def _for_numbers(
 
 
 def _first_numbers(statement: Statement, boxes: Mapping[str, Box]) -> Iterator[tuple[str, int]]:
-    for name in sorted(statement.symbols()):
+    bound = {s.parts[1].name for s in open_sums(statement)}
+    for name in sorted(statement.symbols() - bound):
         box = boxes.get(name, Box())
         if box.integer:
             start = 0 if box.lower is None else int(box.lower.__ceil__())
@@ -111,16 +114,15 @@ def _first_numbers(statement: Statement, boxes: Mapping[str, Box]) -> Iterator[t
 
 
 def _written_out(expr: Expr) -> Expr:
-    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
-        if node.kind != "call":
-            return None
-        if node.name == "sum":
+    def sums(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        if node.kind == "call" and node.name == "sum":
             return sum_of(parts[0], parts[1].name, parts[2], parts[3])[0]
-        if node.name == "power":
-            return general_power(*parts)
         return None
 
-    return rebuilt(expr, change)
+    def powers(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        return general_power(*parts) if node.kind == "call" and node.name == "power" else None
+
+    return rebuilt(rebuilt(expr, sums), powers)
 
 
 def _domain_text(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]) -> str:

@@ -20,12 +20,13 @@ Pair = tuple[Expr, Expr]
 @dataclass(frozen=True)
 class Freed:
     """An algebraic statement that implies the given one; `boxes` hold those of the new variables
-    too, `labels` say what these were.
+    too, `labels` say what these were, `exclusions` where nothing is said.
     """
 
     statement: Statement
     boxes: Mapping[str, Box]
     labels: Mapping[str, str]
+    exclusions: tuple[str, ...] = ()
 
 
 def has_functions(statement: Statement) -> bool:
@@ -46,7 +47,7 @@ def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive)
     moved = statement.mapped(changed)
     if atoms.has_angles:
         _refuse_open_relations(statement)
-    return Freed(moved, {**boxes, **atoms.made}, atoms.labels())
+    return Freed(moved, {**boxes, **atoms.made}, atoms.labels(), tuple(atoms.exclusions.values()))
 
 
 def _refuse_open_relations(statement: Statement) -> None:

@@ -16,6 +16,8 @@ from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.formula import Graph, Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame
 from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.series.of_expression import expanded
+from gainproof.verify.judge.series.series import leading
 
 SMALL = "distance to the limit"
 End = Expr | str
@@ -117,11 +119,42 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
     raise Undecided("a limit in a quantity that does not tend to its point at an end")
 
 
-def others_frame(frame: Frame, name: str) -> tuple[Frame, bool]:
-    """The frame without the variable of the limit, and whether conditions on it were left out."""
-    kept = tuple(c for c in frame.conditions if name not in symbols_of(c.left, c.right))
-    boxes: Mapping[str, Box] = {n: b for n, b in frame.boxes.items() if n != name}
-    return replace(frame, boxes=boxes, conditions=kept), len(kept) < len(frame.conditions)
+def others_frame(frame: Frame, approach: Approach) -> tuple[Frame, bool]:
+    """The frame without the variable of the limit; whether a condition on it was left out that does
+    not just say from which side it comes.
+    """
+    on_it = [c for c in frame.conditions if approach.name in symbols_of(c.left, c.right)]
+    kept = tuple(c for c in frame.conditions if c not in on_it)
+    boxes: Mapping[str, Box] = {n: b for n, b in frame.boxes.items() if n != approach.name}
+    around = replace(frame, boxes=boxes, conditions=kept)
+    return around, any(None in _near(c, approach, around).values() for c in on_it)
+
+
+def open_sides(approach: Approach, frame: Frame, around: Frame) -> list[int]:
+    """The sides on which no condition excludes points close to the limit. Raises Undecided."""
+    on_it = [c for c in frame.conditions if approach.name in symbols_of(c.left, c.right)]
+    shut = {s for c in on_it for s, holds in _near(c, approach, around).items() if holds is False}
+    sides = [side for side in approach.sides() if side not in shut]
+    if not sides:
+        raise Undecided("the conditions hold nowhere close to the limit")
+    return sides
+
+
+def _near(rel: Rel, approach: Approach, around: Frame) -> dict[int, bool | None]:
+    """For each side whether a condition holds close to the limit; None where that is not known."""
+    oracle = Coefficients(around)
+    found: dict[int, bool | None] = {}
+    for side in approach.sides():
+        try:
+            difference = approach.moved(rel.left - rel.right, side)
+            first = leading(expanded(difference, SMALL, oracle, Fraction(4)), oracle)
+        except Undecided:
+            first = None
+        found[side] = None
+        for sign, operators in ((1, (">", ">=", "!=")), (-1, ("<", "<=", "!="))):
+            if first is not None and oracle.is_positive(first[1] if sign > 0 else -first[1]):
+                found[side] = rel.operator in operators
+    return found
 
 
 class Coefficients:

@@ -19,6 +19,7 @@ from gainproof.verify.judge.kinds.approach import (
     arrow_of,
     end_of,
     equal,
+    open_sides,
     others_frame,
 )
 from gainproof.verify.judge.kinds.framing import Frame, framed
@@ -43,14 +44,14 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     left, right = scope.expression(relation.left), scope.expression(relation.right)
     frame = framed(claim, scope, resolved(others, scope))
     approach = approach_of(variable, point, frame)
-    around, dropped = others_frame(frame, approach.name)
+    around, dropped = others_frame(frame, approach)
     rest, errors = _without_orders(left + neg(right))
     if claim.order is not None:
         errors.append(power(_distance(variable, approach), claim.order))
     if relation.operator == "=" and not errors:
         raise Undecided("asymptotics without an order: O(...) or the field `order` says it")
     finding: Finding | None = None
-    for side in approach.sides():
+    for side in open_sides(approach, frame, around):
         if errors:
             finding = _agree(rest, errors, approach, side, around)
         else:

@@ -23,13 +23,14 @@ from gainproof.verify.judge.kinds.approach import (
     arrow_of,
     end_of,
     equal,
+    open_sides,
     others_frame,
 )
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.of_expression import expanded
-from gainproof.verify.judge.series.series import leading
+from gainproof.verify.judge.series.series import Series, leading
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 DEPTHS = (Fraction(3), Fraction(8), Fraction(16))
@@ -82,9 +83,9 @@ def _algebraic(expr: Expr, approach: Approach, claimed: End) -> Outcome:
 
 
 def _by_expansion(expr: Expr, approach: Approach, claimed: End, frame: Frame) -> Finding:
-    around, dropped = others_frame(frame, approach.name)
+    around, dropped = others_frame(frame, approach)
     finding: Finding | None = None
-    for side in approach.sides():
+    for side in open_sides(approach, frame, around):
         found = limit_by_expansion(approach.moved(expr, side), around)
         finding = _compared(found, claimed, approach, around)
         if finding.verdict != "proved":
@@ -101,15 +102,16 @@ def limit_by_expansion(expr: Expr, around: Frame) -> End:
     oracle = Coefficients(around)
     for depth in DEPTHS:
         series = expanded(expr, SMALL, oracle, depth)
-        first = leading(series, oracle)
-        if first is not None and first[0] < 0:
+        growing = Series({e: c for e, c in series.terms.items() if e < 0}, series.order)
+        first = leading(growing, oracle)
+        if first is not None:
             if oracle.is_positive(first[1]):
                 return "infinity"
             if oracle.is_positive(-first[1]):
                 return "-infinity"
             raise Undecided("a limit that is infinite, of a sign that is not known")
         if series.order > 0:
-            return number(0) if first is None or first[0] > 0 else first[1]
+            return series.terms.get(Fraction(0), number(0))
     raise Undecided("an expansion that cancels to the order reached")
 
 

@@ -15,7 +15,7 @@ from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import rational
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
-from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.formula import Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
@@ -25,13 +25,13 @@ PRECISION = 512
 
 def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether every printed number is the rounded value of the other side."""
-    sides = [(scope.expression(r.left), scope.expression(r.right)) for r in reading.relations]
+    printed_numbers = [_turned(relation, scope) for relation in reading.relations]
     printed = tuple(scope.relation(r) for r in reading.conditions)
     only_plain(printed)
     frame = framed(claim, scope, printed)
     finding: Finding | None = None
-    for exact, shown in map(_turned, sides):
-        half = Fraction(1, 2 * 10 ** shown_decimals(claim.plain or claim.latex, shown))
+    for exact, shown, decimals in printed_numbers:
+        half = Fraction(1, 2) / Fraction(10) ** decimals
         finding = _within(exact, shown, half, frame)
         if finding.verdict != "proved":
             return finding
@@ -40,40 +40,17 @@ def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     return finding
 
 
-def _turned(sides: tuple[Expr, Expr]) -> tuple[Expr, Fraction]:
-    """The exact side, and the number printed."""
-    left, right = (constant_value(side) for side in sides)
-    if right is not None:
-        return sides[0], right
-    if left is None:
-        raise Undecided("neither side is a printed number")
-    return sides[1], left
-
-
-def shown_decimals(text: str, value: Fraction) -> int:
-    """How many digits are printed after the point of the number that has this value."""
-    found = [
-        len(part) for whole, part in _decimals(text) if Fraction(f"{whole}.{part}0") == abs(value)
-    ]
-    if found:
-        return max(found)
-    if value.denominator == 1:
-        return 0
-    raise Undecided("the printed number shows no digits after a point")
-
-
-def _decimals(text: str) -> Iterable[tuple[str, str]]:
-    """Digits before and after each decimal point of a formula."""
-    digits = ""
-    before: str | None = None
-    for sign in text + " ":
-        if sign.isascii() and sign.isdigit():
-            digits += sign
-            continue
-        if before is not None and digits:
-            yield before, digits
-        before = (digits or "0") if sign == "." else None
-        digits = ""
+def _turned(relation: Relation, scope: Scope) -> tuple[Expr, Fraction, int]:
+    """The exact side, the number printed, and how many decimals of it are."""
+    left, right = scope.expression(relation.left), scope.expression(relation.right)
+    for exact, shown, decimals in (
+        (left, right, relation.right_decimals),
+        (right, left, relation.left_decimals),
+    ):
+        value = constant_value(shown)
+        if value is not None and decimals is not None:
+            return exact, value, decimals
+    raise Undecided("neither side is a number as printed, with its digits")
 
 
 def _within(exact: Expr, shown: Fraction, half: Fraction, frame: Frame) -> Finding:
