@@ -131,11 +131,6 @@ def _check_formula(fields: Fields, claim: Claim, reading: Reading) -> None:
         )
     if claim.kind in ("implication", "equivalence") and not reading.conditions:
         raise fields.fail(field, f"a claim of kind {claim.kind} has two parts")
-    if claim.kind == "value" and not any(
-        _is_number(side) for side in (reading.relations[0].left, reading.relations[0].right)
-    ):
+    first = reading.relations[0]
+    if claim.kind == "value" and first.left_decimals is None and first.right_decimals is None:
         raise fields.fail(field, "a claim of kind value has a number on one side")
-
-
-def _is_number(side: Mapping[str, Any]) -> bool:
-    return all(node[0] in ("number", "neg") for node in side["nodes"])

@@ -86,12 +86,12 @@ def _outcome(work: Work, judged: list[Judged]) -> Outcome:
             raise Undecided("the formula has no value anywhere on its domain")
         raise Undecided("the conditions hold nowhere on the domain")
     wide = [j for j in held if j.place.is_cell or work.tower.parameter is None]
-    if not wide and held and (_is_single(work, judged) or _only_points(judged)):
+    if not wide and held and _is_single(work, judged):
         wide = held
     domain = _domain_text(work, [j.place for j in held], label)
     method = _method(statement, work)
     if not failed:
-        if not wide:
+        if not wide and not _only_points(judged):
             raise Undecided("the formula has a value at isolated points only")
         return Outcome("proved", domain, "holds on the whole domain", method, None, certificate)
     witness, tried = _witness(work, failed)

@@ -23,6 +23,8 @@ PATTERNS = (
     (5, 1, 7, 2, 3, 1),
     (1, 1, 1, 1, 1, 1),
     (9, 4, 1, 6, 2, 8),
+    (-1, 2, -3, 5, -7, 11),
+    (1, -2, -1, 3, 5, -4),
 )
 
 
@@ -66,8 +68,10 @@ def _points(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fr
                 wanted = Fraction(pattern[k % len(pattern)] + 20 * (k // len(pattern))) * scale
                 value = inside(boxes.get(name, Box(stated=False)), wanted)
                 if value is None:
-                    return
+                    break
                 values.append(value)
+            if len(values) < len(names):
+                continue
             if tuple(values) not in made and len(made) < WANTED:
                 made.add(tuple(values))
                 yield dict(zip(names, values, strict=True))

@@ -16,6 +16,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.deciding import decided
 from gainproof.verify.judge.hypothesis import without_equations
+from gainproof.verify.judge.meaning.domains import refuse_fractions
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE
 
@@ -84,6 +85,7 @@ def framed(
         lower = boxes[SAMPLE].lower
         boxes[SAMPLE] = replace(boxes[SAMPLE], lower=max(lower or Fraction(0), Fraction(1)))
     boxes, rest = bounded({**boxes, **scope.bound_domains}, stated)
+    refuse_fractions(scope.whole, boxes)
     frame = Frame(boxes, rest, scope.environment.parameter, scope.labels())
     return _with_required(frame, scope.required)
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim_record import Setting
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, symbol, walk
+from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.setting.environment import Environment
 
@@ -56,9 +56,8 @@ def is_whole(expr: Expr, boxes: Mapping[str, Box]) -> bool:
 
 
 def refuse_fractions(bounds: Iterable[Expr], boxes: Mapping[str, Box]) -> None:
-    """Raises Undecided unless all bounds of a sum are whole numbers, or infinite."""
-    for bound in bounds:
-        if bound != symbol("infinity") and not is_whole(bound, boxes):
-            raise Undecided(
-                "a bound of a sum that may be no whole number: its symbols need integer = true"
-            )
+    """Raises Undecided unless all bounds of sums are whole numbers."""
+    if not all(is_whole(bound, boxes) for bound in bounds):
+        raise Undecided(
+            "a bound of a sum that may be no whole number: its symbols need integer = true"
+        )

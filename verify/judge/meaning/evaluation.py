@@ -133,7 +133,7 @@ def _call(node: Expr, names: Names, bindings: Bindings) -> Value:
     if names.is_declared(name):
         arguments = [evaluated(p, names, bindings) for p in node.parts]
         return names.function(name, arguments, bindings)
-    if name in ("sum", "integral"):
+    if name in ("sum", "product", "integral"):
         return _bound(node, names, bindings)
     values = [evaluated(p, names, bindings) for p in node.parts]
     if name == "expectation" and len(values) == 1:

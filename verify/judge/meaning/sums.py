@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
@@ -37,7 +35,8 @@ def sum_of(summand: Expr, index: str, low: Expr, high: Expr) -> tuple[Expr, tupl
         return _endless(summand, index, low)
     first, last = constant_value(low), constant_value(high)
     if first is not None and last is not None:
-        return _written_out(summand, index, first, last), ()
+        terms = [substituted(summand, {index: n}) for n in range_of(low, high)]
+        return (add(*terms) if terms else number(0)), ()
     ordered = (Rel(">=", high - low, number(-1)),)
     known = coefficients(summand, index)
     if known is None or max(known, default=0) > MOST_POLYNOMIAL:
@@ -48,14 +47,14 @@ def sum_of(summand: Expr, index: str, low: Expr, high: Expr) -> tuple[Expr, tupl
     return (add(*terms) if terms else number(0)), ordered
 
 
-def _written_out(summand: Expr, index: str, first: Fraction, last: Fraction) -> Expr:
-    if first.denominator != 1 or last.denominator != 1:
-        raise Undecided("a sum whose bounds are not whole numbers")
+def range_of(low: Expr, high: Expr) -> list[Expr]:
+    """The whole numbers from one bound to the other. Raises Undecided."""
+    first, last = constant_value(low), constant_value(high)
+    if first is None or last is None or first.denominator != 1 or last.denominator != 1:
+        raise Undecided("a sum or product whose bounds are not whole numbers")
     if not -1 <= last - first < MOST_TERMS:
         raise Undecided(f"a sum of more than {MOST_TERMS} terms, or with its bounds turned round")
-    numbers = range(int(first), int(last) + 1)
-    terms = [substituted(summand, {index: number(n)}) for n in numbers]
-    return add(*terms) if terms else number(0)
+    return [number(n) for n in range(int(first), int(last) + 1)]
 
 
 def _power_sum(m: int, upper: Expr) -> Expr:

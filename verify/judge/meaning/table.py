@@ -11,19 +11,27 @@ from gainproof.verify.judge.claim_record import Setting, SymbolEntry
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.domains import domains, entry_names, free_name, refuse_fractions
+from gainproof.verify.judge.meaning.domains import entry_names, free_name
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
 from gainproof.verify.judge.meaning.reach import Reach
-from gainproof.verify.judge.meaning.sums import sum_of
-from gainproof.verify.judge.meaning.value import Value, mapped, matrix, shape, shape_text
+from gainproof.verify.judge.meaning.sums import INFINITE, range_of, sum_of
+from gainproof.verify.judge.meaning.value import (
+    Value,
+    mapped,
+    matrix,
+    multiplied,
+    put_in,
+    shape,
+    shape_text,
+)
 from gainproof.verify.judge.setting.environment import Environment
 
 MOST_CALLS = 500
@@ -44,7 +52,8 @@ class Table:
     is taken.
 
     `needed` collects what was differentiated: a derivative has a value only where its function has
-    one. `required` collects what sums and integrals rest on: bounds in order, convergence.
+    one. `required` collects what sums and integrals rest on: bounds in order, convergence; `whole`
+    what must be a whole number.
     `bound_domains` are the domains of bound names that occur in these.
     """
 
@@ -53,6 +62,7 @@ class Table:
     choice: Mapping[str, int] = field(default_factory=dict)
     needed: list[Expr] = field(default_factory=list)
     required: list[Rel] = field(default_factory=list)
+    whole: list[Expr] = field(default_factory=list)
     bound_domains: dict[str, Box] = field(default_factory=dict)
     used: dict[str, Value] = field(default_factory=dict)
     root: Bindings = field(default_factory=Bindings)
@@ -150,52 +160,55 @@ class Table:
         if self._calls > MOST_CALLS:
             raise Undecided(f"a formula with more than {MOST_CALLS} functions put in")
         inner: dict[str, Value] = {}
-        put_in: dict[str, Expr] = {}
+        given: dict[str, Expr] = {}
         for token, value in zip(entry.arguments, arguments, strict=True):
             if isinstance(value, Expr):
                 fresh = self._fresh(token)
-                inner[token], put_in[fresh.name] = fresh, value
+                inner[token], given[fresh.name] = fresh, value
             else:
                 inner[token] = value
-        marks = len(self.needed), len(self.required)
+        marks = len(self.needed), len(self.required), len(self.whole)
         self._open.append(name)
         try:
             body = self._defining(name, entry.definition).right
             found = self.under(body, bindings.having(inner))
         finally:
             self._open.pop()
-        self._put_in(put_in, *marks)
-        return mapped(found, lambda entry: substituted(entry, put_in))
+        self._put_in(given, marks)
+        return mapped(found, lambda entry: substituted(entry, given))
 
     def _fresh(self, token: str) -> Expr:
         self._count += 1
         return symbol(f"bound {token} {self._count}")
 
-    def _put_in(self, values: Mapping[str, Expr], needed: int, required: int) -> None:
+    def _put_in(self, values: Mapping[str, Expr], marks: tuple[int, int, int]) -> None:
         """Bound names replaced in what was collected since the marks."""
+        needed, required, whole = marks
         self.needed[needed:] = [substituted(e, values) for e in self.needed[needed:]]
         self.required[required:] = [
             Rel(r.operator, substituted(r.left, values), substituted(r.right, values))
             for r in self.required[required:]
         ]
+        self.whole[whole:] = [substituted(e, values) for e in self.whole[whole:]]
 
     def bound(
         self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
     ) -> Value:
-        """A sum or an integral of `body` over the bound name `token`."""
+        """A sum, a product or an integral of `body` over the bound name `token`."""
         first, last = number_of(low), number_of(high)
         self._reach.refuse_indexed(body, token)
         fresh = self._fresh(token)
-        marks = len(self.needed), len(self.required)
-        value = evaluated(body, self, bindings.having({token: fresh}))
-        if any(fresh.name in symbols_of(e) for e in self.needed[marks[0] :]):
-            raise Undecided(f"a {kind} of derivatives over {token}")
         lower, upper = constant_value(first), constant_value(last)
-        box = Box(lower=lower, upper=upper, lower_open=False, upper_open=False)
-        if kind == "sum":
-            refuse_fractions((first, last), domains(self.setting, self.environment))
-            box = Box(lower, upper, False, False, integer=True)
-        self.bound_domains[fresh.name] = box
+        self.bound_domains[fresh.name] = Box(lower, upper, False, False, kind != "integral")
+        if kind != "integral":
+            self.whole += [bound for bound in (first, last) if bound != INFINITE]
+        mark = len(self.needed)
+        value = evaluated(body, self, bindings.having({token: fresh}))
+        if any(fresh.name in symbols_of(e) for e in self.needed[mark:]):
+            raise Undecided(f"a {kind} of derivatives over {token}")
+        if kind == "product":
+            factors = [put_in(value, {fresh.name: n}) for n in range_of(first, last)]
+            return multiplied(factors) if factors else number(1)
         work = sum_of if kind == "sum" else integral_of
 
         def each(entry: Expr) -> Expr:

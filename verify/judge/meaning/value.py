@@ -6,8 +6,9 @@ A matrix of one row and one column is the number in it, as in print: x' P x is a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
+from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number
 from gainproof.verify.judge.exact.grid import Grid
 from gainproof.verify.judge.exact.limits import Undecided
@@ -53,6 +54,11 @@ def mapped(value: Value, change: Callable[[Expr], Expr]) -> Value:
     if isinstance(value, Expr):
         return change(value)
     return tuple(tuple(change(entry) for entry in row) for row in value)
+
+
+def put_in(value: Value, values: Mapping[str, Expr]) -> Value:
+    """Symbols replaced by expressions in every entry."""
+    return mapped(value, lambda entry: substituted(entry, values))
 
 
 def added(values: Sequence[Value]) -> Value:

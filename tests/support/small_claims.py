@@ -1,0 +1,51 @@
+"""Single claims about free letters, judged without a search for repairs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from gainproof.verify.judge.claim_file import read_claim_text
+from gainproof.verify.judge.judge import judge_setting
+from gainproof.verify.judge.verdict import ClaimVerdict
+
+HEAD = """
+format = "gainproof claims 1"
+[source]
+key = "trial"
+title = "trial"
+authors = ["A. Reader"]
+publication = "unpublished"
+[settings.s]
+title = "trial"
+"""
+LETTERS = dict.fromkeys("abcghmpqrstuvwxyz", "{ unit = '1', meaning = 'a number' }")
+LETTERS |= dict.fromkeys("ijkn", "{ unit = '1', integer = true, meaning = 'whole' }")
+LETTERS |= dict.fromkeys((r"\theta", r"\phi"), "{ unit = '1', meaning = 'an angle' }")
+
+
+def judged(
+    kind: str,
+    fields: str,
+    symbols: Mapping[str, str] | None = None,
+    setting: str = "kind = 'algebra'",
+    models: Sequence[Mapping[str, Any]] = (),
+) -> ClaimVerdict:
+    """The verdict on one claim; `fields` is its formula, or lines of the claim's table.
+
+    `symbols` are added to LETTERS, which are those of a setting without a model.
+    """
+    letters = LETTERS if "algebra" in setting else {}
+    table = "".join(f"'{k}' = {v}\n" for k, v in {**letters, **(symbols or {})}.items())
+    lines = fields if " = '" in fields or " = [" in fields else f"latex = '{fields}'"
+    claim = f"[[claims]]\nid = '1'\nplace = 'here'\nsetting = 's'\nkind = '{kind}'\n{lines}\n"
+    file = read_claim_text(f"{HEAD}{setting}\n[settings.s.symbols]\n{table}{claim}", "trial.toml")
+    (found,) = judge_setting(file.settings["s"], file.claims, models, {})
+    return found
+
+
+def check(found: ClaimVerdict, wanted: str) -> None:
+    """The verdict is the wanted one; a refutation shows an exact point or value."""
+    assert found.verdict == wanted, found.reason
+    if wanted in ("refuted", "conditional"):
+        assert found.witness is not None, found.reason

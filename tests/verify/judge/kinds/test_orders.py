@@ -1,0 +1,36 @@
+"""Asymptotics: the order of the error, and leading terms."""
+
+from __future__ import annotations
+
+import pytest
+from small_claims import check, judged
+
+SMALL = "\\quad (x \\to 0)'\ndomain = 'a > 0'"
+FALLING = r"\frac{4 n - 2}{n (n+1)}"
+
+
+@pytest.mark.parametrize(
+    ("fields", "wanted"),
+    [
+        (r"\sqrt{1 + x} = 1 + \frac{x}{2} + O(x^2) \quad (x \to 0)", "proved"),
+        (r"\sqrt{1 + x} = 1 + \frac{x}{2} - \frac{x^2}{8} + O(x^3) \quad (x \to 0)", "proved"),
+        # true to order 2, and no further
+        (r"\sqrt{1 + x} = 1 + \frac{x}{2} + O(x^3) \quad (x \to 0)", "refuted"),
+        (r"\sqrt{1 + x} = 1 + \frac{x}{3} + O(x^2) \quad (x \to 0)", "refuted"),
+        (r"latex = '\sqrt{a^2 + x} = a + \frac{x}{2 a} + O(x^2) " + SMALL, "proved"),
+        (r"latex = '\sqrt{a^2 + x} = a + \frac{x}{a} + O(x^2) " + SMALL, "refuted"),
+        (r"\sqrt{a^2 + x} = a + \frac{x}{2 a} + O(x^2) \quad (x \to 0)", "undecided"),
+        (FALLING + r"\sim \frac{4}{n} \quad (n \to \infty)", "proved"),
+        (FALLING + r"\sim \frac{2}{n} \quad (n \to \infty)", "refuted"),
+        (FALLING + r"\sim \frac{2}{n^2} \quad (n \to \infty)", "refuted"),
+        (FALLING + r"= \frac{4}{n} + O(\frac{1}{n^2}) \quad (n \to \infty)", "proved"),
+        (FALLING + r"= \frac{4}{n} + O(\frac{1}{n^3}) \quad (n \to \infty)", "refuted"),
+        ("latex = '\\sin x = x \\quad (x \\to 0)'\norder = 3", "proved"),
+        ("latex = '\\sin x = x \\quad (x \\to 0)'\norder = 4", "refuted"),
+        (r"\sqrt{x} = O(x) \quad (x \to 0)", "refuted"),
+        (r"\sqrt{x} \sim x \quad (x \to 0)", "refuted"),
+        (r"x = O(\sin x) \quad (x \to 0)", "proved"),
+    ],
+)  # fmt: skip
+def test_order(fields: str, wanted: str) -> None:
+    check(judged("asymptotics", fields), wanted)

@@ -1,0 +1,33 @@
+"""Printed numbers: the exact value against the interval of the digits shown."""
+
+from __future__ import annotations
+
+import pytest
+from small_claims import check, judged
+
+ROOT = "\ngiven = ['x^2 = 3x - 1']\ndomain = '0 < x < "
+
+
+@pytest.mark.parametrize(
+    ("fields", "wanted"),
+    [
+        (r"\frac{3 - \sqrt{5}}{2} \approx 0.382", "proved"),
+        (r"\frac{3 - \sqrt{5}}{2} \approx 0.3820", "proved"),
+        (r"\frac{3 - \sqrt{5}}{2} \approx 0.3819", "refuted"),
+        (r"\frac{3 - \sqrt{5}}{2} = 0.4", "proved"),
+        # half a unit of the last digit is still inside, on both sides
+        (r"\frac{1}{8} \approx 0.12", "proved"),
+        (r"\frac{1}{8} \approx 0.13", "proved"),
+        (r"\frac{1}{8} \approx 0.14", "refuted"),
+        (r"\frac{1}{8} \approx 1.25 \times 10^{-1}", "proved"),
+        (r"e^{-1} \approx 0.368", "proved"),
+        (r"e^{-1} \approx 0.367", "refuted"),
+        (r"\frac{a^2}{2 - a} \approx 0.1667 \quad (a = \frac{1}{2})", "proved"),
+        (r"\frac{a^2}{2 - a} \approx 0.1666 \quad (a = \frac{1}{2})", "refuted"),
+        (r"latex = 'x \approx 0.382'" + ROOT + "1'", "proved"),
+        # the other root lies in the domain too
+        (r"latex = 'x \approx 0.382'" + ROOT + "4'", "refuted"),
+    ],
+)
+def test_value(fields: str, wanted: str) -> None:
+    check(judged("value", fields), wanted)
