@@ -28,18 +28,27 @@ def console_examples() -> list[tuple[str, str]]:
     ]
 
 
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A working folder with the files that the README shows."""
-    for block in blocks("toml"):
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """One working folder, with the files that the README shows, for all examples in their order."""
+    path = tmp_path_factory.mktemp("readme")
+    for block in [*blocks("toml"), *blocks("python")]:
         name = block.partition("\n")[0].removeprefix("# ")
-        (tmp_path / name).write_text(block, encoding="utf-8")
-    return tmp_path
+        (path / name).write_text(block, encoding="utf-8")
+    return path
 
 
 @pytest.mark.skipif(os.name != "posix", reason="the examples use a POSIX shell")
-@pytest.mark.parametrize(("command", "output"), console_examples())
-def test_console_example(command: str, output: str, folder: Path) -> None:
+def test_console_examples(folder: Path) -> None:
+    examples = console_examples()
+    assert examples
+    for command, output in examples:
+        shown = printed(command, folder)
+        assert doctest.OutputChecker().check_output(output, shown, doctest.ELLIPSIS), shown
+
+
+def printed(command: str, folder: Path) -> str:
+    """What a command of the README prints; errors only if it prints nothing else."""
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     done = subprocess.run(
         command,
@@ -50,8 +59,7 @@ def test_console_example(command: str, output: str, folder: Path) -> None:
         cwd=folder,
         env={**os.environ, "PATH": path},
     )
-    checker = doctest.OutputChecker()
-    assert checker.check_output(output, done.stdout, doctest.ELLIPSIS), done.stdout + done.stderr
+    return done.stdout or done.stderr
 
 
 def test_python_examples() -> None:
