@@ -48,6 +48,15 @@ def command_at(text: str, position: int) -> str:
     return text[position:end] if end > position + 1 else text[position : position + 2]
 
 
+def braced_sign_end(text: str, position: int) -> int | None:
+    """The end of `{+}` or `{-}` at `position`, which prints a sign without blanks round it."""
+    start = skip_space(text, position + 1)
+    end = skip_space(text, start + 1)
+    if text[start : start + 1] in ("+", "-") and text[end : end + 1] == "}":
+        return end + 1
+    return None
+
+
 def brace_partners(text: str) -> dict[int, int]:
     """The position of the closing brace for that of each opening one; `\\{` and `\\}` are none."""
     found: dict[int, int] = {}

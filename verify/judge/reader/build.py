@@ -79,7 +79,9 @@ class Builder:
             case "call" | "call_raised" | "call_transposed":
                 return call(self, tree)
             case "named":
-                return named(self, tree)
+                return named(self, tokens(tree, "NAMED")[0], children(children(tree)[0]), tree)
+            case "word_call":
+                return named(self, tokens(tree, "WORD")[0], children(tree), tree)
             case "named_raised":
                 return named_raised(self, tree)
             case "matrix":

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from lark import Token
+
 from gainproof.verify.judge.reader.build_matrix import inverse, transposed
 from gainproof.verify.judge.reader.constant import constant_value
 from gainproof.verify.judge.reader.tree import Branch, children, sole, tokens
@@ -38,12 +40,11 @@ def call(builder: Builder, tree: Branch) -> int:
     return builder.power(number, above)
 
 
-def named(builder: Builder, tree: Branch) -> int:
-    """A function of the reader's own table."""
-    name = str(tokens(tree, "NAMED")[0])
-    arguments = children(children(tree)[0])
+def named(builder: Builder, word: Token, arguments: list[Branch], tree: Branch) -> int:
+    """A function of the reader's own table, or a word of plain text."""
+    name = str(word)
     if name in PLAIN_FORMS:
-        return _plain_form(builder, name, arguments, tree)
+        return _plain_form(builder, word, arguments, tree)
     least, most = _COUNTS.get(name, (1, 1))
     if not least <= len(arguments) <= most:
         wanted = str(least) if least == most else f"{least} to {most}"
@@ -76,8 +77,9 @@ def _refuse_infinity(builder: Builder, arguments: list[Branch]) -> None:
             raise builder.error("\\infty may only be a bound, or the end of an arrow", argument)
 
 
-def _plain_form(builder: Builder, name: str, arguments: list[Branch], tree: Branch) -> int:
+def _plain_form(builder: Builder, word: Token, arguments: list[Branch], tree: Branch) -> int:
     """What LaTeX prints with signs: `transpose(A)`, `sum(f, i, 0, k)`, `diff(f, x)`."""
+    name = str(word)
     if len(arguments) != PLAIN_FORMS[name]:
         problem = f"{name} takes {PLAIN_FORMS[name]} arguments, not {len(arguments)}"
         raise builder.error(problem, tree)
@@ -89,7 +91,7 @@ def _plain_form(builder: Builder, name: str, arguments: list[Branch], tree: Bran
         case "abs":
             return add("call", "abs", numbers[0])
         case "transpose":
-            return transposed(builder, numbers[0], tokens(tree, "NAMED")[0])
+            return transposed(builder, numbers[0], word)
         case "inverse":
             return inverse(builder, numbers[0], tree)
         case "matrix":

@@ -63,7 +63,10 @@ def meant_character(character: str) -> str | None:
         return _MEANT[character]
     plain = unicodedata.normalize("NFKC", character)
     if plain != character and len(plain) == 1:
-        return plain if plain.isascii() and plain.isprintable() else meant_character(plain)
+        form = unicodedata.decomposition(character).partition(" ")[0]
+        shift = {"<super>": "^", "<sub>": "_"}.get(form, "")
+        meant = plain if plain.isascii() and plain.isprintable() else meant_character(plain)
+        return None if meant is None else shift + meant
     return _greek(unicodedata.name(character, ""))
 
 

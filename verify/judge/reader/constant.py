@@ -18,9 +18,11 @@ def constant_value(tree: Tree[Token]) -> Fraction | None:
     match tree.data:
         case "number":
             return Fraction(str(tree.children[0]))
-        case "group" | "single" | "sum" if len(tree.children) in (1, 3):
+        case "group" | "braced" | "single" | "sum" if len(tree.children) in (1, 3):
             inner = [child for child in tree.children if isinstance(child, Tree)]
             return constant_value(inner[0]) if len(inner) == 1 else None
+        case "plus_sum" if len(tree.children) == 2 and isinstance(tree.children[1], Tree):
+            return constant_value(tree.children[1])
         case "minus_sum" if len(tree.children) == 2 and isinstance(tree.children[1], Tree):
             value = constant_value(tree.children[1])
             return None if value is None else -value

@@ -90,7 +90,7 @@ def _argument_brackets(tokens: Sequence[FormulaToken], pairing: Pairing) -> set[
     """The brackets that hold arguments of a function, in which a comma separates these."""
     found: set[int] = set()
     for number, token in enumerate(tokens):
-        if token.kind in ("FUNCTION", "NAMED", "EXPECT", "ORDER"):
+        if token.kind in ("FUNCTION", "NAMED", "WORD", "EXPECT", "ORDER"):
             after = number + 1
             if after < len(tokens) and tokens[after].kind == "POWER":
                 after += 1

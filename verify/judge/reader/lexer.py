@@ -7,6 +7,7 @@ from __future__ import annotations
 from gainproof.verify.judge.reader.alphabet import (
     DIGITS,
     brace_partners,
+    braced_sign_end,
     command_at,
     is_letter,
     skip_space,
@@ -14,16 +15,14 @@ from gainproof.verify.judge.reader.alphabet import (
 from gainproof.verify.judge.reader.differential import Differentials
 from gainproof.verify.judge.reader.environments import Environments, line_break_end
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
-from gainproof.verify.judge.reader.names import scan_base, scan_decorations
+from gainproof.verify.judge.reader.line_end import LineEnds, end_of_tag, equation_number_end
+from gainproof.verify.judge.reader.names import scan_base
 from gainproof.verify.judge.reader.naming import NameFinder
 from gainproof.verify.judge.reader.scan import (
-    end_of_tag,
-    equation_number_end,
     evaluation_end,
     scan_mark,
     scan_number,
     scan_sized,
-    skip_idle,
     word_in_text,
 )
 from gainproof.verify.judge.reader.special import (
@@ -64,13 +63,14 @@ class _Lexer:
         self.environments = Environments(text)
         self.names = NameFinder(text, vocabulary, self.partners)
         self.differentials = Differentials(text, self.partners, self.names.longest)
-        self.continues_until = -1
+        self.line_ends = LineEnds(text)
 
     def run(self) -> list[FormulaToken]:
         while (start := skip_space(self.text, self.names.passed(self.position))) < len(self.text):
             self.position = start
             character = self.text[start]
-            if character in ".,;" and self._ends_line():
+            if character in ".,;" and (end := self.line_ends.end_at(start)) is not None:
+                self.position = end
                 continue
             if character in DIGITS or character == ".":
                 self._add(*scan_number(self.text, start, single=self.tokens.single))
@@ -80,10 +80,12 @@ class _Lexer:
                 self._command()
             elif character == "~":
                 self.position += 1
+            elif character == "{" and self._sign_in_braces():
+                continue
             elif character == "&" and not self.environments.has_columns():
                 raise self._error("the character '&' has no meaning here", "&")
-            elif character == "^" and (found := transpose_end(self.text, start + 1)) is not None:
-                self._add("TRANSPOSE", *found)
+            elif character == "^" and self._transposes():
+                continue
             else:
                 self._add(*scan_mark(self.text, start, self.tokens.found))
         self.environments.refuse_open()
@@ -91,17 +93,6 @@ class _Lexer:
 
     def _error(self, problem: str, token: str, nearest: tuple[str, ...] = ()) -> ReaderError:
         return ReaderError(problem, self.text, self.position, token, nearest)
-
-    def _ends_line(self) -> bool:
-        """Whether punctuation here ends a line, and is then passed over."""
-        if self.position < self.continues_until:
-            return False
-        end = skip_idle(self.text, self.position)
-        if end == len(self.text) or self.text.startswith(("\\end", "\\\\"), end):
-            self.position = end
-            return True
-        self.continues_until = end
-        return False
 
     def _add(self, kind: str, value: str, end: int) -> None:
         self.differentials.integrals += (kind == "INTEGRAL") - (kind == "DIFFERENTIAL")
@@ -130,12 +121,7 @@ class _Lexer:
         if special is not None:
             self._add(*special)
             return
-        name = (
-            text[start:end]
-            if self.tokens.single
-            else scan_decorations(text, text[start:end], end)[0]
-        )
-        raise self.names.undeclared(name, start)
+        raise self.names.undeclared(text[start:end], start, end, self.tokens.single)
 
     def _command(self) -> None:
         text, start = self.text, self.position
@@ -171,6 +157,23 @@ class _Lexer:
         else:
             self._named_by_command(command)
 
+    def _transposes(self) -> bool:
+        """Whether the mark of a transpose stands here, which is then read."""
+        found = None if self.tokens.takes_bound() else transpose_end(self.text, self.position + 1)
+        if found is None:
+            return False
+        self._add("TRANSPOSE", *found)
+        return True
+
+    def _sign_in_braces(self) -> bool:
+        """Whether `{+}` or `{-}` stands here as a sign of its own, which is then read."""
+        end = None if self.tokens.single else braced_sign_end(self.text, self.position)
+        if end is None:
+            return False
+        sign = self.text[self.position : end].strip("{} ")
+        self._add("PLUS" if sign == "+" else "MINUS", sign, end)
+        return True
+
     def _wide(self, command: str, end: int) -> None:
         number = equation_number_end(self.text, end)
         if number is None:
@@ -197,7 +200,7 @@ class _Lexer:
         if base is None:
             near = nearest_names(command, [*COMMANDS, *self.vocabulary.symbols])
             raise self._error(f"the command {command} is not known", command, near)
-        found = self.names.declared(*base, self.tokens.single)
+        found = self.names.declared(base[0], start, base[1], self.tokens.single)
         if found is not None:
             self._symbol(*found)
         elif (mark := self.differentials.kind_of(base[0], start)) is not None:
@@ -205,8 +208,7 @@ class _Lexer:
         elif (special := special_name(text, *base) or function_named(*base)) is not None:
             self._add(*special)
         else:
-            name = base[0] if self.tokens.single else scan_decorations(text, *base)[0]
-            raise self.names.undeclared(name, start)
+            raise self.names.undeclared(base[0], start, base[1], self.tokens.single)
 
     def _environment(self, command: str, end: int) -> None:
         begins = command == "\\begin"

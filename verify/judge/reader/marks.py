@@ -9,7 +9,14 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from gainproof.verify.judge.reader.alphabet import BLANKS, GREEK, command_at, is_letter, skip_space
+from gainproof.verify.judge.reader.alphabet import (
+    BLANKS,
+    GREEK,
+    braced_sign_end,
+    command_at,
+    is_letter,
+    skip_space,
+)
 
 _SIGNS = {"+": "+", "-": "-", "*": "*", "\\ast": "*", "\\star": "*", "\\dagger": "\\dagger"}
 _BEHIND = frozenset("+-*/,|_{}'.:")
@@ -69,6 +76,10 @@ def scan_mark_behind(text: str, position: int) -> Mark | None:
                 return None
             pieces.append("|" if command == "\\mid" else command)
             position += len(command)
+            continue
+        if character == "{" and (sign_end := braced_sign_end(text, position)) is not None:
+            pieces.append(text[position:sign_end].strip("{} "))
+            position = sign_end
             continue
         if character not in BLANKS:
             if not (character.isascii() and (character.isalnum() or character in _BEHIND)):

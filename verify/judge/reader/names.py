@@ -62,7 +62,7 @@ def _accent_argument(text: str, position: int, command: str, accents: int) -> tu
         if position - opening > MOST_NAME_CHARACTERS:
             raise ReaderError("a name is too long", text, opening, command)
     braces = text[opening:position].count("{")
-    found = scan_word(text, position) or scan_base(text, position, accents + 1)
+    found = _accented_word(text, position) or scan_base(text, position, accents + 1)
     if found is None:
         raise ReaderError(
             f"{command} needs a letter", text, position, text[position : position + 1]
@@ -87,6 +87,17 @@ def scan_word(text: str, position: int) -> tuple[str, int] | None:
     while end < len(text) and is_letter(text[end]):
         end += 1
     return (text[position:end], end) if end > position else None
+
+
+def _accented_word(text: str, position: int) -> tuple[str, int] | None:
+    """A run of Latin letters with digits behind them: `\\operatorname{atan2}`."""
+    found = scan_word(text, position)
+    if found is None:
+        return None
+    end = found[1]
+    while text[end : end + 1] in DIGITS:
+        end += 1
+    return text[position:end], end
 
 
 def scan_decorations(text: str, base: str, position: int) -> tuple[str, int]:

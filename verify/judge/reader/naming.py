@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from gainproof.verify.judge.reader.alphabet import command_at, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
-from gainproof.verify.judge.reader.marks import scan_mark_above
-from gainproof.verify.judge.reader.names import scan_names
+from gainproof.verify.judge.reader.marks import scan_mark_above, scan_mark_behind
+from gainproof.verify.judge.reader.names import scan_decorations, scan_names
 from gainproof.verify.judge.reader.subscripts import scan_subscript
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 
@@ -27,11 +27,19 @@ class NameFinder:
         """Where reading goes on: behind a subscript that belongs to a name before."""
         return self.jumps.pop(position, position)
 
-    def undeclared(self, name: str, position: int) -> ReaderError:
-        """The error for a name that is not declared, with those nearest to it."""
+    def undeclared(self, base: str, start: int, end: int, single: bool = False) -> ReaderError:
+        """The error for a name that is not declared, with those nearest to it. `(+)` and `(-)`
+        behind it can be nothing but marks.
+        """
+        name = base
+        if not single:
+            name, after = scan_decorations(self.text, base, end)
+            behind = scan_mark_behind(self.text, after)
+            if behind is not None and behind.text in ("(+)", "(-)"):
+                name += behind.text
         near = nearest_names(name, self.vocabulary.symbols)
         problem = f"the symbol {name} is not declared"
-        return ReaderError(problem, self.text, position, name, near)
+        return ReaderError(problem, self.text, start, name, near)
 
     def longest(self, position: int, single: bool = False) -> tuple[str, int] | None:
         """The longest declared name that begins with the letter at `position`; primes, a subscript
@@ -43,7 +51,7 @@ class NameFinder:
         while end < min(len(text), most) and is_letter(text[end]):
             end += 1
         word = text[position:end]
-        found = self.declared(word, end, single)
+        found = self.declared(word, position, end, single)
         if found is not None:
             return found
         for length in range(len(word) - 1, 0, -1):
@@ -51,11 +59,11 @@ class NameFinder:
                 return word[:length], position + length
         return None
 
-    def declared(self, base: str, end: int, single: bool) -> tuple[str, int] | None:
-        """The declared name that begins with `base`, which ends at `end`."""
+    def declared(self, base: str, start: int, end: int, single: bool) -> tuple[str, int] | None:
+        """The declared name that begins with `base`, which stands from `start` to `end`."""
         if single:
             return (base, end) if base in self.vocabulary else None
-        found = self._subscript_after_power(base, end)
+        found = self._subscript_after_power(base, start, end)
         if found is not None:
             return found
         for name, after in scan_names(self.text, base, end):
@@ -63,7 +71,7 @@ class NameFinder:
                 return name, after
         return None
 
-    def _subscript_after_power(self, base: str, end: int) -> tuple[str, int] | None:
+    def _subscript_after_power(self, base: str, start: int, end: int) -> tuple[str, int] | None:
         """`\\sigma^2_v` is `\\sigma_v^2`: the name ends before the superscript, and the subscript
         is passed over after it.
         """
@@ -86,4 +94,4 @@ class NameFinder:
         # marks such as `x^{-}_k` belong to the name, and only a name can have a subscript
         if base not in self.vocabulary or scan_mark_above(text, end) is not None:
             return None
-        raise self.undeclared(base + subscript, power - len(base))
+        raise self.undeclared(base + subscript, start, after, single=True)

@@ -105,7 +105,7 @@ def _node(node: Sequence[str | int], done: Sequence[Printed]) -> Printed:
 
 
 def _called(name: str, texts: Sequence[str]) -> Printed:
-    return Printed(f"{name}({', '.join(texts)})", POWER)
+    return Printed(f"{name}({', '.join(texts)})", ATOM)
 
 
 def _at_least(printed: Printed, level: int) -> str:

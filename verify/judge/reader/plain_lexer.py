@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
+from gainproof.verify.judge.reader.line_end import LineEnds
 from gainproof.verify.judge.reader.scan import scan_number
 from gainproof.verify.judge.reader.special import special_name
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
@@ -40,6 +41,7 @@ class _PlainLexer:
         self.vocabulary = vocabulary
         self.tokens: list[FormulaToken] = []
         self.position = 0
+        self.line_ends = LineEnds(text)
         self.stack: list[tuple[int, list[int]]] = []
 
     def run(self) -> list[FormulaToken]:
@@ -47,7 +49,9 @@ class _PlainLexer:
         while (start := skip_space(text, self.position)) < len(text):
             self.position = start
             character = text[start]
-            if character in DIGITS or character == ".":
+            if character in ".,;" and (end := self.line_ends.end_at(start)) is not None:
+                self.position = end
+            elif character in DIGITS or character == ".":
                 self._add(*scan_number(text, start, single=False))
             elif is_letter(character):
                 self._letters()
@@ -80,9 +84,9 @@ class _PlainLexer:
         elif calls and word == "sqrt":
             self._add("SQRT", "\\sqrt", end)
         elif calls and word in PLAIN_FORMS:
-            self._add("NAMED", word, end)
+            self._add("WORD", word, end)
         elif calls and word in FUNCTION_WORDS:
-            self._add("NAMED", FUNCTION_WORDS[word], end)
+            self._add("WORD", FUNCTION_WORDS[word], end)
         elif (special := special_name(text, word, end)) is not None:
             self._add(*special)
         else:

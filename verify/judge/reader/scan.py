@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from gainproof.verify.judge.reader.alphabet import BLANKS, DIGITS, command_at, is_letter, skip_space
+from gainproof.verify.judge.reader.alphabet import DIGITS, command_at, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DIGITS
-from gainproof.verify.judge.reader.tokens import COMMANDS, MARKS, SPACES, WIDE_SPACES, FormulaToken
+from gainproof.verify.judge.reader.line_end import ends_line
+from gainproof.verify.judge.reader.tokens import COMMANDS, MARKS, FormulaToken
 
 _BARS = frozenset(("|", "\\mid", "\\vert", "\\rvert"))
-_NUMBER_MOST = 8
 
 
 class Scanned(NamedTuple):
@@ -34,7 +34,7 @@ def scan_number(text: str, start: int, single: bool) -> Scanned:
             break
         end += 1
     value = text[start:end]
-    if value.count(".") > 1 or value[0] == "." or value[-1] == ".":
+    if not value or value.count(".") > 1 or value[0] == "." or value[-1] == ".":
         problem = "a number needs digits on both sides of its one point"
         raise ReaderError(problem, text, start, value[:40])
     if len(value) > MOST_DIGITS:
@@ -92,57 +92,6 @@ def scan_mark(text: str, start: int, before: Sequence[FormulaToken]) -> Scanned:
         problem = "a bar may mean two things: write \\left| x \\right| or \\lvert x \\rvert"
         raise ReaderError(problem, text, start, character)
     raise ReaderError(f"the character {character!r} has no meaning here", text, start, character)
-
-
-def ends_line(text: str, position: int) -> bool:
-    """Whether only punctuation and blanks stand from `position` to the end of the formula or of a
-    line of it.
-    """
-    end = skip_idle(text, position)
-    return end == len(text) or text.startswith(("\\end", "\\\\"), end)
-
-
-def skip_idle(text: str, position: int) -> int:
-    """The first position from `position` on where something other than blanks, punctuation and tags
-    stands.
-    """
-    while position < len(text):
-        character = text[position]
-        if character in BLANKS or character in ".,;~":
-            position += 1
-        elif character == "\\":
-            command = command_at(text, position)
-            if command in ("\\tag", "\\label", "\\tag*"):
-                position = end_of_tag(text, position + len(command))
-            elif command in SPACES or command in WIDE_SPACES or command == "\\ ":
-                position += len(command)
-            else:
-                break
-        else:
-            break
-    return position
-
-
-def end_of_tag(text: str, position: int) -> int:
-    """The end of the `{...}` after `\\tag` or `\\label`. ReaderError where none stands."""
-    opening = skip_space(text, position + (text[position : position + 1] == "*"))
-    closing = text.find("}", opening, opening + 40)
-    if text[opening : opening + 1] != "{" or closing < 0:
-        raise ReaderError("a tag needs {...} of at most 40 characters", text, opening, "\\tag")
-    return closing + 1
-
-
-def equation_number_end(text: str, position: int) -> int | None:
-    """The end of an equation number such as `(16a)` or `(A.4)`, if nothing else stands from
-    `position` to the end of the formula.
-    """
-    start = skip_idle(text, position)
-    closing = text.find(")", start, start + _NUMBER_MOST + 2)
-    inner = text[start + 1 : closing].replace(" ", "")
-    if text[start : start + 1] != "(" or closing < 0 or skip_idle(text, closing + 1) != len(text):
-        return None
-    known = all(c in DIGITS or is_letter(c) or c == "." for c in inner)
-    return len(text) if known and any(c in DIGITS for c in inner) else None
 
 
 def word_in_text(text: str, start: int) -> tuple[str, int] | None:

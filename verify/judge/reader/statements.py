@@ -118,9 +118,12 @@ class _Statements:
             problem = "a side from which may only be said behind the arrow of a condition"
             raise ReaderError(problem, self.text, marks[0].start_pos or 0, str(marks[0]))
         which = ">" if marks[0] == "+" else "<"
-        value = self._graph(side)
-        shown = decimals_shown(children(side)[0], value)
-        return [Relation(which, self._graph(left), value, None, shown)]
+        first, second = self._graph(left), self._graph(side)
+        decimals = (
+            decimals_shown(children(left)[0], first),
+            decimals_shown(children(side)[0], second),
+        )
+        return [Relation(which, first, second, *decimals)]
 
     def _refuse_infinity(self, left: Branch, operator: Token, right: Branch) -> None:
         left_kind, right_kind = children(left)[0].data, children(right)[0].data

@@ -19,12 +19,27 @@ class TokenList:
         self._text = text
         self._waiting = 0
         self._outer: list[int] = []
+        self._open: list[int] = []
+        self._last_group = 0
         self._bare_fractions = 0
 
     @property
     def single(self) -> bool:
         """Whether the next token is an argument without braces."""
         return self._waiting > 0
+
+    def takes_bound(self) -> bool:
+        """Whether a superscript here is the bound of a sum or an integral, and no mark of a
+        transpose: `\\int_0^T`.
+        """
+        found, last = self.found, len(self.found)
+        if last and found[-1].kind == "RIGHT_BRACE":
+            last = self._last_group
+        elif last > 1 and found[-2].kind == "UNDER":
+            last -= 1
+        if last and found[last - 1].kind == "UNDER":
+            last -= 1
+        return last > 0 and found[last - 1].kind in ("SUM", "INTEGRAL")
 
     def add(self, token: FormulaToken) -> None:
         """One more token. ReaderError where fractions without braces nest too deep."""
@@ -42,12 +57,15 @@ class TokenList:
     def _count(self, kind: str) -> None:
         """What the token does to the arguments still to come; braces keep those round them."""
         if kind == "LEFT_BRACE":
+            self._open.append(len(self.found) - 1)
             self._outer.append(max(0, self._waiting - 1))
             self._waiting = 0
         elif kind == "ROOT_OPEN":
             self._outer.append(self._waiting)
             self._waiting = 0
         elif kind in ("RIGHT_BRACE", "ROOT_CLOSE"):
+            if kind == "RIGHT_BRACE" and self._open:
+                self._last_group = self._open.pop()
             self._waiting = self._outer.pop() if self._outer else 0
         else:
             self._waiting = max(0, self._waiting - 1) + TAKES_ARGUMENTS.get(kind, 0)

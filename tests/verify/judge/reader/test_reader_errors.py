@@ -133,28 +133,6 @@ def test_refused(text: str, column: int, problem: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("character", "code"),
-    [
-        ("α", "U+03B1"),
-        ("а", "U+0430"),  # Cyrillic
-        ("\u200b", "U+200B"),
-        ("\u202e", "U+202E"),
-        ("\u2212", "U+2212"),
-        ("１", "U+FF11"),  # full width
-        ("\x00", "U+0000"),
-        ("\x7f", "U+007F"),
-        ("\r", "U+000D"),
-    ],
-)
-def test_characters_by_code_point(character: str, code: str) -> None:
-    error = refusal(f"a = {character} b")
-    assert error.token == code
-    assert code in error.problem
-    assert error.column == 5
-    assert character not in str(error)
-
-
-@pytest.mark.parametrize(
     ("text", "problem"),
     [
         ("a = b" + " " * 3996, "4001 characters"),
