@@ -12,7 +12,8 @@ from random_surfaces import Point, Trial, trial
 
 from gainproof.verify.judge.cells import decision as decision_module
 from gainproof.verify.judge.cells.ground import value_at
-from gainproof.verify.judge.cells.pieces import Part, parts
+from gainproof.verify.judge.cells.piece import Part
+from gainproof.verify.judge.cells.pieces import parts
 from gainproof.verify.judge.cells.region import separating
 from gainproof.verify.judge.cells.task import Budget
 from gainproof.verify.judge.exact.expression import Expr, walk

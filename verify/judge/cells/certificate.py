@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from gainproof.verify.judge.cells.corner import Corner
 from gainproof.verify.judge.cells.lifting import Between, Cell
 from gainproof.verify.judge.cells.names import shown
-from gainproof.verify.judge.cells.pieces import Part, Piece
+from gainproof.verify.judge.cells.piece import Part, Piece
 from gainproof.verify.judge.exact.algebraic import Algebraic
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.certificate import statement_data
@@ -70,6 +71,12 @@ def _piece(piece: Piece, labels: Mapping[str, str]) -> Data:
         found["place"] = ", ".join(
             f"{labels.get(name, name)} = {value}"
             for name, value in zip(names, place.samples[0], strict=True)
+        )
+    elif isinstance(place, Corner):
+        texts = [a.text() for a in place.coordinates]
+        found["samples"] = [", ".join(texts)]
+        found["place"] = ", ".join(
+            f"{labels.get(name, name)} = {text}" for name, text in zip(names, texts, strict=True)
         )
     elif isinstance(place, Place):
         found["samples"] = [str(sample) for sample in place.samples]

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from gainproof.verify.judge.cells.certificate import cells_certificate
 from gainproof.verify.judge.cells.domain_text import domain_text
-from gainproof.verify.judge.cells.pieces import Part, Piece, all_pieces, exact_part, parts
+from gainproof.verify.judge.cells.piece import Part, Piece, all_pieces
+from gainproof.verify.judge.cells.pieces import exact_part, parts
 from gainproof.verify.judge.cells.task import Budget, Task
 from gainproof.verify.judge.cells.witness import counterexample, simple_points
 from gainproof.verify.judge.exact.box import Box

@@ -8,7 +8,8 @@ from dataclasses import replace
 from gainproof.verify.judge.cells.exclusions import exclusions
 from gainproof.verify.judge.cells.ground import as_expr
 from gainproof.verify.judge.cells.names import shown
-from gainproof.verify.judge.cells.pieces import Part, all_pieces, border_parts, parts
+from gainproof.verify.judge.cells.piece import Part, all_pieces
+from gainproof.verify.judge.cells.pieces import border_parts, parts
 from gainproof.verify.judge.cells.question import CellQuestion
 from gainproof.verify.judge.cells.region import Literal, alternatives, separating
 from gainproof.verify.judge.cells.task import Budget, Task
@@ -41,11 +42,7 @@ def _texts(
     stated: frozenset[str],
     labels: Mapping[str, str],
 ) -> tuple[list[str], bool]:
-    texts = [
-        box.text(labels.get(name, name))
-        for name, box in task.boxes.items()
-        if box.lower is not None or box.upper is not None
-    ]
+    texts = _bounds(task, labels)
     if len(task.names) < 2:
         return _line(found[0], labels), True
     if all(p.truth == SKIPPED for p in found[0].pieces):
@@ -80,6 +77,15 @@ def _texts(
     return texts, whole and exact and not gaps
 
 
+def _bounds(task: Task, labels: Mapping[str, str]) -> list[str]:
+    """The box."""
+    return [
+        box.text(labels.get(name, name))
+        for name, box in task.boxes.items()
+        if box.lower is not None or box.upper is not None
+    ]
+
+
 def _apart_from_borders(part: Part, labels: Mapping[str, str]) -> list[str]:
     """That nothing is said about any border."""
     if part.question is None:
@@ -106,12 +112,19 @@ def _on_borders(
 ) -> tuple[list[str], bool]:
     """The set of truth where the conditions hold on borders only: border by border."""
     above = len(task.border)
+    if all(p.truth in (TRUE, SKIPPED) for p in all_pieces(found)):
+        return _bounds(task, labels), True
     size = max(p.dimension for p in all_pieces(found) if p.truth != SKIPPED)
     choices: dict[str, None] = {}
     whole = True
     for k, part in enumerate(found):
         chain = part.task.border
         if not any(p.truth == TRUE and p.dimension == size for p in part.pieces):
+            continue
+        if part.sampled:
+            zero = " and ".join(f"{shown(expr, labels)} = 0" for expr in chain[above:])
+            choices[f"a part of {zero}"] = None
+            whole = False
             continue
         below = [p for p in found[k:] if p.task.border[: len(chain)] == chain]
         solved = [

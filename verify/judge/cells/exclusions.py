@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from gainproof.verify.judge.cells.names import shown
-from gainproof.verify.judge.cells.pieces import Part, Piece, all_pieces
+from gainproof.verify.judge.cells.piece import Part, Piece, all_pieces
 from gainproof.verify.judge.cells.task import Task
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.place import Place
@@ -44,14 +44,16 @@ def exclusions(
             texts |= dict.fromkeys(t for part in here for t in _of_line(part, chain, labels))
             continue
         # on a border with cells of both kinds the borders of these were not all looked at
-        exact = exact and not kept and all(_is_small(p) or elsewhere(p.task) for p in here)
+        exact = (
+            exact and not kept and all(p.sampled or _is_small(p) or elsewhere(p.task) for p in here)
+        )
         gone.add(chain)
         texts[_whole(chain, labels)] = None
     return list(texts), exact
 
 
 def _is_small(part: Part) -> bool:
-    """Whether all points of it were looked at."""
+    """Whether it is a line, with all its places."""
     return len(part.task.names) < 2
 
 

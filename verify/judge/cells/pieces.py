@@ -6,55 +6,25 @@ one parameter left every point is decided exactly.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import replace
 
 from gainproof.verify.judge.cells.border import border_tasks
+from gainproof.verify.judge.cells.curve import curve_part
 from gainproof.verify.judge.cells.ground import as_expr
 from gainproof.verify.judge.cells.lifting import Cell, cells
 from gainproof.verify.judge.cells.one_sign import keeps_sign
-from gainproof.verify.judge.cells.projection import Projection, projected
+from gainproof.verify.judge.cells.piece import Part, Piece, is_stated
+from gainproof.verify.judge.cells.projection import projected
 from gainproof.verify.judge.cells.question import CellQuestion
 from gainproof.verify.judge.cells.subdivision import nowhere_zero
 from gainproof.verify.judge.cells.task import Budget, OutOfTime, Task
-from gainproof.verify.judge.exact.connected import Connected
-from gainproof.verify.judge.exact.expression import number, symbols_of
+from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.poly import Poly
-from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.survey import Work, survey
 from gainproof.verify.judge.exact.truth import FALSE, NO_VALUE, SKIPPED, Question, truth
-
-
-@dataclass(frozen=True)
-class Piece:
-    """A connected set and the truth on it; `dimension` counts its parameters.
-
-    `counted` is whether it matters: a formula without value counts against it only where the domain
-    was stated.
-    """
-
-    task: Task
-    place: Connected
-    dimension: int
-    truth: str
-    failing: Rel | None
-    local: Local
-    counted: bool = True
-
-
-@dataclass(frozen=True)
-class Part:
-    """The pieces of one task: cells, and the projection they come from; or, in one parameter, all
-    places.
-    """
-
-    task: Task
-    pieces: tuple[Piece, ...]
-    question: CellQuestion | None = None
-    cuts: tuple[Poly, ...] = ()
-    projection: Projection | None = None
 
 
 def parts(task: Task, budget: Budget, stated: frozenset[str]) -> Iterator[Part]:
@@ -102,8 +72,16 @@ def border_parts(
     except OutOfTime:
         raise
     except Undecided as reason:
-        if not nowhere_zero(factor, question.domain_polynomials(), boxes):
-            budget.gaps.append((as_expr(factor, task.names), str(reason)))
+        if nowhere_zero(factor, question.domain_polynomials(), boxes):
+            return
+        try:
+            if len(task.names) != 2:
+                raise reason
+            yield curve_part(question, factor, budget, stated)
+        except OutOfTime:
+            raise
+        except Undecided as other:
+            budget.gaps.append((as_expr(factor, task.names), str(other)))
 
 
 def _open_cells(question: CellQuestion, budget: Budget, stated: frozenset[str]) -> Part:
@@ -126,7 +104,7 @@ def _piece(
 ) -> Piece:
     local = Local(question.tower, cell)
     found, failing = truth(question, local)
-    counted = found != SKIPPED and (found != NO_VALUE or _is_stated(task, failing, local, stated))
+    counted = found != SKIPPED and (found != NO_VALUE or is_stated(task, failing, local, stated))
     return Piece(task, cell, dimension, found, failing, local, counted)
 
 
@@ -142,22 +120,8 @@ def exact_part(task: Task, budget: Budget, stated: frozenset[str]) -> Part:
     pieces = []
     for j in judged:
         counted = j.truth != SKIPPED and (
-            j.truth != NO_VALUE or _is_stated(task, j.failing, j.local, stated)
+            j.truth != NO_VALUE or is_stated(task, j.failing, j.local, stated)
         )
         size = 1 if j.place.is_cell else 0
         pieces.append(Piece(task, j.place, size, j.truth, j.failing, j.local, counted))
     return Part(task, tuple(pieces))
-
-
-def _is_stated(task: Task, rel: Rel | None, local: Local, stated: frozenset[str]) -> bool:
-    """Whether a symbol that leaves the relation without value has a stated domain."""
-    exprs = task.statement.exprs()
-    if rel is not None and task.statement.connective == "if":
-        exprs = (rel.left, rel.right, *task.statement.needed)
-    involved = symbols_of(*local.without_value(*exprs), *task.border[-1:])
-    return bool(involved & stated)
-
-
-def all_pieces(found: Sequence[Part]) -> list[Piece]:
-    """The pieces of all parts."""
-    return [piece for part in found for piece in part.pieces]

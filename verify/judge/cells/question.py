@@ -21,11 +21,18 @@ class CellQuestion(Question):
         names = [self.tower.names[i] for i in self.tower.parameter_indices]
         self.ring: Ring = ring(names)
 
-    def factors_of(self, p: Poly) -> list[Poly]:
+    def factors_of(self, p: Poly, *, careful: bool = False) -> list[Poly]:
         """Irreducible polynomials of the parameters, one of which is zero where p may change sign
         or begin to vanish.
         """
-        return irreducible(over(self.ring, f) for f in ground_factors(self.tower, p))
+        found = ground_factors(self.tower, p, careful=careful)
+        return irreducible(over(self.ring, f) for f in found)
+
+    def careful_cuts(self) -> list[Poly]:
+        """All of them for divisors, radicands and differences, on curves too."""
+        elements = [check.poly for check in self.tower.checks]
+        elements += [self.tower.element(d).num for d in self.differences.values()]
+        return irreducible(f for p in elements for f in self.factors_of(p, careful=True))
 
     def of_relation(self, rel: Rel) -> list[Poly]:
         """The same for the difference of two sides."""

@@ -8,7 +8,7 @@ from itertools import combinations
 from gainproof.verify.judge.cells.ground import as_expr, value_at
 from gainproof.verify.judge.cells.lifting import Cell
 from gainproof.verify.judge.cells.names import shown
-from gainproof.verify.judge.cells.pieces import Part, Piece
+from gainproof.verify.judge.cells.piece import Part, Piece
 from gainproof.verify.judge.exact.poly import Poly
 from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
 

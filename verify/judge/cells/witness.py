@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import product
 
 from gainproof.verify.judge.cells.names import shown
-from gainproof.verify.judge.cells.pieces import Piece
+from gainproof.verify.judge.cells.piece import Piece
 from gainproof.verify.judge.cells.task import Task
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.connected import Sample
@@ -71,7 +71,7 @@ def simple_points(task: Task) -> Iterator[dict[str, Fraction]]:
 
 
 def _samples(piece: Piece) -> tuple[Sample | None, ...]:
-    return tuple(piece.place.samples) if piece.place.is_cell else (None,)
+    return tuple(piece.place.samples) or (None,)
 
 
 def _at(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> Witness | None:
@@ -123,7 +123,11 @@ def _point(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> di
     values: dict[str, Fraction] = {}
     found: dict[str, str] = {}
     if isinstance(sample, tuple):
-        values = dict(zip(names, sample, strict=True))
+        for name, value in zip(names, sample, strict=True):
+            if isinstance(value, Fraction):
+                values[name] = value
+            else:
+                found[labels.get(name, name)] = value.text()
     elif sample is not None:
         values = {names[0]: sample}
     elif piece.place.at is not None:
@@ -135,9 +139,9 @@ def _point(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> di
     known: dict[str, Expr] = {name: number(value) for name, value in values.items()}
     for name, expr in reversed(piece.task.solved):
         here = substituted(expr, known)
-        value = constant_value(here)
-        known[name] = here if value is None else number(value)
-        found[labels.get(name, name)] = str(value) if value is not None else shown(here, labels)
+        exact = constant_value(here)
+        known[name] = here if exact is None else number(exact)
+        found[labels.get(name, name)] = str(exact) if exact is not None else shown(here, labels)
     return found
 
 

@@ -8,12 +8,12 @@ from typing import Protocol
 
 from gainproof.verify.judge.exact.algebraic import Algebraic
 
-Sample = Fraction | tuple[Fraction, ...]
-"""A rational value of the one parameter, or of several parameters in the order of the tower."""
+Sample = Fraction | tuple[Fraction | Algebraic, ...]
+"""A rational value of the one parameter, or values of several in the order of the tower."""
 
 
 class Connected(Protocol):
-    """A place, or a cell of several parameters: connected, with rational samples, or a point."""
+    """A place, or a cell or point of several parameters."""
 
     @property
     def at(self) -> Algebraic | None:
@@ -25,4 +25,4 @@ class Connected(Protocol):
 
     @property
     def samples(self) -> Sequence[Sample]:
-        """Rational points of an open set, the simplest first."""
+        """Points of a cell, the simplest first; none for a point of a tower with one parameter."""

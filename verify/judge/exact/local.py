@@ -9,11 +9,13 @@ same holds for numbers.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 
 import flint
 
+from gainproof.verify.judge.exact.algebraic import Algebraic
 from gainproof.verify.judge.exact.connected import Connected, Sample
 from gainproof.verify.judge.exact.evaluate import evaluate
 from gainproof.verify.judge.exact.expression import Expr, walk
@@ -35,10 +37,15 @@ FIRST_PRECISION = 64
 
 @dataclass
 class Local:
-    """A tower at a place. `steps` records each ball that decided something."""
+    """A tower at a place. `steps` records each ball that decided something.
+
+    `ground_zero` says whether a polynomial of the parameters that is not the zero polynomial is
+    zero there all the same, at a point of several parameters.
+    """
 
     tower: Tower
     place: Connected
+    ground_zero: Callable[[Poly], bool] | None = None
     steps: list[str] = field(default_factory=list)
     _zero_roots: set[int] = field(default_factory=set)
     _bad: dict[bytes, str] = field(default_factory=dict)
@@ -115,7 +122,7 @@ class Local:
             return True
         root = highest_root(self.tower, p)
         if root is None:
-            return False
+            return self.ground_zero is not None and self.ground_zero(p)
         q = cofactor(self.tower, p, root)
         if not self._zero(self.reduce(p * q)):
             return False
@@ -189,11 +196,12 @@ class Local:
         return found
 
     def _points(self) -> tuple[Sample | None, ...]:
-        return tuple(self.place.samples[:3]) if self.place.is_cell else (None,)
+        return tuple(self.place.samples[:3]) or (None,)
 
     def _at_text(self, sample: Sample | None) -> str:
         if isinstance(sample, tuple):
-            return f"({', '.join(str(value) for value in sample)})"
+            texts = (v.text() if isinstance(v, Algebraic) else str(v) for v in sample)
+            return f"({', '.join(texts)})"
         if sample is not None:
             return f"{self.tower.parameter} = {sample}"
         return (
@@ -224,8 +232,8 @@ class Local:
         for place, number in zip(tower.free_indices, free, strict=False):
             values[place] = flint.arb(rational(number))
         if isinstance(sample, tuple):
-            for place, number in zip(tower.parameter_indices, sample, strict=True):
-                values[place] = flint.arb(rational(number))
+            for place, value in zip(tower.parameter_indices, sample, strict=True):
+                values[place] = _ball_of(value, precision)
         elif tower.parameter_index is not None:
             if sample is not None:
                 values[tower.parameter_index] = flint.arb(rational(sample))
@@ -246,3 +254,7 @@ class Local:
             # else not resolved at this precision, or undefined here: what uses it gets no finite
             # ball
         return values
+
+
+def _ball_of(value: Fraction | Algebraic, precision: int) -> Ball:
+    return value.ball(precision) if isinstance(value, Algebraic) else flint.arb(rational(value))

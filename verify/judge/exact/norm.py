@@ -53,33 +53,34 @@ def vanishing_factors(tower: Tower, p: Poly) -> list[Any]:
     return list(found.values())
 
 
-def ground_factors(tower: Tower, p: Poly) -> list[Poly]:
+def ground_factors(tower: Tower, p: Poly, *, careful: bool = False) -> list[Poly]:
     """Polynomials of the parameters: where p vanishes without vanishing on a whole connected open
     set on which none of them is zero, one of them is zero.
 
     The norm of p has p as a factor. If the norm is the zero polynomial then on every such set p or
     its cofactor vanishes identically; where the cofactor does, p is a multiple of its own constant
     coefficient, which is therefore taken too. Coefficients of monomials in free symbols are taken
-    one by one. Raises Undecided.
+    one by one. `careful` takes the constant coefficients always: then the same holds on connected
+    sets on which one of the polynomials is zero throughout and no other is zero. Raises Undecided.
     """
     found: dict[str, Poly] = {}
     for part in grouped(tower.reduce(p), tower.free_indices).values():
-        _collect(tower, part, found)
+        _collect(tower, part, found, careful)
     return list(found.values())
 
 
-def _collect(tower: Tower, p: Poly, found: dict[str, Poly]) -> bool:
+def _collect(tower: Tower, p: Poly, found: dict[str, Poly], careful: bool) -> bool:
     """Adds the factors of p; whether the norm of p is a nonzero polynomial."""
     p = tower.reduce(p)
     if p.is_zero():
         return False
     complete = True
     for factor, _ in p.factor()[1]:
-        complete &= _collect_factor(tower, factor, found)
+        complete &= _collect_factor(tower, factor, found, careful)
     return complete
 
 
-def _collect_factor(tower: Tower, p: Poly, found: dict[str, Poly]) -> bool:
+def _collect_factor(tower: Tower, p: Poly, found: dict[str, Poly], careful: bool) -> bool:
     root = highest_root(tower, p)
     if root is None:
         if sum(p.degrees()) > tower.limits.norm_degree:
@@ -88,10 +89,10 @@ def _collect_factor(tower: Tower, p: Poly, found: dict[str, Poly]) -> bool:
             found.setdefault(text(p), p)
         return True
     lower = tower.reduce(p * cofactor(tower, p, root))
-    if not lower.is_zero() and _collect(tower, lower, found):
-        return True
-    _collect(tower, coefficients_in(p, root.index)[0], found)
-    return False
+    whole = not lower.is_zero() and _collect(tower, lower, found, careful)
+    if careful or not whole:
+        _collect(tower, coefficients_in(p, root.index)[0], found, careful)
+    return whole
 
 
 def norm(tower: Tower, p: Poly) -> Poly:

@@ -134,10 +134,21 @@ def test_zeros_that_no_cell_touches_are_found() -> None:
     motzkin = power(x, 4) * square(y) + square(x) * power(y, 4) - 3 * square(x * y) + 1
     outcome = judged(">", motzkin, 0, REAL)
     assert outcome.verdict == "conditional"
+    assert "holds exactly" in outcome.reason
     assert outcome.witness is not None
-    assert outcome.witness.point == {"x": "1", "y": "1"}
-    with pytest.raises(Undecided, match="degree three"):
-        judged(">", square(power(x, 3) + power(y, 3) - x * y + number(Fraction(1, 10))), 0, REAL)
+    assert {value.strip("-") for value in outcome.witness.point.values()} == {"1"}
+
+
+def test_curves_of_degree_three_are_followed() -> None:
+    folium = power(x, 3) + power(y, 3) - x * y + number(Fraction(1, 100))
+    assert judged(">", square(folium), 0, REAL).verdict == "conditional"
+    assert judged(">=", square(folium), 0, REAL).verdict == "proved"
+    on_it = Rel("=", folium, number(0))
+    positive = {"x": POSITIVE, "y": POSITIVE}
+    near = Statement((Rel("<", x + y, number(1)),), (on_it,))
+    assert decide_in_cells(near, positive).verdict == "proved"
+    nearer = Statement((Rel("<", x + y, number(Fraction(9, 10))),), (on_it,))
+    assert decide_in_cells(nearer, positive).verdict == "conditional"
 
 
 def test_integers_are_asked_only_where_real_numbers_fail() -> None:

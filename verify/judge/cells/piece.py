@@ -1,0 +1,60 @@
+"""Connected sets with the truth on them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from gainproof.verify.judge.cells.projection import Projection
+from gainproof.verify.judge.cells.question import CellQuestion
+from gainproof.verify.judge.cells.task import Task
+from gainproof.verify.judge.exact.connected import Connected
+from gainproof.verify.judge.exact.expression import symbols_of
+from gainproof.verify.judge.exact.local import Local
+from gainproof.verify.judge.exact.poly import Poly
+from gainproof.verify.judge.exact.statement import Rel
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A connected set and the truth on it; `dimension` counts its parameters.
+
+    `counted` is whether it matters: a formula without value counts against it only where the domain
+    was stated.
+    """
+
+    task: Task
+    place: Connected
+    dimension: int
+    truth: str
+    failing: Rel | None
+    local: Local
+    counted: bool = True
+
+
+@dataclass(frozen=True)
+class Part:
+    """The pieces of one task: cells, and the projection they come from; or, in one parameter, all
+    places; or the arcs of a curve, each by a point, and the points between them (`sampled`).
+    """
+
+    task: Task
+    pieces: tuple[Piece, ...]
+    question: CellQuestion | None = None
+    cuts: tuple[Poly, ...] = ()
+    projection: Projection | None = None
+    sampled: bool = False
+
+
+def is_stated(task: Task, rel: Rel | None, local: Local, stated: frozenset[str]) -> bool:
+    """Whether a symbol that leaves the relation without value has a stated domain."""
+    exprs = task.statement.exprs()
+    if rel is not None and task.statement.connective == "if":
+        exprs = (rel.left, rel.right, *task.statement.needed)
+    involved = symbols_of(*local.without_value(*exprs), *task.border[-1:])
+    return bool(involved & stated)
+
+
+def all_pieces(found: Sequence[Part]) -> list[Piece]:
+    """The pieces of all parts."""
+    return [piece for part in found for piece in part.pieces]
