@@ -37,6 +37,9 @@ def with_repair(verdict: ClaimVerdict, trial: Trial) -> ClaimVerdict:
     seconds = verdict.seconds + trial.seconds
     if not offers:
         why = NONE_FOUND if trial.failure is None else f"no repair: {trial.failure}"
+        truth = (trial.repair or {}).get("truth")
+        if truth:
+            why += f"; what is true is {truth}"
         return replace(verdict, reason=f"{verdict.reason}; {why}", seconds=seconds)
     first, *rest = offers
     told: dict[str, Any] = {"changes": list(first["changes"]), "under": first["convention"]}

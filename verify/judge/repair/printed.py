@@ -14,11 +14,15 @@ MOST_NODES = 400
 
 @dataclass(frozen=True)
 class Link:
-    """The sides with numbers `left` and `right`, and the sign between them."""
+    """The sides with numbers `left` and `right`, the sign between them, the decimals that a side
+    shows which is one number.
+    """
 
     operator: str
     left: int
     right: int
+    left_decimals: int | None = None
+    right_decimals: int | None = None
 
 
 @dataclass(frozen=True)
@@ -43,7 +47,13 @@ class Printed:
 
         def relations(links: Sequence[Link]) -> tuple[Relation, ...]:
             return tuple(
-                Relation(x.operator, graph_of(self.sides[x.left]), graph_of(self.sides[x.right]))
+                Relation(
+                    x.operator,
+                    graph_of(self.sides[x.left]),
+                    graph_of(self.sides[x.right]),
+                    x.left_decimals,
+                    x.right_decimals,
+                )
                 for x in links
             )
 
@@ -64,7 +74,8 @@ def printed(reading: Reading) -> Printed:
                 sides.append(read_graph(relation.left))
                 left = len(sides) - 1
             sides.append(read_graph(relation.right))
-            made.append(Link(relation.operator, left, len(sides) - 1))
+            decimals = (relation.left_decimals, relation.right_decimals)
+            made.append(Link(relation.operator, left, len(sides) - 1, *decimals))
             before = relation
         return tuple(made)
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.dimension import reading_fault
 from gainproof.verify.judge.exact.expression import symbols_of
@@ -14,11 +15,13 @@ from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Formula, Reading
 from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.closings import closings
+from gainproof.verify.judge.repair.edit import LARGE, PLAIN
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, with_formula
 from gainproof.verify.judge.repair.rank import parts_of_claims, rank
+from gainproof.verify.judge.repair.rounded import rounded
 from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
@@ -27,6 +30,7 @@ from gainproof.verify.judge.repair.values import COMPARED, Values, truth
 from gainproof.verify.judge.repair.whole import Change
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment
+from gainproof.verify.judge.verdict import Finding
 
 POINTS = 5
 FAR_POINTS = 80
@@ -103,8 +107,11 @@ class Search:
         """
         if sum(len(side.parts) + 1 for side in self.formula.sides) > MOST_NODES:
             return []
+        if stage == 0 and self.claim.kind == "value":
+            return self._proved(list(rounded(self.claim, self.formula, self._judged)))
         if stage == 0:
-            return self._first(changes(self.formula, self.table, self.numbers))
+            most = LARGE if self.by_values else PLAIN
+            return self._first(changes(self.formula, self.table, self.numbers, most))
         if not self.by_values:
             return []
         return self._first(closings(self) if stage == 1 else two_changes(self))
@@ -169,6 +176,12 @@ class Search:
         if not is_proved(with_formula(self.claim, formula), self.setting, self.environment):
             return None
         return Offer(formula, change, self.environment.name)
+
+    def _judged(self, formula: Printed) -> Finding | None:
+        read = reread(formula, self.setting.symbols)
+        if read is None:
+            return None
+        return judge_claim(with_formula(self.claim, read), self.setting, self.environment)
 
     def _rank(self, change: Change) -> tuple[object, ...]:
         return rank(change, self.formula, self.said)

@@ -12,6 +12,7 @@ from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.repair.edit import PLAIN
 from gainproof.verify.judge.repair.search import STAGES, Offer, Search
+from gainproof.verify.judge.repair.true_value import true_value
 from gainproof.verify.judge.repair.words import in_words
 from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import NotEstablished
@@ -56,7 +57,10 @@ class RepairTask:
         least = min((offer.change.weight for offer in found), default=0)
         best = [_plain(offer) for offer in found if offer.change.weight == least]
         seconds = time.perf_counter() - start
-        return Trial(self.claim, {}, (), False, seconds, repair={"offers": best})
+        told: dict[str, Any] = {"offers": best}
+        if not best and searches:
+            told["truth"] = true_value(searches[0])
+        return Trial(self.claim, {}, (), False, seconds, repair=told)
 
 
 def _searches(task: RepairTask, convention: Convention, deadline: float) -> list[Search]:

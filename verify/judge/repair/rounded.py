@@ -1,0 +1,64 @@
+"""Printed numbers that are wrong: the exact value rounded to as many digits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+
+from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.expression import Expr, number
+from gainproof.verify.judge.repair.construct import opposite
+from gainproof.verify.judge.repair.edit import PLAIN
+from gainproof.verify.judge.repair.printed import Link, Printed
+from gainproof.verify.judge.repair.whole import Change, Step
+from gainproof.verify.judge.verdict import Finding
+
+Judge = Callable[[Printed], Finding | None]
+
+
+def rounded(claim: Claim, formula: Printed, judge: Judge) -> Iterator[Change]:
+    """The claim with each wrong number replaced, found from the witnesses against them one after
+    the other.
+    """
+    steps: tuple[Step, ...] = ()
+    for _ in formula.links:
+        finding = judge(formula)
+        if finding is None or finding.verdict == "proved" or finding.witness is None:
+            break
+        link = _failing(formula, finding)
+        if link is None:
+            break
+        side, decimals = link
+        exact = Fraction(finding.witness.left.midpoint)
+        before, after = formula.sides[side], _written(exact, decimals)
+        formula = formula.with_side(side, after)
+        steps = (*steps, Step("a printed number", before, after))
+    if steps and claim.kind == "value":
+        yield Change(formula, PLAIN, steps)
+
+
+def _failing(formula: Printed, finding: Finding) -> tuple[int, int] | None:
+    """The side that shows the number of the witness, and its decimals."""
+    assert finding.witness is not None
+    shown = finding.witness.right
+    if finding.witness.left.undefined or shown.undefined:
+        return None
+    for link in formula.links:
+        for side, decimals in _numbers(link):
+            value = constant_value(formula.sides[side])
+            if value is not None and float(value) == float(shown.midpoint):
+                return side, decimals
+    return None
+
+
+def _numbers(link: Link) -> Iterator[tuple[int, int]]:
+    for side, decimals in ((link.right, link.right_decimals), (link.left, link.left_decimals)):
+        if decimals is not None:
+            yield side, decimals
+
+
+def _written(exact: Fraction, decimals: int) -> Expr:
+    value = Fraction(round(exact * Fraction(10) ** decimals)) / Fraction(10) ** decimals
+    size = number(abs(value))
+    return size if value >= 0 else opposite(size)
