@@ -431,6 +431,8 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
+        predicted_11 = rho Lambda sigma, predicted_12 = Lambda sigma,
+        predicted_22 = Lambda^2 (rho + 1/2)
         kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
@@ -601,6 +603,8 @@ def updated_covariance(
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
+        updated_11 = alpha, updated_12 = beta,
+        updated_22 = Lambda^2 (rho - 1/2)
         kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 

@@ -143,7 +143,7 @@ def gain_derivatives(
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
-        d alpha = (1 + 0/kappa)/(rho sigma^2 Lambda),
+        d alpha = 1/(rho sigma^2 Lambda),
         d beta = (2 + 1/rho)/(kappa sigma^2 Lambda)
         kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
@@ -394,6 +394,8 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
+        predicted_11 = rho Lambda sigma, predicted_12 = Lambda sigma,
+        predicted_22 = Lambda^2 (rho + 1/2)
         kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
@@ -539,6 +541,8 @@ def updated_covariance(
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
+        updated_11 = alpha, updated_12 = beta,
+        updated_22 = Lambda^2 (rho - 1/2)
         kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 

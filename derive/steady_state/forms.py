@@ -105,7 +105,9 @@ def predictor_gains(x: Basis) -> dict[str, Any]:
 
 
 def gain_derivatives(x: Basis) -> dict[str, Any]:
-    """d alpha/d Lambda = (kappa + e/2)/(rho sigma^2 kappa Lambda), d beta/d Lambda."""
+    """d alpha/d Lambda = (kappa + e/2)/(rho sigma^2 kappa Lambda), and
+    d beta/d Lambda = (2 rho + 1)/(rho sigma^2 kappa Lambda).
+    """
     if x.e == 1:
         small = x.inverse_deviation()
         square = (small * small) / x.half_eta

@@ -120,8 +120,16 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
             "z^2 - (2 - alpha - beta) z + (1 - alpha) = 0",
             "all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52",
         ),
+        "predicted_covariance": (
+            "predicted_11 = rho Lambda sigma, predicted_12 = Lambda sigma,",
+            f"predicted_22 = Lambda^2 (rho + {1 - c.n})",
+        ),
+        "updated_covariance": (
+            "updated_11 = alpha, updated_12 = beta,",
+            f"updated_22 = Lambda^2 {f'(rho - {c.n})' if c.n else 'rho'}",
+        ),
         "gain_derivatives": (
-            f"d alpha = (1 + {e / 2}/kappa)/(rho sigma^2 Lambda),",
+            f"d alpha = {f'(1 + {e / 2}/kappa)' if e else '1'}/(rho sigma^2 Lambda),",
             "d beta = (2 + 1/rho)/(kappa sigma^2 Lambda)",
         ),
     }
