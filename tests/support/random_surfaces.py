@@ -9,6 +9,8 @@ from fractions import Fraction
 from random import Random
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
     Expr,
     absolute,
@@ -47,6 +49,8 @@ class Trial:
 def trial(random: Random) -> Trial:
     """A random statement in two or three parameters."""
     names = NAMES[: random.choice((2, 2, 3))]
+    if random.random() < 0.12:
+        return _on_curve(random)
     make = random.choice((_identity, _identity, _inequality, _inequality, _small_part, _anything))
     rel, special = make(random, names)
     given: tuple[Rel, ...] = ()
@@ -171,6 +175,46 @@ def _small_part(random: Random, names: tuple[str, ...]) -> tuple[Rel, tuple[Poin
     if random.random() < 0.3:
         return Rel(operator, sqrt(distance), number(size)), (centre,)
     return Rel(operator, distance, number(size * size)), (centre,)
+
+
+def _on_curve(random: Random) -> Trial:
+    """A curve of degree three or four through a rational point, and what may just fail there."""
+    names = NAMES[:2]
+    x, y = symbol("x"), symbol("y")
+    centre = {n: Fraction(random.randint(-2, 3), random.choice((1, 1, 2))) for n in names}
+    first = random.choice((power(x, 3), power(x, 3), power(x, 4), power(x, 3) * y))
+    second = random.choice((power(y, 3), power(y, 3), -power(y, 4), power(y, 3) * x))
+    curve = _through(first + second + polynomial(random, names), centre)
+    line = _through(polynomial(random, names), centre)
+    zero = number(0)
+    operator = random.choice(("<", "<=", "=", "!="))
+    kind = random.randrange(4)
+    given: tuple[Rel, ...] = ()
+    if kind == 0:
+        rel = Rel(operator, line, zero)
+        given = (Rel(random.choice(("=", "=", ">=", "<=")), curve, zero),)
+    elif kind == 1:
+        rel = Rel(
+            random.choice(("<", "<=")),
+            zero,
+            power(curve, 2) * random.choice((line, power(line, 2))),
+        )
+    elif kind == 2:
+        rel = Rel(
+            operator, sqrt(power(curve, 2)), random.choice((curve, zero, absolute(curve) * line))
+        )
+    else:
+        rel = Rel(random.choice(("<=", "=")), sqrt(curve) * sqrt(line), sqrt(curve * line))
+    if random.random() < 0.3:
+        given = (*given, Rel(random.choice(("<", ">=")), line, zero))
+    boxes = {n: random.choice(BOXES) for n in names}
+    return Trial(Statement((rel,), given), boxes, (centre,))
+
+
+def _through(expr: Expr, point: Point) -> Expr:
+    """The expression less its value at a point."""
+    value = constant_value(substituted(expr, {n: number(v) for n, v in point.items()}))
+    return expr - number(value or 0)
 
 
 def _anything(random: Random, names: tuple[str, ...]) -> tuple[Rel, tuple[Point, ...]]:

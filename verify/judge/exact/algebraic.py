@@ -86,8 +86,17 @@ class Algebraic:
         if len(self.coefficients) == 3:
             return self._quadratic_text()
         near = self.refined(Fraction(1, 10**8))
-        names = [f"{c} x^{k}" for k, c in reversed(list(enumerate(self.coefficients))) if c]
-        return f"the root of {' + '.join(names)} near {float(near.low):.6g}"
+        return f"the root of {self._polynomial_text()} near {float(near.low):.6g}"
+
+    def _polynomial_text(self) -> str:
+        found = ""
+        for k, c in reversed(list(enumerate(self.coefficients))):
+            if c:
+                size = "" if abs(c) == 1 and k else f"{abs(c)}"
+                power = "" if k == 0 else "x" if k == 1 else f"x^{k}"
+                sign = (" - " if c < 0 else " + ") if found else ("-" if c < 0 else "")
+                found += sign + f"{size} {power}".strip()
+        return found
 
     def _quadratic_text(self) -> str:
         c, b, a = self.coefficients

@@ -22,7 +22,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
-from gainproof.verify.judge.exact.tower import build_tower
+from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
 
 

@@ -20,7 +20,8 @@ from gainproof.verify.judge.exact.norm import norm, vanishing_factors
 from gainproof.verify.judge.exact.place import Place, places
 from gainproof.verify.judge.exact.poly import Poly, coefficients_in, degree, rational, univariate
 from gainproof.verify.judge.exact.radicand import Element
-from gainproof.verify.judge.exact.tower import Tower, build_tower
+from gainproof.verify.judge.exact.tower import Tower
+from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
 
 UNKNOWN = "limit value"

@@ -28,9 +28,9 @@ from gainproof.verify.judge.exact.poly import (
     degree,
     from_terms,
     grouped,
-    rational,
 )
 from gainproof.verify.judge.exact.tower import Root, Tower
+from gainproof.verify.judge.exact.tower_balls import variable_balls
 
 FIRST_PRECISION = 64
 
@@ -221,40 +221,7 @@ class Local:
         not resolved.
         """
         with flint.ctx.workprec(precision):
-            result = evaluate(p, self._generator_balls(sample, precision, free))
+            at = sample if sample is not None else self.place.at
+            values = variable_balls(self.tower, self._zero_roots, at, precision, free)
+            result = evaluate(p, values)
             return result if result.is_finite() else None
-
-    def _generator_balls(
-        self, sample: Sample | None, precision: int, free: tuple[Fraction, ...]
-    ) -> list[Ball | None]:
-        tower = self.tower
-        values: list[Ball | None] = [None] * max(1, len(tower.names))
-        for place, number in zip(tower.free_indices, free, strict=False):
-            values[place] = flint.arb(rational(number))
-        if isinstance(sample, tuple):
-            for place, value in zip(tower.parameter_indices, sample, strict=True):
-                values[place] = _ball_of(value, precision)
-        elif tower.parameter_index is not None:
-            if sample is not None:
-                values[tower.parameter_index] = flint.arb(rational(sample))
-            elif self.place.at is not None:
-                values[tower.parameter_index] = self.place.at.ball(precision)
-        for root in tower.roots:
-            if root.index in self._zero_roots:
-                values[root.index] = flint.arb(0)
-                continue
-            top, bottom = evaluate(root.radicand.num, values), evaluate(root.radicand.den, values)
-            ratio = top / bottom
-            if root.order == 2 and ratio > 0:
-                values[root.index] = bottom * ratio.sqrt()
-            elif root.order == 3 and ratio > 0:
-                values[root.index] = bottom * ratio.root(3)
-            elif root.order == 3 and ratio < 0:
-                values[root.index] = -bottom * (-ratio).root(3)
-            # else not resolved at this precision, or undefined here: what uses it gets no finite
-            # ball
-        return values
-
-
-def _ball_of(value: Fraction | Algebraic, precision: int) -> Ball:
-    return value.ball(precision) if isinstance(value, Algebraic) else flint.arb(rational(value))

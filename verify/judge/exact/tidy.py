@@ -16,7 +16,7 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Poly, fraction, terms
-from gainproof.verify.judge.exact.tower import build_tower
+from gainproof.verify.judge.exact.tower_building import build_tower
 
 
 def tidied(expr: Expr) -> Expr:

@@ -8,7 +8,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.exact.tower import build_tower
+from gainproof.verify.judge.exact.tower_building import build_tower
 
 TRUE, FALSE, NO_VALUE, SKIPPED = "true", "false", "no value", "outside"
 

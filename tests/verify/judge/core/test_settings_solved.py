@@ -14,7 +14,7 @@ from gainproof.verify.judge.exact.expression import Expr, number, symbol
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.place import Place
-from gainproof.verify.judge.exact.tower import build_tower
+from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
 from gainproof.verify.judge.setting import steady_state as module
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, NotEstablished
