@@ -35,7 +35,8 @@ from gainproof.verify.judge.verdict import Finding
 POINTS = 5
 FAR_POINTS = 80
 LEAST_AGREED = 3
-MOST_PROOFS = 40
+MOST_TRIED = 20_000
+MOST_PROOFS = 30
 MOST_OFFERED = 4
 STAGES = (0, 1, 2)
 BY_VALUES = frozenset(("identity", "inequality", "recursion"))
@@ -64,6 +65,7 @@ class Search:
     formula: Printed = field(init=False)
     scope: Scope = field(init=False)
     points: list[Values] = field(init=False, default_factory=list)
+    tried: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
         self.formula = printed(self.reading)
@@ -128,8 +130,10 @@ class Search:
 
     @property
     def is_late(self) -> bool:
-        """Whether the time is over."""
-        return time.perf_counter() > self.deadline
+        """Whether enough was tried, or the time is over. What is found must not depend on the
+        machine's speed, so that the count should be reached first.
+        """
+        return self.tried > MOST_TRIED or time.perf_counter() > self.deadline
 
     def _first(self, candidates: Iterable[Change]) -> list[Offer]:
         """Proved candidates of the least weight."""
@@ -144,6 +148,7 @@ class Search:
 
     def _filtered(self, candidates: Iterable[Change]) -> Iterator[Change]:
         for change in candidates:
+            self.tried += 1
             if self.is_late:
                 return
             if self.by_values and not self.agrees(change.printed):

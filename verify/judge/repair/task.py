@@ -19,9 +19,9 @@ from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
 
-SECONDS = 8.0
-"""Time for the search, of which formulas with one misprint take a small part."""
-OVERTIME = 4.0
+SECONDS = 30.0
+"""Time for the search, which has tried enough long before on any machine."""
+OVERTIME = 10.0
 """Seconds more before it is stopped: it looks at the clock between two formulas only."""
 
 
