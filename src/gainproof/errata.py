@@ -7,6 +7,8 @@ from pathlib import Path
 
 from gainproof import atomic_file, errata_latex, errata_markdown, places
 from gainproof.bad_input import BadInputError
+from gainproof.claim_words import Words
+from gainproof.errata_entries import Part, entries
 from gainproof.verdicts import Judgement
 
 MARKS: Mapping[str, str] = {
@@ -16,10 +18,16 @@ MARKS: Mapping[str, str] = {
 """First line of each kind of sheet; a file that begins otherwise is not overwritten."""
 
 
-def sheet(judgements: Sequence[Judgement], suffix: str = ".md") -> str:
-    """The sheet of all sources, in Markdown or as a LaTeX document."""
+def sheet(judgements: Sequence[Judgement], words: Sequence[Words], suffix: str = ".md") -> str:
+    """The sheet of all sources, in Markdown or as a LaTeX document; `words` are those of the claims
+    without a formula, for each source.
+    """
     write = errata_latex.document if suffix == ".tex" else errata_markdown.document
-    return f"{MARKS[suffix]}\n{write(judgements)}"
+    parts = [
+        Part(judgement["source"], tuple(entries(judgement, said)))
+        for judgement, said in zip(judgements, words, strict=True)
+    ]
+    return f"{MARKS[suffix]}\n{write(parts)}"
 
 
 def target(name: str) -> Path:
@@ -42,10 +50,10 @@ def target(name: str) -> Path:
     return path
 
 
-def write(judgements: Sequence[Judgement], path: Path) -> None:
+def write(judgements: Sequence[Judgement], words: Sequence[Words], path: Path) -> None:
     """Write the sheet. Raises BadInputError where that is not possible."""
     try:
-        atomic_file.write_text(path, sheet(judgements, path.suffix))
+        atomic_file.write_text(path, sheet(judgements, words, path.suffix))
     except OSError as error:
         shown = places.shown(path)
         raise BadInputError(f"{shown}: cannot be written: {error.strerror or error}") from None

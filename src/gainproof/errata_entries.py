@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from gainproof.claim_words import Words
 from gainproof.verdict_reason import reason, repair_of, solutions
 from gainproof.verdicts import Judgement
 
@@ -14,19 +15,21 @@ CANNOT_STAND = frozenset({"refuted", "conditional", "undefined"})
 
 @dataclass(frozen=True)
 class Entry:
-    """One claim: `title` is its place, with the id where that says more; `remarks` are labelled
-    sentences; `repair` is LaTeX, or empty where none was found.
+    """One claim: `title` is its place, with the id where that says more; `printed` is LaTeX, or
+    empty for a claim in `words`; `remarks` are labelled sentences; `repair` is LaTeX, or empty
+    where none was found.
     """
 
     title: str
     verdict: str
     printed: str
+    words: str
     remarks: tuple[tuple[str, str], ...]
     repair: str = ""
     repair_verdict: str = ""
 
 
-def entries(judgement: Judgement) -> list[Entry]:
+def entries(judgement: Judgement, words: Words) -> list[Entry]:
     """The claims that are refuted, conditional or undefined, in the order of the source."""
     found = []
     for claim in judgement["claims"]:
@@ -49,12 +52,21 @@ def entries(judgement: Judgement) -> list[Entry]:
                 title,
                 claim["verdict"],
                 claim["latex"],
+                words.get(claim["id"], "in words"),
                 tuple(remarks),
                 repair["latex"],
                 repair["verdict"],
             )
         )
     return found
+
+
+@dataclass(frozen=True)
+class Part:
+    """One source and its entries."""
+
+    source: Mapping[str, Any]
+    entries: tuple[Entry, ...]
 
 
 def source_line(source: Mapping[str, Any]) -> str:

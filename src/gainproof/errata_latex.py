@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gainproof.errata_entries import Entry, entries, source_line
+from gainproof.errata_entries import Entry, Part, source_line
 from gainproof.lecture_latex import escaped
-from gainproof.verdicts import Judgement
 
 
-def document(judgements: Sequence[Judgement]) -> str:
+def document(sources: Sequence[Part]) -> str:
     """The whole document, a section for each source."""
     parts = [
         r"\documentclass{article}",
@@ -17,27 +16,26 @@ def document(judgements: Sequence[Judgement]) -> str:
         r"\usepackage{amsmath}",
         r"\setlength{\parindent}{0pt}",
         r"\begin{document}",
-        *[line for judgement in judgements for line in _section(judgement)],
+        *[line for part in sources for line in _section(part)],
         r"\end{document}",
     ]
     return "\n".join(parts) + "\n"
 
 
-def _section(judgement: Judgement) -> list[str]:
-    found = entries(judgement)
+def _section(part: Part) -> list[str]:
     lines = [
         "",
-        rf"\section*{{Errata: {escaped(judgement['source']['title'])}}}",
-        escaped(source_line(judgement["source"])),
+        rf"\section*{{Errata: {escaped(part.source['title'])}}}",
+        escaped(source_line(part.source)),
     ]
-    if not found:
+    if not part.entries:
         return [*lines, "", "No errata were found."]
-    return [*lines, *[line for entry in found for line in _entry(entry)]]
+    return [*lines, *[line for entry in part.entries for line in _entry(entry)]]
 
 
 def _entry(entry: Entry) -> list[str]:
     lines = ["", rf"\subsection*{{{escaped(entry.title)}}}", f"Printed ({escaped(entry.verdict)}):"]
-    lines += _display(entry.printed) if entry.printed else ["(in words)"]
+    lines += _display(entry.printed) if entry.printed else [escaped(entry.words)]
     for label, text in entry.remarks:
         lines += ["", rf"{escaped(label)}: {escaped(text)}"]
     if entry.repair:

@@ -4,26 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gainproof.errata_entries import Entry, entries, source_line
-from gainproof.verdicts import Judgement
+from gainproof.errata_entries import Entry, Part, source_line
 
 _SPECIAL = frozenset("\\`*_{}[]#|<>~$")
 
 
-def document(judgements: Sequence[Judgement]) -> str:
+def document(sources: Sequence[Part]) -> str:
     """The whole sheet, a heading for each source."""
     parts = []
-    for judgement in judgements:
-        found = entries(judgement)
-        parts.append(f"# Errata: {_escaped(judgement['source']['title'])}")
-        parts.append(_escaped(source_line(judgement["source"])))
-        parts += [_entry(entry) for entry in found] or ["No errata were found."]
+    for part in sources:
+        parts.append(f"# Errata: {_escaped(part.source['title'])}")
+        parts.append(_escaped(source_line(part.source)))
+        parts += [_entry(entry) for entry in part.entries] or ["No errata were found."]
     return "\n\n".join(parts) + "\n"
 
 
 def _entry(entry: Entry) -> str:
     lines = [f"## {_escaped(entry.title)}", f"Printed ({entry.verdict}):"]
-    lines.append(_display(entry.printed) if entry.printed else "(in words)")
+    lines.append(_display(entry.printed) if entry.printed else _escaped(entry.words))
     lines += [f"{label}: {_escaped(text)}" for label, text in entry.remarks]
     if entry.repair:
         lines += [f"Read instead ({entry.repair_verdict}):", _display(entry.repair)]

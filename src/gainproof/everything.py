@@ -15,6 +15,7 @@ from gainproof import (
     places,
     verdicts,
 )
+from gainproof.claim_words import claim_words
 from gainproof.derived import Derived
 from gainproof.report import Findings
 from gainproof.workshop import Workshop
@@ -43,6 +44,7 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
         differences=tuple(drift.compare(files, folder)),
         certificates=tuple(reports),
         judgements=tuple(judged),
+        words=tuple(claim_words(judgements.read(file)) for file in claim_files),
         changes=changes,
         accepted=accept,
     )

@@ -14,13 +14,15 @@ Claim = Mapping[str, Any]
 _LABEL = 12
 
 
-def explanation(claim: Claim, columns: int = WIDTH) -> str:
+def explanation(claim: Claim, columns: int = WIDTH, words: str = "") -> str:
     """Text for a claim in the form of `check --json`: what was shown, on what ground, and where it
-    fails; nothing twice.
+    fails; nothing twice. `words` are those of a claim without a formula.
     """
     certificate: Mapping[str, Any] = claim["evidence"]["certificate"] or {}
     lines = [f"{claim['id']}: {claim['verdict']}"]
-    lines += filled(" ".join((claim["latex"] or claim["kind"]).split()), "  ", "    ", columns)
+    lines += filled(
+        " ".join((claim["latex"] or words or claim["kind"]).split()), "  ", "    ", columns
+    )
     lines.append("")
     for label, value in _facts(claim):
         lines += filled(value, f"{label + ':':<{_LABEL}}", " " * _LABEL, columns)

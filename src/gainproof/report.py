@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from gainproof import atomic_file, verdict_text
+from gainproof.claim_words import Words
 from gainproof.drift import CURE, Difference
 from gainproof.lecture import count
 from gainproof.verdicts import Judgement
@@ -20,7 +21,8 @@ Plain = Mapping[str, Any]
 class Findings:
     """Everything that one run looked at.
 
-    `certificates`: reports of `rechecking.recheck`; `changes`: differences from the snapshot of
+    `certificates`: reports of `rechecking.recheck`; `words`: those of claims without a formula, for
+    each judgement; `changes`: differences from the snapshot of
     each claim file, by name; `accepted`: they have been taken over.
     """
 
@@ -29,6 +31,7 @@ class Findings:
     differences: tuple[Difference, ...]
     certificates: tuple[Plain, ...]
     judgements: tuple[Judgement, ...]
+    words: tuple[Words, ...]
     changes: Mapping[str, tuple[str, ...]]
     accepted: bool
 
@@ -73,7 +76,10 @@ def as_text(findings: Findings) -> str:
     """The findings for people: summary, certificates, verdicts."""
     versions = ", ".join(f"{name} {version}" for name, version in findings.versions.items())
     parts = [summary(findings), f"Made with {versions}.\n", certificates_text(findings)]
-    parts += [verdict_text.overview(judgement) for judgement in findings.judgements]
+    parts += [
+        verdict_text.overview(judgement, words=words)
+        for judgement, words in zip(findings.judgements, findings.words, strict=True)
+    ]
     return "\n".join(parts)
 
 

@@ -41,8 +41,8 @@ def repaired(claim: Claim) -> list[str]:
     """The nearest true formula with what was changed, or that none was found."""
     repair = repair_of(claim)
     if not repair:
-        missing = NO_REPAIR if NO_REPAIR in str(claim["reason"]) else ""
-        return [missing] if missing and missing not in reason(claim) else []
+        missing = claim["verdict"] == "refuted" and NO_REPAIR in str(claim["reason"])
+        return [NO_REPAIR] if missing and NO_REPAIR not in reason(claim) else []
     told = (claim["evidence"]["certificate"] or {}).get("repair", {})
     changes = "; ".join([repair["verdict"], *told.get("changes", [])])
     return [f"nearest true formula: {repair['latex']} ({changes})"]

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby
+from types import MappingProxyType
 from typing import Any
 
+from gainproof.claim_words import Words
 from gainproof.page import WIDTH, filled
 from gainproof.verdict_reason import reasons
 from gainproof.verdicts import Judgement, tally
@@ -14,17 +16,22 @@ Claim = Mapping[str, Any]
 _WIDEST_ID = 26
 
 
-def overview(judgement: Judgement, columns: int = WIDTH) -> str:
-    """The source and, by the places where they stand, all claims with verdict, formula and why."""
+def overview(
+    judgement: Judgement, columns: int = WIDTH, words: Words = MappingProxyType({})
+) -> str:
+    """The source and, by the places where they stand, all claims with verdict, formula and why;
+    `words` are those of claims without a formula, by id.
+    """
     source, claims = judgement["source"], judgement["claims"]
     lines = [*filled(f"{source['key']}: {source['title']}", "", "  ", columns), ""]
     names = min(_WIDEST_ID, max((len(claim["id"]) for claim in claims), default=0))
-    words = max((len(claim["verdict"]) for claim in claims), default=0)
+    verdicts = max((len(claim["verdict"]) for claim in claims), default=0)
     for place, group in groupby(claims, lambda claim: claim["place"]):
         lines += filled(place, "  ", "    ", columns)
         for claim in group:
-            head = f"    {claim['id']:<{names}}  {claim['verdict']:<{words}}  "
-            lines += _claim(claim, head, " " * (names + words + 8), columns)
+            head = f"    {claim['id']:<{names}}  {claim['verdict']:<{verdicts}}  "
+            said = claim["latex"] or words.get(claim["id"], "")
+            lines += _claim(claim, said, head, " " * (names + verdicts + 8), columns)
     lines += _conventions(claims, columns)
     lines += ["", f"  {counts([judgement])}"]
     return "\n".join(lines) + "\n"
@@ -38,9 +45,9 @@ def counts(judgements: list[Judgement]) -> str:
     return f"{total} claim{'s' if total > 1 else ''}: {shown}" if total else "no claims"
 
 
-def _claim(claim: Claim, head: str, indent: str, columns: int) -> list[str]:
-    """Formula beside the verdict, reasons below; a claim in words has its reason beside it."""
-    texts = [*([" ".join(claim["latex"].split())] if claim["latex"] else []), *reasons(claim)]
+def _claim(claim: Claim, said: str, head: str, indent: str, columns: int) -> list[str]:
+    """Formula or words beside the verdict, reasons below."""
+    texts = [*([" ".join(said.split())] if said else []), *reasons(claim)]
     if not texts:
         return [head.rstrip()]
     lines = filled(texts[0], head, indent, columns)

@@ -60,7 +60,7 @@ JUDGED: dict[str, Any] = {
 
 @pytest.mark.parametrize("suffix", [".md", ".tex"])
 def test_a_sheet_has_what_cannot_stand_and_nothing_else(suffix: str) -> None:
-    text = errata.sheet([JUDGED], suffix)
+    text = errata.sheet([JUDGED], [{}], suffix)
     assert text.startswith(errata.MARKS[suffix])
     for part in ("(2)", "(3)", "page 7, 4", r"\beta = 2", "for r", "c is never defined"):
         assert part in text
@@ -69,7 +69,7 @@ def test_a_sheet_has_what_cannot_stand_and_nothing_else(suffix: str) -> None:
 
 
 def test_text_is_escaped() -> None:
-    markdown, latex = errata.sheet([JUDGED], ".md"), errata.sheet([JUDGED], ".tex")
+    markdown, latex = errata.sheet([JUDGED], [{}], ".md"), errata.sheet([JUDGED], [{}], ".tex")
     assert r"# Errata: Notes\_on 50% of filters" in markdown
     assert r"\section*{Errata: Notes\_on 50\% of filters}" in latex
     assert r"at \textbackslash{}beta\_k = 1" in latex
@@ -77,10 +77,16 @@ def test_text_is_escaped() -> None:
     assert "\\[\n  \\beta = 2\n\\]" in latex
 
 
+def test_a_claim_in_words_shows_them() -> None:
+    judged = {"source": SOURCE, "claims": [claim("1", "refuted", latex="")]}
+    for suffix in errata.MARKS:
+        assert "gains grow" in errata.sheet([judged], [{"1": "gains grow"}], suffix)
+
+
 def test_nothing_found_is_said() -> None:
     clean = {"source": SOURCE, "claims": [claim("1", "proved")]}
-    assert "No errata were found." in errata.sheet([clean])
-    assert "No errata were found." in errata.sheet([clean], ".tex")
+    assert "No errata were found." in errata.sheet([clean], [{}])
+    assert "No errata were found." in errata.sheet([clean], [{}], ".tex")
 
 
 @pytest.mark.parametrize("name", ["paper.toml", "sheet", "sheet.txt"])

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from gainproof import verdict_text, witness_text
+from gainproof.claim_words import claim_words
 from gainproof.page import filled, width
 
 WITNESS = {
@@ -67,6 +68,29 @@ def test_of_several_conventions_one_is_named() -> None:
     certificate = {"against other conventions": {"noise A": other, "noise B": WITNESS}}
     text = table(claim("b", "refuted", witness=WITNESS, certificate=certificate))
     assert "fits none of 2 conventions; with noise B, at r = 1 the" in text
+
+
+def test_a_claim_in_words_shows_them() -> None:
+    source = {"key": "lecture", "title": "Tracking"}
+    judged = {"source": source, "claims": [claim("a", "proved", latex="")]}
+    text = verdict_text.overview(judged, words={"a": "the gain grows with the index"})
+    assert "    a  proved  the gain grows with the index\n" in text
+
+
+def test_words_of_claims_without_a_formula() -> None:
+    entries = {
+        "1": "kind = 'remark'\ntext = 'one\\ntwo'",
+        "2": "kind = 'monotone'\nabout = ['a', 'r']\ntrend = 'increasing'",
+        "3": "kind = 'location'\npolynomial = 'z^2 - a'\nvariable = 'z'\nwhere = 'real'",
+        "4": "kind = 'identity'\nlatex = 'a = b'\ntext = 'not shown'",
+        "5": "kind = 'identity'\nplain = 'a = b'",
+    }
+    text = "".join(f"[[claims]]\nid = '{name}'\n{rest}\n" for name, rest in entries.items())
+    assert claim_words(text) == {
+        "1": "one\\ntwo",
+        "2": "a is increasing in r",
+        "3": "roots of z^2 - a in z: real",
+    }
 
 
 def test_conventions_filled_in_are_listed_once() -> None:

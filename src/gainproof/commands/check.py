@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 HELP = "judge the claims of a claim file, or begin one"
 DESCRIPTION = """\
@@ -50,15 +52,17 @@ def run(options: argparse.Namespace) -> int:
         print(_begun(options), end="")
         return 0
     from gainproof import errata, judgements, places, verdicts
+    from gainproof.claim_words import claim_words
     from gainproof.workshop import open_workshop
 
     sheet = errata.target(options.errata) if options.errata else None
     files = [judgements.find(options.file)] if options.file else list(places.claim_files())
     shop = open_workshop(fresh=options.fresh, only_terminal=True)
     judged = judgements.judge(files, shop, options.seconds or judgements.SECONDS)
+    words = [claim_words(judgements.read(file)) for file in files]
     if sheet is not None:
-        errata.write(judged, sheet)
-    print(_shown(options, judged), end="")
+        errata.write(judged, words, sheet)
+    print(_shown(options, judged, words), end="")
     if sheet is not None and not options.json:
         print(f"\nerrata: {places.shown(sheet)}")
     return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
@@ -80,7 +84,11 @@ def _begun(options: argparse.Namespace) -> str:
     return beginning.begin_from(options.draft, options.out)
 
 
-def _shown(options: argparse.Namespace, judged: list[dict[str, object]]) -> str:
+def _shown(
+    options: argparse.Namespace,
+    judged: Sequence[Mapping[str, Any]],
+    words: Sequence[Mapping[str, str]],
+) -> str:
     """What goes to standard output: data, the sheet, or the table."""
     import json
 
@@ -89,5 +97,9 @@ def _shown(options: argparse.Namespace, judged: list[dict[str, object]]) -> str:
     if options.json:
         return json.dumps(judged[0] if options.file else judged, indent=2) + "\n"
     if options.errata == "":
-        return errata.sheet(judged)
-    return "\n".join(verdict_text.overview(judgement, page.width()) for judgement in judged)
+        return errata.sheet(judged, words)
+    columns = page.width()
+    return "\n".join(
+        verdict_text.overview(judgement, columns, said)
+        for judgement, said in zip(judged, words, strict=True)
+    )

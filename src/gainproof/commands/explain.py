@@ -20,6 +20,7 @@ def run(options: argparse.Namespace) -> int:
     """0, or 2 for a claim that the file does not have."""
     from gainproof import judgements, page
     from gainproof.bad_input import unknown_name
+    from gainproof.claim_words import claim_words
     from gainproof.explanation import explanation
     from gainproof.workshop import open_workshop
 
@@ -28,5 +29,6 @@ def run(options: argparse.Namespace) -> int:
     claims = {claim["id"]: claim for claim in judgement["claims"]}
     if options.claim not in claims:
         raise unknown_name(f"claim of {judgement['source']['key']}", options.claim, claims)
-    print(explanation(claims[options.claim], page.width()), end="")
+    words = claim_words(judgements.read(file)).get(options.claim, "")
+    print(explanation(claims[options.claim], page.width(), words), end="")
     return 0
