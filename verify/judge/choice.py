@@ -18,7 +18,8 @@ UNSETTLED = ("undecided", "held", "undefined")
 def choose(trials: Sequence[Trial]) -> list[ClaimVerdict]:
     """The verdicts under those conventions under which every claim that fits any of them holds."""
     fits, common = _fits(trials), _common(trials)
-    excluded = _excluded(trials, fits)
+    # where no convention suits all claims, none is ruled out by them
+    excluded = _excluded(trials, fits) if common else frozenset()
     return [_chosen(trial, common, fits, excluded) for trial in trials]
 
 

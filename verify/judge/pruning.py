@@ -41,7 +41,8 @@ def seen_false(claim: Claim, convention: Convention) -> Finding | None:
 
 
 def _refuted(claim: Claim, reading: Reading, convention: Convention) -> Finding | None:
-    plain = all(r.operator in COMPARED for r in (*reading.relations, *reading.conditions))
+    printed_relations = (*reading.relations, *reading.conditions, *claim.domain)
+    plain = all(r.operator in COMPARED for r in printed_relations)
     if reading.connective != "if" or not plain:
         return None
     scope = Scope(convention.setting, convention.environment)

@@ -94,6 +94,8 @@ def _best(
         formula: Formula = read_formula(latex, setting.symbols)
         changed = with_definition(setting, token, formula)
         others = [c for c in users if c.id != claim.id]
+        if not all(_is_within(other, claim) for other in others):
+            continue
         trials = done([TrialTask(other, changed) for other in others])
         proved = sum(_is(trial, "proved") for trial in trials.values())
         wrong = sum(
@@ -102,7 +104,20 @@ def _best(
         one = Fixed(token, latex, claim.id, solution["how"], names, trials)
         one = _accepted(one, solution["unique"], proved, wrong)
         ranked.append(((one.consumed is None, wrong - proved, len(latex)), one))
+    if not ranked:
+        reason = f"{token} is never defined, and the claims that use it hold on different domains"
+        return Fixed(token, None, None, reason, names)
     return min(ranked, key=lambda pair: pair[0])[1]
+
+
+def _is_within(claim: Claim, other: Claim) -> bool:
+    """Whether a claim is made only where another one is: it states all that the other states."""
+    return all(condition in _stated(claim) for condition in _stated(other))
+
+
+def _stated(claim: Claim) -> list[object]:
+    printed = claim.formula.readings[0].conditions if claim.formula is not None else ()
+    return [*claim.domain, *printed, *[formula.readings for formula in claim.given]]
 
 
 def _is(trial: Trial, *verdicts: str) -> bool:

@@ -98,3 +98,15 @@ def test_where_the_coefficient_vanishes_a_symbol_is_not_fixed() -> None:
     # at x = 1 the first claim holds for every u
     verdicts = judged(symbols, ("identity", "u (x - 1) = x^2 - 1"), ("identity", "u (x-1)^2 = x"))
     assert [v.verdict for v in verdicts] == ["undefined", "undefined"]
+
+
+def test_a_symbol_is_fixed_only_where_the_claim_is_made() -> None:
+    narrow, wide = (
+        ("identity", r"\lambda = k + 1 \quad (3 \le k)"),
+        ("identity", r"\lambda^2 = k \lambda + \lambda"),
+    )
+    later = ("identity", r"\lambda - 1 = k \quad (3 \le k)")
+    verdicts = judged(memory(1, more=LAMBDA), narrow, wide)
+    assert [v.verdict for v in verdicts] == ["undefined", "undefined"]
+    verdicts = judged(memory(1, more=LAMBDA), narrow, later)
+    assert sorted(v.verdict for v in verdicts) == ["definition", "proved"]
