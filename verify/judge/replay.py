@@ -28,7 +28,7 @@ def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
         return f"cannot be replayed: {reason}"
     if outcome.verdict != verdict:
         return f"wanted {verdict}, got {outcome.verdict}"
-    for field in ("tower", "candidates", "places", "projection", "of one sign", "borders"):
+    for field in ("tower", "candidates", "places", "projection", "of one sign", "count", "borders"):
         if outcome.certificate.get(field) != certificate.get(field):
             return f"{field} differ"
     return None

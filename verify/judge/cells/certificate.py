@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -17,6 +18,8 @@ from gainproof.verify.judge.exact.statement import Statement
 
 Data = dict[str, Any]
 MOST_PIECES = 200
+MOST_ON_A_BORDER = 20
+MOST_BORDERS = 60
 
 
 def cells_certificate(
@@ -30,7 +33,8 @@ def cells_certificate(
         "engine": "cells",
         "statement": statement_data(statement, boxes, None, labels),
         "variables": {short: labels.get(full, full) for short, full in names.items()},
-        **_part(first, labels),
+        **_part(first, MOST_PIECES, labels),
+        "count of borders": len(found) - 1,
         "borders": [
             {
                 "zero": [f"{shown(expr, labels)} = 0" for expr in part.task.border],
@@ -39,14 +43,15 @@ def cells_certificate(
                     for name, expr in part.task.solved
                 ],
                 "parameters": [labels.get(name, name) for name in part.task.names],
-                **_part(part, labels),
+                **_part(part, MOST_ON_A_BORDER, labels),
             }
-            for part in found[1:]
+            for part in found[1 : 1 + MOST_BORDERS]
         ],
     }
 
 
-def _part(part: Part, labels: Mapping[str, str]) -> Data:
+def _part(part: Part, most: int, labels: Mapping[str, str]) -> Data:
+    """The first pieces as they are, and how many there are of each truth."""
     found: Data = {"tower": part.pieces[0].local.tower.relations_text() if part.pieces else []}
     if part.projection is not None:
         found["candidates"] = [str(cut) for cut in part.cuts]
@@ -55,8 +60,8 @@ def _part(part: Part, labels: Mapping[str, str]) -> Data:
             {"variable": f"x{level.index + 1}", "polynomials": [str(p) for p in level.polys]}
             for level in part.projection.levels
         ]
-    found["count"] = len(part.pieces)
-    found["places"] = [_piece(piece, labels) for piece in part.pieces[:MOST_PIECES]]
+    found["count"] = dict(sorted(Counter(piece.truth for piece in part.pieces).items()))
+    found["places"] = [_piece(piece, labels) for piece in part.pieces[:most]]
     return found
 
 

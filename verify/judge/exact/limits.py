@@ -29,7 +29,7 @@ class Limits:
     norm_degree: int = 600
     symbols: int = 40
     precision: int = 4096
-    parameters: int = 6
+    parameters: int = 8
     projection_degree: int = 400
     projection_factors: int = 400
     cells: int = 20_000
