@@ -10,14 +10,14 @@ from pathlib import Path
 import pytest
 
 from gainproof.verify.judge import (
+    claim_declarations,
     claim_file,
     claim_kinds,
     claim_list,
     claim_models,
     claim_settings,
-    claim_symbols,
 )
-from gainproof.verify.judge.claim_record import CLAIM_KINDS, LOCATIONS, TRENDS
+from gainproof.verify.judge.claim_vocabulary import CLAIM_KINDS, LOCATIONS, TRENDS
 from gainproof.verify.judge.quantity_names import quantity_names
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "claim-files.md").read_text("utf-8")
@@ -51,7 +51,7 @@ def test_fields_of_the_source() -> None:
 
 
 def test_fields_of_symbols() -> None:
-    assert set(rows(part("[symbols]"), "field")) == set(claim_symbols.FIELDS)
+    assert set(rows(part("[symbols]"), "field")) == set(claim_declarations.FIELDS)
 
 
 def test_quantities() -> None:
@@ -93,7 +93,7 @@ def test_kinds_of_claims_with_their_fields() -> None:
     "limit",
     [
         f"{claim_list.MOST_CLAIMS} claims",
-        f"{claim_symbols.MOST_SYMBOLS} symbols",
+        f"{claim_declarations.MOST_SYMBOLS} symbols",
         f"{claim_settings.MOST_SETTINGS}\nsettings",
     ],
 )

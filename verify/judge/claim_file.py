@@ -1,43 +1,7 @@
 """Claim files: one TOML file a source, read into frozen records, everything checked.
 
-    format = "gainproof claims 1"
-
-    [source]                   # year, url, doi, note, and for code repository and commit, may be
-                               # missing
-    key = "someone-2001"
-    title = "..."
-    authors = ["A. Someone"]
-    publication = "..."
-
-    [symbols]                  # by LaTeX token, in literal quotes; each is one of four things
-    'T' = { quantity = "sampling_interval", meaning = "..." }   # of a model: `quantity_names`
-    'a' = { unit = "m s^-2", domain = 'a > 0', meaning = "..." }   # free; or integer = true
-    'f' = { definition = '\\frac{x}{T}', arguments = ["x"], meaning = "..." }
-    'P' = { unit = "m^2", shape = [2, 2], meaning = "..." }        # a matrix
-    '\\lambda' = { undefined = true, meaning = "printed and never defined" }
-
-    [settings.NAME]
-    title = "..."
-    kind = "steady_state"      # or growing_memory, with degree = 1; or algebra, without a model
-    model = "search"           # or a name of the catalogue, or the four matrices transition,
-                               # process_noise, measurement, measurement_noise as rows of formulas
-    gain = "filter"            # or predictor, or search where the source does not say: the form of
-                               # the quantities gain.1, gain.2, ...; see Setting for the other
-                               # conventions
-
-    [settings.NAME.symbols]    # of this setting alone; none may repeat one of [symbols]
-
-    [[claims]]                 # in the order of the source
-    id = "16a"
-    place = "equation (16a)"
-    kind = "identity"          # see CLAIM_KINDS
-    setting = "NAME"
-    latex = '\\alpha = ...'     # as printed; or plain = "alpha = ...", or text = "..." in words
-    domain = 'x > 0'           # where the formula does not print its own
-    given = ['x = 1']          # hypotheses
-    quoted = "..."             # the excerpt as seen, where the formula is transcribed from it
-    about = ['\\alpha', 'x']    # see claim_kinds for the fields that belong to one kind
-    note = "..."
+`docs/claim-files.md` says what
+may stand in it; `claim_record` holds the records.
 
 A claim file is untrusted input: nothing in it is evaluated, and its size and the number of its
 parts are limited.
@@ -51,6 +15,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from gainproof.verify.judge.claim_declarations import read_declarations
 from gainproof.verify.judge.claim_errors import ClaimFileError, FileText
 from gainproof.verify.judge.claim_fields import Fields
 from gainproof.verify.judge.claim_list import read_claims
@@ -64,7 +29,7 @@ from gainproof.verify.judge.claim_record import (
     Unit,
 )
 from gainproof.verify.judge.claim_settings import read_settings
-from gainproof.verify.judge.claim_symbols import complete_symbols, read_declarations
+from gainproof.verify.judge.claim_symbols import complete_symbols
 
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20

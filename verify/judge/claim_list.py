@@ -9,7 +9,8 @@ from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields, nearest_hint
 from gainproof.verify.judge.claim_formulas import conditions_of, formula_of, plain_formula_of
 from gainproof.verify.judge.claim_kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
-from gainproof.verify.judge.claim_record import CLAIM_KINDS, Claim, Setting
+from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim_vocabulary import CLAIM_KINDS
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.latex import reading_to_latex
 

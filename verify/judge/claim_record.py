@@ -8,48 +8,6 @@ from fractions import Fraction
 
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
 
-CLAIM_KINDS = (
-    "identity",
-    "inequality",
-    "definition",
-    "recursion",
-    "limit",
-    "asymptotics",
-    "value",
-    "monotone",
-    "location",
-    "steady_state",
-    "implication",
-    "equivalence",
-    "determines",
-    "remark",
-)
-"""What a claim may be.
-
-* `identity`, `inequality`: the relations hold on the domain, given the setting and its definitions;
-* `definition`: nothing to decide but dimensions;
-* `recursion`: holds for every sample of the setting's filter, whose states are those of the batch;
-* `limit`: what the left side tends to where the one condition with an arrow says;
-* `asymptotics`: the left side equals the right one up to a term of the stated order, where the one
-  condition with an arrow says: `f = a x + O(x^2)`, or `f \\sim g`;
-* `value`: the number printed is the exact value, rounded to the digits shown;
-* `monotone`: the first of `about` grows or falls, as `trend` says, with the second;
-* `location`: the roots of `polynomial` in `variable`, or those that the formula lists, lie `where`;
-* `steady_state`: the formula is a fixed point of `recursion`, in which `previous` is the value
-  before;
-* `implication`: the relations printed first imply those of the trailing parenthesis (or of the
-  right of an arrow);
-* `equivalence`: the same in both directions;
-* `determines`: each symbol of `about` fixes the others in this setting;
-* `remark`: a sentence without decidable content; its note says why.
-"""
-
-TRENDS = ("increasing", "decreasing", "nondecreasing", "nonincreasing")
-"""How the subject of a claim of kind `monotone` changes; the first two are strict."""
-
-LOCATIONS = ("inside the unit circle", "left half plane", "real", "complex", "equal")
-"""Where the roots of a claim of kind `location` lie; `equal`: all in one place."""
-
 
 @dataclass(frozen=True)
 class SourceRecord:
@@ -165,10 +123,10 @@ class Claim:
     stay with the readings). `given` are relations taken as hypotheses. `line` is the line of the
     claim's id in the file, 1 for the first.
 
-    The other fields belong to one kind or two (see CLAIM_KINDS). `about` lists the symbols that a
-    claim of kind `determines` speaks of; for `monotone` it holds the text of the expression whose
-    graph is `subject`, and the symbol with which it changes. `order` is that of the error in a
-    claim of kind `asymptotics`, if its formula does not say it.
+    The other fields belong to one kind or two (see `claim_vocabulary`). `about` lists the symbols
+    that a claim of kind `determines` speaks of; for `monotone` it holds the text of the expression
+    whose graph is `subject`, and the symbol with which it changes. `order` is that of the error in
+    a claim of kind `asymptotics`, if its formula does not say it.
     """
 
     id: str

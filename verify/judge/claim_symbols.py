@@ -1,143 +1,18 @@
-"""The symbol tables of a claim file: declarations, definitions in terms of one another, no circles,
-no shadows.
-"""
+"""The symbol tables of a claim file: definitions in terms of one another, no circle, no shadow."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import MappingProxyType
 
 from gainproof.verify.judge.claim_circles import MOST_DEEP, find_circle, find_deepest
+from gainproof.verify.judge.claim_declarations import Declaration
 from gainproof.verify.judge.claim_errors import FileText
-from gainproof.verify.judge.claim_fields import Fields, nearest_hint
-from gainproof.verify.judge.claim_record import SymbolEntry, Unit
-from gainproof.verify.judge.claim_units import read_unit
+from gainproof.verify.judge.claim_record import SymbolEntry
 from gainproof.verify.judge.formula import Formula, Graph, Relation
-from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reader.errors import ReaderError
-from gainproof.verify.judge.reader.names import canonical_token
 from gainproof.verify.judge.reader.reader import read_conditions, read_expression, read_formula
-from gainproof.verify.judge.reader.words import MADE_BY_READER
-
-MOST_SYMBOLS = 500
-MOST_ARGUMENTS = 8
-MOST_SIZE = 12
-FIELDS = (
-    "meaning",
-    "quantity",
-    "definition",
-    "undefined",
-    "unit",
-    "domain",
-    "arguments",
-    "integer",
-    "shape",
-    "variance",
-)
-"""Fields of a symbol."""
-RESERVED = frozenset(("infinity", "select", "and")) | MADE_BY_READER
-
-
-@dataclass(frozen=True)
-class Declaration:
-    """A symbol as declared, before the formulas in it are read, since these may use any symbol."""
-
-    entry: SymbolEntry
-    where: str
-    line: int | None
-    definition: str | None
-    domain: str | None
-    variance: str | None
-
-
-def read_declarations(
-    text: FileText, where: str, table: object, start: int = 1
-) -> dict[str, Declaration]:
-    """The table `where`, whose keys are LaTeX tokens, by canonical token."""
-    if not isinstance(table, Mapping):
-        raise text.error(where, "a table of symbols is wanted", start)
-    if len(table) > MOST_SYMBOLS:
-        raise text.error(where, f"{len(table)} symbols, but at most {MOST_SYMBOLS} are read", start)
-    found: dict[str, Declaration] = {}
-    for token, content in table.items():
-        line = text.line_of_key(token, start)
-        place = f"{where}.{token[:80]}"
-        name = _canonical(text, place, token, line)
-        if name in found or name in RESERVED:
-            problem = "is declared twice" if name in found else "is a reserved word"
-            raise text.error(place, f"the symbol {name} {problem}", line)
-        found[name] = _declaration(Fields(text, place, content, FIELDS, line), name)
-    return found
-
-
-def _canonical(text: FileText, place: str, token: str, line: int | None) -> str:
-    try:
-        return canonical_token(token)
-    except ReaderError as error:
-        raise text.error(place, f"not a symbol: {error.problem}", line) from error
-
-
-def _declaration(fields: Fields, name: str) -> Declaration:
-    meaning = fields.required_text("meaning")
-    roles = [role for role in ("quantity", "definition", "undefined") if fields.has(role)]
-    if len(roles) > 1:
-        raise fields.fail("", f"both {roles[0]} and {roles[1]}: a symbol is one thing")
-    role = roles[0] if roles else "free"
-    quantity = fields.text_or_none("quantity")
-    definition = fields.text_or_none("definition")
-    if fields.has("undefined") and not fields.flag("undefined"):
-        raise fields.fail("undefined", "only true can be said here")
-    unit_text, domain = fields.text_or_none("unit"), fields.text_or_none("domain")
-    arguments = fields.texts("arguments", MOST_ARGUMENTS)
-    integer = fields.flag("integer")
-    variance = fields.text_or_none("variance")
-    if variance is not None and role != "free":
-        raise fields.fail("variance", "only a free symbol can be a noise")
-    if arguments and role != "definition":
-        raise fields.fail("arguments", "only a definition can have arguments")
-    if role == "free" and unit_text is None:
-        raise fields.fail("unit", "a free symbol needs a unit, `1` if it has none")
-    entry = SymbolEntry(
-        latex=name,
-        meaning=meaning,
-        role=role,
-        quantity=quantity,
-        unit=_unit(fields, unit_text, quantity),
-        arguments=tuple(
-            _canonical(fields.text, f"{fields.where}.arguments", argument, fields.line)
-            for argument in arguments
-        ),
-        integer=integer or quantity == "sample_number",
-        shape=_shape(fields),
-    )
-    return Declaration(entry, fields.where, fields.line, definition, domain, variance)
-
-
-def _shape(fields: Fields) -> tuple[int, int] | None:
-    value = fields.take("shape")
-    if value is None:
-        return None
-    whole = isinstance(value, list) and all(type(n) is int and 1 <= n <= MOST_SIZE for n in value)
-    if not whole or len(value) != 2:
-        problem = f"wanted [rows, columns], whole numbers from 1 to {MOST_SIZE}"
-        raise fields.fail("shape", problem)
-    return value[0], value[1]
-
-
-def _unit(fields: Fields, unit_text: str | None, quantity: str | None) -> Unit | None:
-    """The unit said, or that of the quantity, which must not contradict it."""
-    try:
-        said = read_unit(unit_text) if unit_text is not None else None
-    except ValueError as error:
-        raise fields.fail("unit", str(error)) from error
-    if quantity is None:
-        return said
-    known = quantity_names()
-    if quantity not in known:
-        hint = nearest_hint(quantity, list(known))
-        raise fields.fail("quantity", f"{quantity[:80]!r} is no quantity of a model{hint}")
-    return known[quantity].unit if said is None else said
 
 
 def complete_symbols(

@@ -50,3 +50,14 @@ def _power(power_text: str, text: str) -> Fraction:
         raise ValueError(f"the power {power_text!r} is outside -{_MOST_POWER} to {_MOST_POWER}")
     power = Fraction(int(pieces[0]), below)
     return -power if inner.startswith("-") else power
+
+
+def unit_text_of(unit: Unit) -> str:
+    """The unit as `read_unit` reads it."""
+    factors = (("m", unit.metre), ("s", unit.second))
+    shown = [
+        name if power == 1 else f"{name}^{power}" if power.denominator == 1 else f"{name}^({power})"
+        for name, power in factors
+        if power
+    ]
+    return " ".join(shown) or "1"

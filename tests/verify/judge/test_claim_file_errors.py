@@ -86,6 +86,7 @@ def test_the_text_itself_is_read() -> None:
         ('unit = "1", meaning', 'unit = "1", meening', "symbols.a.meening", "nearest is meaning"),
         ('meaning = "any number"', 'meaning = ["x"]', "symbols.a.meaning", "not a list"),
         ('{ unit = "1", meaning = "any number" }', '"x"', "symbols.a", "a table is wanted"),
+        ('quantity = "samp', 'unit = "m", quantity = "samp', "symbols.T.unit", "whose unit is 's'"),
         ("definition = 'a", "quantity = 'tracking_index', definition = 'a", "symbols.b", "both"),
         ("definition = 'a", "arguments = ['a', 'a'], definition = 'a", "symbols.b", "twice"),
         ("definition = 'a", "arguments = ['z'], definition = 'a", "symbols.b", "not declared"),

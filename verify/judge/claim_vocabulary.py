@@ -1,0 +1,45 @@
+"""Words of a claim file for what is claimed."""
+
+from __future__ import annotations
+
+CLAIM_KINDS = (
+    "identity",
+    "inequality",
+    "definition",
+    "recursion",
+    "limit",
+    "asymptotics",
+    "value",
+    "monotone",
+    "location",
+    "steady_state",
+    "implication",
+    "equivalence",
+    "determines",
+    "remark",
+)
+"""What a claim may be.
+
+* `identity`, `inequality`: the relations hold on the domain, given the setting and its definitions;
+* `definition`: nothing to decide but dimensions;
+* `recursion`: holds for every sample of the setting's filter, whose states are those of the batch;
+* `limit`: what the left side tends to where the one condition with an arrow says;
+* `asymptotics`: the left side equals the right one up to a term of the stated order, where the one
+  condition with an arrow says: `f = a x + O(x^2)`, or `f \\sim g`;
+* `value`: the number printed is the exact value, rounded to the digits shown;
+* `monotone`: the first of `about` grows or falls, as `trend` says, with the second;
+* `location`: the roots of `polynomial` in `variable`, or those that the formula lists, lie `where`;
+* `steady_state`: the formula is a fixed point of `recursion`, in which `previous` is the value
+  before;
+* `implication`: the relations printed first imply those of the trailing parenthesis (or of the
+  right of an arrow);
+* `equivalence`: the same in both directions;
+* `determines`: each symbol of `about` fixes the others in this setting;
+* `remark`: a sentence without decidable content; its note says why.
+"""
+
+TRENDS = ("increasing", "decreasing", "nondecreasing", "nonincreasing")
+"""How the subject of a claim of kind `monotone` changes; the first two are strict."""
+
+LOCATIONS = ("inside the unit circle", "left half plane", "real", "complex", "equal")
+"""Where the roots of a claim of kind `location` lie; `equal`: all in one place."""
