@@ -21,6 +21,7 @@ class Free:
 
     arguments: tuple[str, ...] = ()
     shape: tuple[int, int] | None = None
+    integer: bool = False
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ class Declared:
 
     arguments: tuple[str, ...] = ()
     shape: object | None = None
+    integer: bool = False
 
 
 def matrix_like(name: str) -> bool:

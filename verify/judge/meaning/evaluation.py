@@ -49,6 +49,9 @@ class Names(Protocol):
     def derivative(self, value: Value, token: str, bindings: Bindings) -> Value:
         """The derivative with respect to a symbol."""
 
+    def refuse_free_index(self, body: Expr, token: str) -> None:
+        """Raises Undecided if a free symbol has the token as its index."""
+
     def bound(
         self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
     ) -> Value:
@@ -92,8 +95,10 @@ def _value(node: Expr, names: Names, bindings: Bindings) -> Value:
         case "pow":
             return _power(part(0), node)
         case "derivative":
+            names.refuse_free_index(node.parts[0], node.name)
             return names.derivative(part(0), node.name, bindings)
         case "at":
+            names.refuse_free_index(node.parts[0], node.name)
             return _at(part(0), node.name, part(1), names, bindings)
         case "matrix":
             columns = int(node.name.split()[1])

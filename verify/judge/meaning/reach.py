@@ -54,6 +54,19 @@ class Reach:
                 if each != index and index in indices_of(each):
                     raise Undecided(f"a sum over {index} of {each}, a symbol with that index")
 
+    def refuse_free_index(self, body: Expr, index: str) -> None:
+        """Raises Undecided if a free symbol below has a whole number as its index: with i the
+        symbol x_i changes too, and nobody says how.
+        """
+        entry = self._symbols.get(index)
+        if entry is None or not entry.integer:
+            return
+        for name in set(names_in(body)):
+            for each in {name, *self.of(name)}:
+                other = self._symbols.get(each)
+                if other is not None and other.role == "free" and index in indices_of(each):
+                    raise Undecided(f"{each} has the index {index}, which changes here")
+
 
 def names_in(tree: Expr) -> Iterator[str]:
     """Names of symbols, functions and variables of derivatives."""

@@ -191,6 +191,10 @@ class Table:
         ]
         self.whole[whole:] = [substituted(e, values) for e in self.whole[whole:]]
 
+    def refuse_free_index(self, body: Expr, token: str) -> None:
+        """Raises Undecided if a free symbol below has the token, a whole number, as its index."""
+        self._reach.refuse_free_index(body, token)
+
     def bound(
         self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
     ) -> Value:

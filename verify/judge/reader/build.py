@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from lark import Token, Tree
@@ -11,10 +11,12 @@ from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.reader.build_calculus import (
     derivative,
     evaluated,
+    family,
     integral,
     long_sum,
 )
 from gainproof.verify.judge.reader.build_calls import call, named, named_raised
+from gainproof.verify.judge.reader.build_dots import dotted_product, dotted_sum, has_dots
 from gainproof.verify.judge.reader.build_matrix import matrix, transposed
 from gainproof.verify.judge.reader.constant import constant_value
 from gainproof.verify.judge.reader.errors import ReaderError
@@ -22,16 +24,16 @@ from gainproof.verify.judge.reader.limits import MOST_EXPONENT
 from gainproof.verify.judge.reader.nodes import NodeList
 from gainproof.verify.judge.reader.slash import Part, product_parts
 from gainproof.verify.judge.reader.tree import Branch, children, printed, start, tokens
+from gainproof.verify.judge.reader.vocabulary import Vocabulary
 
 
 def build_graph(
-    tree: Branch, text: str, extents: Mapping[int, int], matrices: Set[str] = frozenset()
+    tree: Branch, text: str, extents: Mapping[int, int], vocabulary: Vocabulary
 ) -> Graph:
     """The graph of one expression. `extents` maps the position of each ambiguous slash to the
-    number of factors it divides by, that of each ambiguous bar to the number it applies to;
-    `matrices` are the declared names whose value is a matrix.
+    number of factors it divides by, that of each ambiguous bar to the number it applies to.
     """
-    builder = Builder(text, extents, matrices)
+    builder = Builder(text, extents, vocabulary)
     return builder.nodes.graph(builder.value(tree))
 
 
@@ -40,10 +42,11 @@ class Builder:
     own.
     """
 
-    def __init__(self, text: str, extents: Mapping[int, int], matrices: Set[str]) -> None:
+    def __init__(self, text: str, extents: Mapping[int, int], vocabulary: Vocabulary) -> None:
         self.text = text
         self.extents = extents
-        self.nodes = NodeList(matrices)
+        self.vocabulary = vocabulary
+        self.nodes = NodeList(vocabulary.matrices)
 
     def value(self, tree: Branch) -> int:
         """The number of the node for a tree. ReaderError where the print is open to doubt."""
@@ -91,6 +94,10 @@ class Builder:
                 return transposed(self, self.value(base), tokens(tree, "TRANSPOSE")[0])
             case "big_sum" | "big_sum_from_above":
                 return long_sum(self, tree)
+            case "family":
+                return family(self, tree)
+            case "dots":
+                raise self.error("dots stand for a pattern that is not declared", tree)
             case "integral" | "integral_from_above":
                 return integral(self, tree)
             case "derivative" | "derivative_operator":
@@ -111,6 +118,8 @@ class Builder:
         return numbers[0] if len(numbers) == 1 else self.nodes.add(kind, *numbers)
 
     def _sum(self, tree: Branch) -> int:
+        if has_dots(children(tree)):
+            return dotted_sum(self, tree)
         negative = False
         numbers: list[int] = []
         for child in tree.children:
@@ -126,6 +135,8 @@ class Builder:
         reading says.
         """
         parts = product_parts(tree, self.text)
+        if len(parts) > 1 and has_dots([part.factor for part in parts]):
+            return dotted_product(self, parts)
         if len(parts) > 1 and parts[1].operator == "crossed":
             return self._kronecker(parts)
         factors: list[int] = []

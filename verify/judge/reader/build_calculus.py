@@ -26,6 +26,16 @@ def long_sum(builder: Builder, tree: Branch) -> int:
     )
 
 
+def family(builder: Builder, tree: Branch) -> int:
+    """`(b_i)_{i=1}^n`: a row of as many entries."""
+    entry, index_range, upper = children(tree)
+    index = builder.nodes.add("symbol", str(tokens(index_range, "SYMBOL")[0]))
+    lower = builder.value(children(index_range)[0])
+    return builder.nodes.add(
+        "call", "family", builder.value(entry), index, lower, builder.value(upper)
+    )
+
+
 def integral(builder: Builder, tree: Branch) -> int:
     """An integral over a variable between two bounds."""
     lower, upper, integrand = children(tree)

@@ -18,7 +18,7 @@ _COUNTS = {"atan2": (2, 2), "max": (1, 8), "min": (1, 8), "diag": (1, 16)} | {
     "block_diagonal": (1, 16),
     "covariance": (1, 2),
 }
-_BOUNDS = {"at": (2,), "sum": (2, 3), "product": (2, 3), "integral": (2, 3)}
+_BOUNDS = {"at": (2,), "sum": (2, 3), "product": (2, 3), "integral": (2, 3), "family": (2, 3)}
 """Which arguments may be infinite, counted from 0."""
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from lark import Token
 
+from gainproof.verify.judge.reader.build_dots import dotted_row, has_dots
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.tree import Branch, children, tokens
 
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
 def matrix(builder: Builder, tree: Branch) -> int:
     """A matrix with as many entries in each row; `vmatrix` is its determinant."""
     rows = [children(row) for row in children(tree)]
+    if has_dots([entry for row in rows for entry in row]):
+        return dotted_row(builder, rows, tree)
     if len({len(row) for row in rows}) > 1:
         counts = ", ".join(str(len(row)) for row in rows)
         raise builder.error(f"rows of a matrix with {counts} entries", tree)

@@ -57,6 +57,8 @@ evaluated: AT LEFT_BRACE statements RIGHT_BRACE
 ?atom: NUMBER -> number
      | SYMBOL -> symbol
      | OPEN expression CLOSE -> group
+     | OPEN expression CLOSE UNDER index_range POWER bound -> family
+     | DOTS -> dots
      | LEFT_BRACE atom RIGHT_BRACE -> braced
      | OVER_OPEN expression OVER expression OVER_CLOSE -> over
      | BAR_OPEN expression BAR_CLOSE -> absolute
@@ -85,7 +87,7 @@ arguments: OPEN listed (COMMA listed)* CLOSE | ARGUMENT_OPEN product ARGUMENT_CL
 
 %declare NUMBER SYMBOL FUNCTION NAMED WORD EXPECT ORDER EULER FRAC FRAC_PARTIAL
 %declare PARTIAL_OPERATOR PARTIAL SQRT ROOT_OPEN ROOT_CLOSE SUM INTEGRAL DIFFERENTIAL LIM UNDER
-%declare OVER AT TRANSPOSE ONE_SIDED
+%declare OVER AT TRANSPOSE ONE_SIDED DOTS
 %declare PLUS MINUS DOT DOT_BEFORE_BIG KRON SLASH POWER COMMA AND IF CONNECTIVE EQUAL RELATION
 %declare INFINITY OPEN CLOSE CONDITION_OPEN CONDITION_CLOSE LEFT_BRACE RIGHT_BRACE BAR_OPEN
 %declare BAR_CLOSE EMPTY_OPEN OVER_OPEN OVER_CLOSE ROW_OPEN ROW_CLOSE MATRIX_OPEN MATRIX_CLOSE
@@ -160,8 +162,10 @@ def _unexpected(text: str, tokens: Sequence[FormulaToken], error: UnexpectedToke
         return ReaderError(
             "\\infty may only stand alone on the right of an arrow", text, position, token.value
         )
-    if token.type == "UNDER":
-        return ReaderError("this subscript belongs to no symbol", text, position, "_")
+    under = next((t for t in reversed(tokens) if t.start < position), None)
+    if token.type == "UNDER" or (under is not None and under.kind == "UNDER"):
+        place = position if token.type == "UNDER" or under is None else under.start
+        return ReaderError("this subscript belongs to no symbol", text, place, "_")
     shown = text[position : token.end_pos]
     if token.type == "AND" and shown.startswith("\\"):
         problem = f"{shown} separates relations and cannot stand within one{wanted}"

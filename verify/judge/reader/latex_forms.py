@@ -37,6 +37,9 @@ def call_text(name: str, arguments: Sequence[Printed]) -> Printed:
         case "integral", 4:
             bounds = f"_{{{texts[2]}}}^{{{texts[3]}}}"
             return Printed(f"\\int{bounds} {texts[0]} \\, \\mathrm{{d}} {texts[1]}", PRODUCT)
+        case "family", 4:
+            bounds = f"_{{{texts[1]} = {texts[2]}}}^{{{texts[3]}}}"
+            return Printed(f"\\left( {texts[0]} \\right){bounds}", POWER)
         case "expectation", 1:
             return Printed(f"\\mathbb{{E}} \\left[ {texts[0]} \\right]", ATOM)
         case "order", 1:

@@ -69,10 +69,11 @@ class _Lexer:
         while (start := skip_space(self.text, self.names.passed(self.position))) < len(self.text):
             self.position = start
             character = self.text[start]
-            if character in ".,;" and (end := self.line_ends.end_at(start)) is not None:
+            if self.text.startswith("...", start):
+                self._add("DOTS", "...", start + 3)
+            elif character in ".,;" and (end := self.line_ends.end_at(start)) is not None:
                 self.position = end
-                continue
-            if character in DIGITS or character == ".":
+            elif character in DIGITS or character == ".":
                 self._add(*scan_number(self.text, start, single=self.tokens.single))
             elif is_letter(character):
                 self._letters()

@@ -51,6 +51,8 @@ def skip_idle(text: str, position: int) -> int:
     """
     while position < len(text):
         character = text[position]
+        if text.startswith("...", position):
+            break
         if character in BLANKS or character in ".,;~":
             position += 1
         elif character == "\\":

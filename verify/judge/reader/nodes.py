@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Sequence, Set
 
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.reader.words import CARRIES_SHAPE, MATRIX_VALUED
@@ -29,20 +29,21 @@ def arguments_of(node: Node) -> tuple[int, ...]:
     return tuple(int(number) for number in rest)
 
 
-def _renumbered(node: Node, numbers: dict[int, int]) -> list[str | int]:
+def with_arguments(node: Node, numbers: Sequence[int]) -> Node:
+    """The same node made of other nodes."""
     kind, *rest = node
     match kind:
         case "number" | "symbol":
-            return list(node)
+            return node
         case "pow" | "derivative":
-            return [kind, numbers[int(rest[0])], rest[1]]
+            return (kind, numbers[0], rest[1])
         case "at":
-            return [kind, numbers[int(rest[0])], rest[1], numbers[int(rest[2])]]
+            return (kind, numbers[0], rest[1], numbers[1])
         case "call":
-            return [kind, rest[0], *[numbers[int(number)] for number in rest[1:]]]
+            return (kind, rest[0], *numbers)
         case "matrix":
-            return [kind, *rest[:2], *[numbers[int(number)] for number in rest[2:]]]
-    return [kind, *[numbers[int(number)] for number in rest]]
+            return (kind, *rest[:2], *numbers)
+    return (kind, *numbers)
 
 
 class NodeList:
@@ -67,6 +68,10 @@ class NodeList:
     def is_matrix(self, number: int) -> bool:
         """Whether that node is a matrix, as far as its parts are declared as such."""
         return self._is_matrix[number]
+
+    def node(self, number: int) -> Node:
+        """The node with that number."""
+        return self._nodes[number]
 
     def symbols_in(self, value: int) -> set[str]:
         """The names of all symbols below a node."""
@@ -110,7 +115,7 @@ class NodeList:
             node = self._nodes[number]
             if arguments_done:
                 numbers[number] = len(nodes)
-                nodes.append(_renumbered(node, numbers))
+                nodes.append(list(with_arguments(node, [numbers[n] for n in arguments_of(node)])))
                 continue
             waiting.append((number, True))
             waiting += [(part, False) for part in reversed(arguments_of(node))]

@@ -27,7 +27,6 @@ _WORDS = {
     "covariance": "cov",
     "variance": "var",
 }
-_BY_NAME = frozenset(("derivative", "at", "transpose", "inverse", "kronecker"))
 
 
 def reading_to_plain(reading: Reading) -> str:

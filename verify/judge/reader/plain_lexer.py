@@ -49,7 +49,9 @@ class _PlainLexer:
         while (start := skip_space(text, self.position)) < len(text):
             self.position = start
             character = text[start]
-            if character in ".,;" and (end := self.line_ends.end_at(start)) is not None:
+            if text.startswith("...", start):
+                self._add("DOTS", "...", start + 3)
+            elif character in ".,;" and (end := self.line_ends.end_at(start)) is not None:
                 self.position = end
             elif character in DIGITS or character == ".":
                 self._add(*scan_number(text, start, single=False))

@@ -38,7 +38,7 @@ def read_plain(text: str, symbols: Mapping[str, Declared]) -> Formula:
 def _formula(text: str, vocabulary: Vocabulary, plain: bool) -> Formula:
     tree, names = _parse(text, vocabulary, "formula", plain)
     readings = tuple(
-        read_statements(tree, text, extents, vocabulary.matrices, words)
+        read_statements(tree, text, extents, vocabulary, words)
         for extents, words in _choices(tree, text)
     )
     return Formula(text, readings, names)
@@ -54,7 +54,7 @@ def read_conditions(text: str, symbols: Mapping[str, Declared]) -> tuple[Relatio
     if extents:
         problem = "a slash before juxtaposed factors has two readings: write \\frac in a condition"
         raise ReaderError(problem, text, min(extents), "/")
-    return read_relations(children(tree)[0], text, {}, vocabulary.matrices)
+    return read_relations(children(tree)[0], text, {}, vocabulary)
 
 
 def read_expression(
@@ -64,7 +64,7 @@ def read_expression(
     vocabulary = Vocabulary(symbols)
     tree, _ = _parse(text, vocabulary, "single", plain)
     return tuple(
-        build_graph(tree, text, extents, vocabulary.matrices) for extents, _ in _choices(tree, text)
+        build_graph(tree, text, extents, vocabulary) for extents, _ in _choices(tree, text)
     )
 
 

@@ -10,6 +10,7 @@ from gainproof.verify.judge.reader.characters import refuse_characters
 from gainproof.verify.judge.reader.layout import settle_brackets
 from gainproof.verify.judge.reader.lexer import scan_tokens
 from gainproof.verify.judge.reader.lines import settle_lines, settle_wide_spaces
+from gainproof.verify.judge.reader.lists import settle_lists
 from gainproof.verify.judge.reader.plain_lexer import scan_plain_tokens
 from gainproof.verify.judge.reader.tokens import FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
@@ -26,4 +27,5 @@ def read_tokens(text: str, vocabulary: Vocabulary, plain: bool = False) -> list[
     pairing = pair_brackets(text, tokens)
     tokens = settle_brackets(text, tokens, pairing)
     tokens = settle_lines(tokens, pairing)
-    return settle_arguments(text, settle_sides(settle_wide_spaces(tokens)))
+    tokens = settle_lists(text, settle_wide_spaces(tokens), vocabulary)
+    return settle_arguments(text, settle_sides(tokens))

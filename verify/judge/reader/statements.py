@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Mapping
 
 from lark import Token
 
@@ -17,13 +17,14 @@ from gainproof.verify.judge.reader.build import build_graph
 from gainproof.verify.judge.reader.decimals import decimals_shown
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.tree import Branch, children, start, tokens
+from gainproof.verify.judge.reader.vocabulary import Vocabulary
 
 
 def read_statements(
-    tree: Branch, text: str, extents: Mapping[int, int], matrices: Set[str], words: str | None
+    tree: Branch, text: str, extents: Mapping[int, int], vocabulary: Vocabulary, words: str | None
 ) -> Reading:
     """One reading of a whole formula; `words` name it where there are several."""
-    reader = _Statements(text, extents, matrices)
+    reader = _Statements(text, extents, vocabulary)
     first, *rest = children(tree)
     relations = reader.relations(first)
     connectives = [child for child in tree.children if isinstance(child, Token)]
@@ -41,19 +42,19 @@ def read_statements(
 
 
 def read_relations(
-    statements: Branch, text: str, extents: Mapping[int, int], matrices: Set[str]
+    statements: Branch, text: str, extents: Mapping[int, int], vocabulary: Vocabulary
 ) -> tuple[Relation, ...]:
     """Relations that are conditions."""
-    return tuple(_Statements(text, extents, matrices).conditions(statements))
+    return tuple(_Statements(text, extents, vocabulary).conditions(statements))
 
 
 class _Statements:
     """Reads relations; `below` collects what stands under `\\lim`."""
 
-    def __init__(self, text: str, extents: Mapping[int, int], matrices: Set[str]) -> None:
+    def __init__(self, text: str, extents: Mapping[int, int], vocabulary: Vocabulary) -> None:
         self.text = text
         self.extents = extents
-        self.matrices = matrices
+        self.vocabulary = vocabulary
         self.below: list[Relation] = []
 
     def relations(self, statements: Branch) -> tuple[Relation, ...]:
@@ -139,4 +140,4 @@ class _Statements:
         return self._built(inner)
 
     def _built(self, tree: Branch) -> Graph:
-        return build_graph(tree, self.text, self.extents, self.matrices)
+        return build_graph(tree, self.text, self.extents, self.vocabulary)

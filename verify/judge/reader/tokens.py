@@ -81,6 +81,13 @@ COMMANDS = {
     "\\rbrace": ("CLOSE", "}"),
     "\\lbrack": ("OPEN", "["),
     "\\rbrack": ("CLOSE", "]"),
+    "\\cdots": ("DOTS", "\\cdots"),
+    "\\ldots": ("DOTS", "\\cdots"),
+    "\\dots": ("DOTS", "\\cdots"),
+    "\\dotsb": ("DOTS", "\\cdots"),
+    "\\dotsc": ("DOTS", "\\cdots"),
+    "\\vdots": ("DOTS", "\\cdots"),
+    "\\ddots": ("DOTS", "\\cdots"),
     "\\lvert": ("BAR_OPEN", "|"),
     "\\rvert": ("BAR_CLOSE", "|"),
 }
@@ -123,11 +130,7 @@ NO_EXACT_MEANING = {
     "\\gg": "much greater than has no exact meaning: state a limit or an inequality",
     "\\lesssim": "less or about equal has no exact meaning: write \\le or \\approx",
     "\\gtrsim": "greater or about equal has no exact meaning: write \\ge or \\approx",
-    "\\cdots": "dots stand for a pattern that is not declared: write \\sum, or every term",
 }
-NO_EXACT_MEANING |= dict.fromkeys(
-    ("\\ldots", "\\dots", "\\vdots", "\\ddots", "\\dotsb", "\\dotsc"), NO_EXACT_MEANING["\\cdots"]
-)
 """Commands that are known and refused, with what to write instead."""
 
 TAKES_ARGUMENTS = {

@@ -14,7 +14,7 @@ from gainproof.verify.judge.reader.words import BRANCHES
 
 class Declared(Protocol):
     """What the reader asks of a declared symbol: the names of its arguments, none unless it is a
-    function; its shape, None unless it is a matrix.
+    function; its shape, None unless it is a matrix; whether it is a whole number.
     """
 
     @property
@@ -25,6 +25,11 @@ class Declared(Protocol):
     @property
     def shape(self) -> object | None:
         """Rows and columns, or None for a number."""
+        ...
+
+    @property
+    def integer(self) -> bool:
+        """Whether it takes whole numbers only."""
         ...
 
 
@@ -46,6 +51,10 @@ class Vocabulary:
     def is_function(self, name: str) -> bool:
         """Whether a declared name takes arguments."""
         return bool(self.symbols[name].arguments)
+
+    def is_integer(self, name: str) -> bool:
+        """Whether a declared name is a whole number."""
+        return name in self.symbols and self.symbols[name].integer
 
     @cached_property
     def longest(self) -> int:

@@ -23,13 +23,16 @@ FUNCTION_WORDS = {
 # fmt: on
 """Names of functions by the word printed: `\\ln` and `\\log` are both the natural logarithm."""
 
-MATRIX_VALUED = frozenset(("diag", "block_diagonal"))
+MATRIX_VALUED = frozenset(("diag", "block_diagonal", "family"))
 CARRIES_SHAPE = frozenset(("expectation", "covariance", "sum", "product", "integral"))
 """Functions whose value is a matrix always, and where their first argument is one."""
 
+BINDERS = frozenset(("sum", "product", "integral", "family"))
+"""Functions whose second argument is a symbol that means something in the first one only."""
+
 MADE_BY_READER = frozenset(
     (
-        *("abs", "sum", "product", "integral", "expectation", "order", "power"),
+        *("abs", "sum", "product", "integral", "expectation", "order", "power", "family"),
         *FUNCTION_WORDS.values(),
     )
 )
@@ -47,6 +50,7 @@ PLAIN_FORMS = {
     "sum": 4,
     "product": 4,
     "integral": 4,
+    "family": 4,
 }
 """Words of plain text for what LaTeX prints with signs, with the number of their arguments."""
 

@@ -30,6 +30,11 @@ kind = "algebra"
 'r' = { arguments = ["a"], definition = 'a i', meaning = "r" }
 'M' = { unit = "1", shape = [2, 2], meaning = "matrix" }
 'N' = { unit = "1", shape = [2, 2], meaning = "matrix" }
+'n' = { unit = "1", integer = true, domain = '2 \leq n', meaning = "count" }
+'b_i' = { unit = "1", meaning = "entry" }
+'b_1' = { unit = "1", meaning = "entry" }
+'b_2' = { unit = "1", meaning = "entry" }
+'b_n' = { unit = "1", meaning = "entry" }
 [settings.line]
 title = "least-squares line"
 kind = "growing_memory"
@@ -44,6 +49,10 @@ place = "here"
 """
 
 FALSE = [
+    ("algebra", "identity", r"\left. b_i \right|_{i=2} = b_i", ""),
+    ("algebra", "identity", r"\frac{d}{d i} b_i = 0", ""),
+    ("algebra", "identity", r"b_1 + b_2 + \cdots + b_n = n b_i", ""),
+    ("algebra", "identity", r"\sum_{i=1}^2 b_i = 2 b_i", ""),
     ("algebra", "identity", "M N = N M", ""),
     ("algebra", "inequality", r"M^2 \geq 0", ""),
     ("algebra", "identity", r"\frac{M N}{M} = N", ""),

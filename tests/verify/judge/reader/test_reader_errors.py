@@ -15,6 +15,7 @@ from gainproof.verify.judge.reader.reader import read_conditions, read_formula
 class Declared:
     arguments: tuple[str, ...] = ()
     shape: object | None = None
+    integer: bool = False
 
 
 TOKENS = ("\\alpha", "\\alpha_k", "\\beta", *"kTabcx", "\\dot{x}_{sk-1}")
@@ -102,7 +103,7 @@ def test_undeclared(text: str, line: int, column: int, token: str, nearest: str 
         (r"a = \begin{pmatrix} b & c \\ k \end{pmatrix}", 5, "rows of a matrix with 2, 1"),
         (r"a = \pm b", 5, "declare branch"),
         (r"a \ll b", 3, "no exact meaning"),
-        (r"a = b + \cdots + c", 9, "pattern"),
+        (r"a = b + \cdots + c", 5, "pattern"),
         (r"a = \sin b c", 12, "not clear"),
         (r"a = \sin^{-1} b", 10, "may be its inverse"),
         (r"a = \frac{\partial b}{\partial c}(k)", 34, "parentheses after a derivative"),

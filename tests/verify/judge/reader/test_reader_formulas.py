@@ -17,6 +17,7 @@ from gainproof.verify.judge.reader.reader import read_conditions, read_expressio
 class Declared:
     arguments: tuple[str, ...] = ()
     shape: object | None = None
+    integer: bool = False
 
 
 TOKENS = (

@@ -22,6 +22,7 @@ from gainproof.verify.judge.reader.reader import read_expression, read_formula
 class Declared:
     arguments: tuple[str, ...] = ()
     shape: object | None = None
+    integer: bool = False
 
 
 POINT = {
