@@ -1,7 +1,6 @@
 """Claim files: one TOML file a source, read into frozen records, everything checked.
 
-`docs/claim-files.md` says what
-may stand in it; `claim_record` holds the records.
+`docs/claim-files.md` says what may stand in it; `claim_record` holds the records.
 
 A claim file is untrusted input: nothing in it is evaluated, and its size and the number of its
 parts are limited.
