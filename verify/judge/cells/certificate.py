@@ -8,11 +8,11 @@ from typing import Any
 
 from gainproof.verify.judge.cells.corner import Corner
 from gainproof.verify.judge.cells.lifting import Between, Cell
-from gainproof.verify.judge.cells.names import shown
 from gainproof.verify.judge.cells.piece import Part, Piece
 from gainproof.verify.judge.exact.algebraic import Algebraic
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.certificate import statement_data
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.statement import Statement
 
@@ -37,9 +37,9 @@ def cells_certificate(
         "count of borders": len(found) - 1,
         "borders": [
             {
-                "zero": [f"{shown(expr, labels)} = 0" for expr in part.task.border],
+                "zero": [f"{labelled(expr, labels)} = 0" for expr in part.task.border],
                 "put in": [
-                    f"{labels.get(name, name)} = {shown(expr, labels)}"
+                    f"{labels.get(name, name)} = {labelled(expr, labels)}"
                     for name, expr in part.task.solved
                 ],
                 "parameters": [labels.get(name, name) for name in part.task.names],

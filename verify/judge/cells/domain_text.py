@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from gainproof.verify.judge.cells.exclusions import exclusions
 from gainproof.verify.judge.cells.ground import as_expr
-from gainproof.verify.judge.cells.names import shown
 from gainproof.verify.judge.cells.piece import Part, all_pieces
 from gainproof.verify.judge.cells.pieces import border_parts, parts
 from gainproof.verify.judge.cells.question import CellQuestion
 from gainproof.verify.judge.cells.region import Literal, alternatives, separating
 from gainproof.verify.judge.cells.task import Budget, Task
 from gainproof.verify.judge.exact.expression import number, symbols_of
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import Limits, Undecided
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.region import region_text
@@ -73,7 +73,7 @@ def _texts(
         inside, len(task.border), used, lambda t: _nowhere(t, budget, stated), labels
     )
     texts += left_out
-    texts += [f"{shown(expr, labels)} != 0" for expr, _ in gaps if symbols_of(expr)]
+    texts += [f"{labelled(expr, labels)} != 0" for expr, _ in gaps if symbols_of(expr)]
     return texts, whole and exact and not gaps
 
 
@@ -90,7 +90,7 @@ def _apart_from_borders(part: Part, labels: Mapping[str, str]) -> list[str]:
     """That nothing is said about any border."""
     if part.question is None:
         return []
-    borders = [shown(as_expr(p, part.task.names), labels) for p in part.question.borders()]
+    borders = [labelled(as_expr(p, part.task.names), labels) for p in part.question.borders()]
     return [f"and none of these zero: {'; '.join(borders)}"] if borders else []
 
 
@@ -122,13 +122,13 @@ def _on_borders(
         if not any(p.truth == TRUE and p.dimension == size for p in part.pieces):
             continue
         if part.sampled:
-            zero = " and ".join(f"{shown(expr, labels)} = 0" for expr in chain[above:])
+            zero = " and ".join(f"{labelled(expr, labels)} = 0" for expr in chain[above:])
             choices[f"a part of {zero}"] = None
             whole = False
             continue
         below = [p for p in found[k:] if p.task.border[: len(chain)] == chain]
         solved = [
-            f"{labels.get(name, name)} = {shown(value, labels)}"
+            f"{labels.get(name, name)} = {labelled(value, labels)}"
             for name, value in part.task.solved[len(task.solved) :]
         ]
         inner, exact = _texts(part.task, below, budget, stated, labels)
@@ -196,5 +196,5 @@ def _literal_text(
         pass
     equal = "=" if present == {TRUE} else ""
     strict = ">" if sign > 0 else "<"
-    text = f"{shown(as_expr(p, task.names), labels)} {strict}{equal} 0"
+    text = f"{labelled(as_expr(p, task.names), labels)} {strict}{equal} 0"
     return text, present == {TRUE} or TRUE not in present

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from gainproof.verify.judge.cells.names import shown
 from gainproof.verify.judge.cells.piece import Part, Piece, all_pieces
 from gainproof.verify.judge.cells.task import Task
 from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.region import region_text
 from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
@@ -63,12 +63,12 @@ def _wrong(pieces: Sequence[Piece]) -> list[Piece]:
 
 def zeros(chain: Chain, labels: Mapping[str, str]) -> str:
     """The equations of a border."""
-    return " and ".join(f"{shown(expr, labels)} = 0" for expr in chain)
+    return " and ".join(f"{labelled(expr, labels)} = 0" for expr in chain)
 
 
 def _whole(chain: Chain, labels: Mapping[str, str]) -> str:
     if len(chain) == 1:
-        return f"{shown(chain[0], labels)} != 0"
+        return f"{labelled(chain[0], labels)} != 0"
     return f"except where {zeros(chain, labels)}"
 
 
@@ -78,7 +78,7 @@ def _of_line(part: Part, chain: Chain, labels: Mapping[str, str]) -> list[str]:
     if not wrong:
         return []
     solved, value = part.task.solved[-1]
-    where = f"{labels.get(solved, solved)} = {shown(value, labels)}"
+    where = f"{labels.get(solved, solved)} = {labelled(value, labels)}"
     before = f"{zeros(chain[:-1], labels)} and {where}" if len(chain) > 1 else where
     name = next(iter(part.task.names), None)
     if name is None or len(wrong) == len([p for p in part.pieces if p.truth != SKIPPED]):

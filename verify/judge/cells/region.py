@@ -7,8 +7,8 @@ from itertools import combinations
 
 from gainproof.verify.judge.cells.ground import as_expr, value_at
 from gainproof.verify.judge.cells.lifting import Cell
-from gainproof.verify.judge.cells.names import shown
 from gainproof.verify.judge.cells.piece import Part, Piece
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.poly import Poly
 from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
 
@@ -98,7 +98,7 @@ class _Words:
         self.names, self.labels = part.task.names, labels
 
     def condition(self, k: int, sign: int) -> str:
-        cut = shown(as_expr(self.cuts[k], self.names), self.labels)
+        cut = labelled(as_expr(self.cuts[k], self.names), self.labels)
         return f"{cut} {'>' if sign > 0 else '<'} 0"
 
     def point(self, cell: Cell) -> str:

@@ -7,7 +7,6 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
-from gainproof.verify.judge.cells.names import shown
 from gainproof.verify.judge.cells.piece import Piece
 from gainproof.verify.judge.cells.task import Task
 from gainproof.verify.judge.exact.calculus import substituted
@@ -15,6 +14,7 @@ from gainproof.verify.judge.exact.connected import Sample
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr, number
+from gainproof.verify.judge.exact.expression_text import labelled
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
@@ -141,7 +141,7 @@ def _point(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> di
         here = substituted(expr, known)
         exact = constant_value(here)
         known[name] = here if exact is None else number(exact)
-        found[labels.get(name, name)] = str(exact) if exact is not None else shown(here, labels)
+        found[labels.get(name, name)] = str(exact) if exact is not None else labelled(here, labels)
     return found
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 
-from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
 
 LONG = 60
 
@@ -31,6 +32,13 @@ def written(*exprs: Expr, names: Mapping[Expr, str] | None = None) -> tuple[list
             text, strength = name, 4
         texts[node.key] = text, strength
     return lines, [texts[e.key][0] for e in exprs]
+
+
+def labelled(expr: Expr, labels: Mapping[str, str]) -> str:
+    """The expression in the source's own symbols, on one line."""
+    names = {name: symbol(labels.get(name, name)) for name in symbols_of(expr)}
+    lines, (text,) = written(substituted(expr, names))
+    return f"{text} with {', '.join(lines)}" if lines else text
 
 
 def _text(node: Expr, texts: dict[bytes, tuple[str, int]]) -> tuple[str, int]:

@@ -32,9 +32,9 @@ class Limits:
     parameters: int = 8
     projection_degree: int = 400
     projection_factors: int = 400
-    cells: int = 20_000
+    cells: int = 10_000
     borders: int = 400
-    seconds: float = 20.0
+    seconds: float = 30.0
 
 
 DEFAULT_LIMITS = Limits()
