@@ -209,7 +209,7 @@ def _add_derived(
     if "innovation_variance" in values:
         values["innovation_deviation"] = sqrt(values["innovation_variance"])
     known = environment.quantities
-    if "closed_loop.trace" in known:
+    if "filter_gain.2" in known and "closed_loop.trace" in known:
         trace = substituted(known["closed_loop.trace"], put_in)
         product = substituted(known["closed_loop.determinant"], put_in)
         half, spread = trace / 2, power(trace, 2) - 4 * product

@@ -90,7 +90,7 @@ class Work(Question):
 
     def has_value(self, rel: Rel, local: Local) -> None:
         """Divisors that vanish for some values of the free symbols only."""
-        below = {node.key for node in walk(rel.left, rel.right)}
+        below = {node.key for node in walk(rel.left, rel.right, *self.statement.needed)}
         for check in self.tower.checks:
             if check.node.key not in below:
                 continue

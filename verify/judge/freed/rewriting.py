@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
-from gainproof.verify.judge.exact.expression import Expr, mul, number, power, walk
+from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.freed.atoms import Atoms, Positive, angle_terms, is_opaque
+from gainproof.verify.judge.freed.flattening import flattened
 
 MOST_MULTIPLE = 12
 
@@ -38,6 +39,8 @@ def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive)
     """The statement with every function value a variable. Raises Undecided."""
     if statement.connective != "if":
         raise Undecided("an equivalence between function values is not covered")
+    statement = replace(statement, needed=(*statement.needed, *_arguments(statement)))
+    statement = statement.mapped(lambda e: flattened(e, is_positive))
     atoms = Atoms(boxes, is_positive)
     atoms.collect(*statement.exprs())
 
@@ -48,6 +51,14 @@ def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive)
     if atoms.has_angles:
         _refuse_open_relations(statement)
     return Freed(moved, {**boxes, **atoms.made}, atoms.labels(), tuple(atoms.exclusions.values()))
+
+
+def _arguments(statement: Statement) -> list[Expr]:
+    """What functions are taken of: it must have a value, of which the new variables say nothing."""
+    calls = [n for n in walk(*statement.exprs()) if n.kind == "call"]
+    bound = {n.parts[1].name for n in calls if n.name == "sum"}
+    found = [part for n in calls if n.name != "sum" for part in n.parts]
+    return [part for part in found if not symbols_of(part) & bound]
 
 
 def _refuse_open_relations(statement: Statement) -> None:

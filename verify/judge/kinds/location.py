@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import comb
+
 from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power, symbols_of
@@ -9,11 +11,11 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.formula import Graph, Reading
 from gainproof.verify.judge.kinds.framing import framed
-from gainproof.verify.judge.kinds.hurwitz import circle_moved, left_half_plane
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 
@@ -84,15 +86,30 @@ def located(known: list[Expr], where: str) -> list[Rel]:
     if where == "left half plane":
         return left_half_plane(positive)
     proper = [] if constant_value(lead) else [Rel("!=", lead, number(0))]
-    operator = {"real": ">=", "complex": "<", "equal": "="}[where]
     degree = len(known) - 1
-    if degree == 1 and where != "complex":
+    if where == "equal":
+        return [*proper, *_equal_roots(known)]
+    operator = {"real": ">=", "complex": "<"}[where]
+    if degree == 1 and where == "real":
         return [*proper, Rel("=", lead, lead)]
     if degree == 2:
         return [*proper, Rel(operator, _discriminant(known), number(0))]
     if degree == 3 and where == "real":
         return [*proper, Rel(operator, _cubic_discriminant(known), number(0))]
     raise Undecided(f"roots of a polynomial of degree {degree} that are {where}: not covered")
+
+
+def _equal_roots(known: list[Expr]) -> list[Rel]:
+    """That the polynomial is its leading coefficient times a power of z - m: then m is fixed by its
+    second coefficient, -n m times the first.
+    """
+    degree, lead, second = len(known) - 1, known[-1], known[-2]
+    found = []
+    for k in range(degree - 1):
+        n = degree - k
+        left = mul(number(degree**n), known[k], power(lead, n - 1))
+        found.append(Rel("=", left, mul(number(comb(degree, k)), power(second, n))))
+    return found or [Rel("=", lead, lead)]
 
 
 def _discriminant(known: list[Expr]) -> Expr:

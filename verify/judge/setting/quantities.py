@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from math import factorial
 from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
@@ -39,14 +38,15 @@ GAIN_FORMS = ("filter", "predictor")
 
 def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environment:
     """The steady state of a model; with `predictor`, `gain.i` is F K, otherwise K."""
-    state = solve(model)
     if model.get("measurement_noise") != [["1"]] and model.get("measurement_noise") != (("1",),):
         raise Undecided(
             "model data must be in units of the measurement noise, with measurement_noise [['1']]"
         )
+    state = solve(model)
+    factor, size = state.factor, len(state.filter_gain)
     named = {"filter": state.filter_gain, "predictor": state.predictor_gain}
-    quantities = _common()
-    for i in range(2):
+    quantities = {**_common(), INDEX: factor.index}
+    for i in range(size):
         quantities[f"gain.{i + 1}"] = named[gain_form][i]
         quantities[f"filter_gain.{i + 1}"] = state.filter_gain[i]
         quantities[f"predictor_gain.{i + 1}"] = state.predictor_gain[i]
@@ -54,13 +54,15 @@ def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environ
         "updated", state.updated
     )
     quantities["innovation_variance"] = state.innovation * power(SIGMA, 2)
-    quantities["closed_loop.trace"] = -state.closed_loop[0]
-    quantities["closed_loop.determinant"] = state.closed_loop[1]
-    quantities |= _states(_taylor(2), state.filter_gain)
-    boxes = {INDEX: POSITIVE, **_boxes(2)}
+    quantities["closed_loop.trace"] = -factor.coefficients[-1]
+    quantities["closed_loop.determinant"] = (-1) ** size * factor.coefficients[0]
+    quantities |= _states(state.transition, state.filter_gain, state.measurement)
+    boxes = {factor.parameter: factor.box, **_boxes(size)}
     name = str(model.get("name", "model"))
     suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
-    return Environment(f"process noise {name}{suffix}", quantities, boxes, INDEX, state.facts)
+    return Environment(
+        f"process noise {name}{suffix}", quantities, boxes, factor.parameter, state.facts
+    )
 
 
 def memory(degree: int, gain_form: str = "filter") -> Environment:
@@ -81,7 +83,7 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
     quantities |= _covariances("predicted", predicted) | _covariances("updated", fit.updated)
     quantities["innovation_variance"] = (predicted[0][0] + 1) * power(SIGMA, 2)
     quantities |= _covariances("information", fit.information)
-    quantities |= _states(fit.transition, fit.gain)
+    quantities |= _states(fit.transition, fit.gain, _first(size))
     quantities[SAMPLE] = symbol(SAMPLE)
     missing = {}
     if degree == 0:
@@ -94,6 +96,11 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
     continued = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(fit.continued_gain)}
     name = f"least squares, {what}{suffix}"
     return Environment(name, quantities, boxes, SAMPLE, fit.facts, missing, continued)
+
+
+def _first(size: int) -> Exprs:
+    """The position is measured."""
+    return (tuple(number(int(i == 0)) for i in range(size)),)
 
 
 def _common() -> dict[str, Expr]:
@@ -120,27 +127,14 @@ def _covariances(which: str, matrix: Exprs) -> dict[str, Expr]:
     return found
 
 
-def _taylor(size: int) -> Exprs:
-    return tuple(
-        tuple(number(Fraction(1, factorial(c - r))) if c >= r else number(0) for c in range(size))
-        for r in range(size)
-    )
-
-
-def _states(transition: Exprs, gain: tuple[Expr, ...]) -> dict[str, Expr]:
+def _states(transition: Exprs, gain: tuple[Expr, ...], measurement: Exprs) -> dict[str, Expr]:
     """Predicted and updated state from the previous state and the new measurement; T enters with
     its powers.
     """
     size = len(gain)
     before = [symbol(f"previous_state.{i + 1}") for i in range(size)]
-    predicted = []
-    for i in range(size):
-        terms = [
-            _times(_times(transition[i][j], whole_power(T, j - i)), before[j])
-            for j in range(i, size)
-        ]
-        predicted.append(add(*terms))
-    innovation = symbol("measurement") - predicted[0]
+    predicted = [_sum(transition[i], before, i) for i in range(size)]
+    innovation = symbol("measurement") - _sum(measurement[0], predicted, 0)
     found: dict[str, Expr] = {}
     for i in range(size):
         found[f"previous_state.{i + 1}"] = before[i]
@@ -148,6 +142,16 @@ def _states(transition: Exprs, gain: tuple[Expr, ...]) -> dict[str, Expr]:
         factor = gain[i] if i == 0 else gain[i] / whole_power(T, i)
         found[f"updated_state.{i + 1}"] = predicted[i] + factor * innovation
     return found
+
+
+def _sum(row: tuple[Expr, ...], states: list[Expr], i: int) -> Expr:
+    """Sum of entry * T^(j - i) * state j; zeros are left out."""
+    kept = [
+        _times(_times(entry, whole_power(T, j - i)), state)
+        for j, (entry, state) in enumerate(zip(row, states, strict=True))
+        if entry != number(0)
+    ]
+    return add(*kept) if kept else number(0)
 
 
 def _times(a: Expr, b: Expr) -> Expr:

@@ -1,11 +1,12 @@
-"""The steady-state Kalman filter of a two-state model with one scalar measurement: solved here,
-then established.
+"""The steady-state Kalman filter of a model with one scalar measurement: solved here, then
+established.
 
 Solved from the model's matrices alone: spectral factor, gains by matching the closed-loop
 polynomial, covariance from linear equations. None of this is trusted: what makes the result the
-steady state is that the Riccati residual vanishes identically, that the closed loop is stable
-(Jury) and that the covariance is positive, each shown with the exact tools for all positive
-indices; a stabilising solution is unique (a textbook theorem, cited).
+steady state is that the Riccati residual vanishes identically, that the closed loop is stable and
+that the covariance is positive, each shown with the exact tools for all values of the parameter;
+and, where the parameter is not the tracking index, that it runs through all positive indices. A
+stabilising solution is unique (a textbook theorem, cited).
 """
 
 from __future__ import annotations
@@ -15,11 +16,15 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
+from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.setting.environment import INDEX, POSITIVE, Fact, NotEstablished
+from gainproof.verify.judge.meaning.square import determinant
+from gainproof.verify.judge.setting.environment import Fact, NotEstablished
+from gainproof.verify.judge.setting.factor import Factor, stable_factor
 from gainproof.verify.judge.setting.matrix import (
     Exprs,
     Numbers,
@@ -32,7 +37,8 @@ from gainproof.verify.judge.setting.matrix import (
     times,
     transposed,
 )
-from gainproof.verify.judge.setting.spectrum import Factor, stable_factor
+from gainproof.verify.judge.setting.spectrum import resolvent
+from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
 
 UNIQUENESS = (
     "the Riccati equation has at most one stabilising solution",
@@ -42,51 +48,51 @@ UNIQUENESS = (
 
 @dataclass(frozen=True)
 class SteadyState:
-    """All in units T = 1, measurement noise variance of the model; expressions of the tracking
-    index.
+    """All in units T = 1, measurement noise variance of the model; expressions of the parameter of
+    `factor`, which for one and two states is the tracking index.
     """
 
+    transition: Exprs
+    measurement: Exprs
     filter_gain: tuple[Expr, ...]
     predictor_gain: tuple[Expr, ...]
     predicted: Exprs
     updated: Exprs
-    innovation: Expr
-    closed_loop: tuple[Expr, Expr]  # c1, c0 of z^2 + c1 z + c0
+    factor: Factor
     facts: tuple[Fact, ...]
+
+    @property
+    def innovation(self) -> Expr:
+        """The innovation variance."""
+        return self.factor.innovation
 
 
 def solve(model: Mapping[str, Any]) -> SteadyState:
     """The established steady state of a model. Raises Malformed, Undecided, NotEstablished."""
     f, q, h, r = model_matrices(model)
-    if len(f) != 2 or len(h) != 1:
-        raise Undecided(
-            f"a steady state with {len(f)} states and {len(h)} measurements is not covered"
-        )
+    if len(h) != 1:
+        raise Undecided(f"a steady state with {len(h)} measurements is not covered")
     factor = stable_factor(f, q, h, r[0][0])
     predictor = _predictor_gain(f, h, factor)
     gain = solve_rows(f, predictor)
     if gain is None:
         raise Undecided("the transition matrix is singular")
-    predicted = _predicted(f, q, h, gain, predictor, factor.innovation)
-    big = exprs(f)
-    observed = times(exprs(h), predicted)
+    predicted = _predicted(f, q, h, gain, predictor, factor)
+    big, seen = exprs(f), exprs(h)
+    observed = times(seen, predicted)
     updated = minus(predicted, times(tuple((g,) for g in gain), observed))
-    facts = _establish(
-        big, exprs(q), exprs(h), r[0][0], predicted, updated, gain, predictor, factor
-    )
-    closed = (factor.c1, factor.c0)
-    return SteadyState(
-        tuple(gain), tuple(predictor), predicted, updated, factor.innovation, closed, facts
-    )
+    facts = _establish(big, exprs(q), seen, r[0][0], predicted, updated, gain, predictor, factor)
+    return SteadyState(big, seen, tuple(gain), tuple(predictor), predicted, updated, factor, facts)
 
 
 def _predictor_gain(f: Numbers, h: Numbers, factor: Factor) -> list[Expr]:
-    """L with det(zI - F + L H) = c(z): two linear equations."""
-    (a, b), (c, d) = f
-    h1, h2 = h[0]
-    # det(zI - F + L H) = det(zI - F) + H adj(zI - F) L
-    rows = [[h1, h2], [-h1 * d + h2 * c, h1 * b - h2 * a]]
-    right = [factor.c1 + number(a + d), factor.c0 + number(b * c - a * d)]
+    """L with det(zI - F + L H) = c(z), linear because it is det(zI - F) + H adj(zI - F) L."""
+    d, parts = resolvent(f)
+    rows = [
+        [sum((x * part[i][j] for i, x in enumerate(h[0])), Fraction(0)) for j in range(len(f))]
+        for part in parts
+    ]
+    right = [c - number(before) for c, before in zip(factor.coefficients, d, strict=False)]
     solved = solve_rows(rows, right)
     if solved is None:
         raise Undecided("the state is not observable")
@@ -94,28 +100,37 @@ def _predictor_gain(f: Numbers, h: Numbers, factor: Factor) -> list[Expr]:
 
 
 def _predicted(
-    f: Numbers, q: Numbers, h: Numbers, gain: list[Expr], predictor: list[Expr], innovation: Expr
+    f: Numbers, q: Numbers, h: Numbers, gain: list[Expr], predictor: list[Expr], factor: Factor
 ) -> Exprs:
-    """M from M H' = S K and M - F M F' = index^2 Q - S L L', linear in the entries 11, 12, 22."""
+    """M from M H' = S K and M - F M F' = index^2 Q - S L L', linear in its upper entries."""
+    size = len(f)
+    pairs = [(i, j) for i in range(size) for j in range(i, size)]
+    index2, innovation = power(factor.index, 2), factor.innovation
     rows: list[list[Fraction]] = []
     right: list[Expr] = []
-    h1, h2 = h[0]
-    rows += [[h1, h2, Fraction(0)], [Fraction(0), h1, h2]]
-    right += [innovation * g for g in gain]
-    index2 = power(symbol(INDEX), 2)
-    for i, j in ((0, 0), (0, 1), (1, 1)):
+    for i in range(size):
+        rows.append([_share(h[0], i, pair) for pair in pairs])
+        right.append(innovation * gain[i])
+    for i, j in pairs:
         row = []
-        for p, s in ((0, 0), (0, 1), (1, 1)):
-            whole = Fraction(int((i, j) == (p, s)))
+        for p, s in pairs:
             moved = f[i][p] * f[j][s] + (f[i][s] * f[j][p] if p != s else 0)
-            row.append(whole - moved)
+            row.append(Fraction(int((i, j) == (p, s))) - moved)
         rows.append(row)
         right.append(number(q[i][j]) * index2 - innovation * predictor[i] * predictor[j])
     solved = solve_rows(rows, right)
     if solved is None:
         raise Undecided("the covariance is not fixed by gain and Riccati equation")
-    m11, m12, m22 = solved
-    return ((m11, m12), (m12, m22))
+    entries = dict(zip(pairs, solved, strict=True))
+    return tuple(tuple(entries[min(i, j), max(i, j)] for j in range(size)) for i in range(size))
+
+
+def _share(row: tuple[Fraction, ...], i: int, pair: tuple[int, int]) -> Fraction:
+    """What an entry of M counts in component i of M H'."""
+    p, s = pair
+    if p == s:
+        return row[p] if i == p else Fraction(0)
+    return (row[s] if i == p else Fraction(0)) + (row[p] if i == s else Fraction(0))
 
 
 def _establish(
@@ -129,53 +144,84 @@ def _establish(
     predictor: list[Expr],
     factor: Factor,
 ) -> tuple[Fact, ...]:
-    index2 = power(symbol(INDEX), 2)
+    size = len(f)
     variance = times(times(h, m), transposed(h))[0][0] + number(r)
     column = times(m, transposed(h))
-    again = plus(times(times(f, x), transposed(f)), scaled(q, index2))
-    residuals = [a - b for i in range(2) for a, b in zip(again[i], m[i], strict=True)]
+    again = plus(times(times(f, x), transposed(f)), scaled(q, power(factor.index, 2)))
+    residuals = [a - b for i in range(size) for a, b in zip(again[i], m[i], strict=True)]
     residuals += [variance * g - c[0] for g, c in zip(gain, column, strict=True)]
     residuals += [variance - factor.innovation]
-    one = number(1)
-    c1, c0 = factor.c1, factor.c0
-    # the closed loop of the gains themselves, not of the factor they came from
-    loop = minus(f, times(tuple((g,) for g in predictor), h))
-    residuals += [
-        loop[0][0] + loop[1][1] + c1,
-        loop[0][0] * loop[1][1] - loop[0][1] * loop[1][0] - c0,
-    ]
     residuals += [
         a[0] - b for a, b in zip(times(f, tuple((g,) for g in gain)), predictor, strict=True)
     ]
+    # the closed loop of the gains themselves, not of the factor they came from
+    loop = minus(f, times(tuple((g,) for g in predictor), h))
+    residuals += [a - b for a, b in zip(_characteristic(loop), factor.coefficients, strict=True)]
+    positive = left_half_plane(circle_moved([*factor.coefficients, number(1)]))
+    minors = [determinant(tuple(row[:n] for row in m[:n])) for n in range(1, size + 1)]
     facts = [
         shown(
             "the Riccati equation, gain and innovation variance hold identically: "
             "M = F X F' + Q, S K = M H', S = H M H' + R",
             [Rel("=", e, number(0)) for e in residuals],
+            factor,
         ),
         shown(
-            "the closed loop F - L H is stable (Jury): "
-            "1 + c1 + c0 > 0, 1 - c1 + c0 > 0, 1 - c0 > 0, 1 + c0 > 0",
-            [Rel(">", e, number(0)) for e in (one + c1 + c0, one - c1 + c0, one - c0, one + c0)],
+            "the closed loop F - L H is stable (Hurwitz, unit circle mapped to a half plane)",
+            positive,
+            factor,
         ),
         shown(
             "the predicted covariance is positive definite",
-            [
-                Rel(">", e, number(0))
-                for e in (m[0][0], m[0][0] * m[1][1] - m[0][1] * m[0][1], factor.innovation)
-            ],
+            [Rel(">", e, number(0)) for e in (*minors, factor.innovation)],
+            factor,
         ),
+        *_all_indices(factor),
         Fact(f"cited: {UNIQUENESS[0]}", UNIQUENESS[1]),
     ]
     return tuple(facts)
 
 
-def shown(sentence: str, relations: list[Rel]) -> Fact:
-    """The fact that these relations hold for all positive indices. Raises NotEstablished."""
+def _characteristic(matrix: Exprs) -> list[Expr]:
+    """Coefficients of det(zI - A) from power 0 up, without the leading 1: Faddeev, LeVerrier."""
+    size = len(matrix)
+    found: list[Expr] = []
+    current = exprs(tuple(tuple(Fraction(int(i == j)) for j in range(size)) for i in range(size)))
+    for k in range(1, size + 1):
+        moved = times(matrix, current)
+        total = moved[0][0]
+        for i in range(1, size):
+            total = total + moved[i][i]
+        c = number(Fraction(-1, k)) * total
+        found.append(c)
+        current = tuple(
+            tuple(e + c if i == j else e for j, e in enumerate(row)) for i, row in enumerate(moved)
+        )
+    return found[::-1]
+
+
+def _all_indices(factor: Factor) -> tuple[Fact, ...]:
+    """That the index falls from infinity to zero while its parameter rises through its box."""
+    if factor.index == symbol(factor.parameter):
+        return ()
+    falling = Rel("<", differentiated(factor.index, factor.parameter), number(0))
+    fact = shown("each positive index belongs to one value of the parameter", [falling], factor)
+    ends = ((factor.box.lower, "infinity"), (factor.box.upper, number(0)))
+    for end, value in ends:
+        if end is None:
+            raise NotEstablished("a parameter without ends")
+        found = decide_limit(factor.index, factor.parameter, factor.box, end, value, "parameter")
+        if found.verdict != "proved":
+            raise NotEstablished(f"{fact.sentence}: {found.reason}")
+    return (fact,)
+
+
+def shown(sentence: str, relations: list[Rel], factor: Factor) -> Fact:
+    """The fact that these relations hold for all values of the parameter. Raises NotEstablished."""
     certificate: Mapping[str, Any] = {}
     for rel in relations:
-        outcome = decide(Statement((rel,)), {INDEX: POSITIVE}, INDEX)
+        outcome = decide(Statement((rel,)), {factor.parameter: factor.box}, factor.parameter)
         if outcome.verdict != "proved":
             raise NotEstablished(f"{sentence}: {outcome.reason}")
         certificate = outcome.certificate
-    return Fact(sentence, "tower of radicals, cells of the tracking index", certificate)
+    return Fact(sentence, "tower of radicals, cells of one parameter", certificate)

@@ -10,6 +10,7 @@ import flint
 import pytest
 
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.local import Local
@@ -18,8 +19,8 @@ from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
 from gainproof.verify.judge.setting import steady_state as module
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, NotEstablished
+from gainproof.verify.judge.setting.factor import SHARE, Factor, stable_factor
 from gainproof.verify.judge.setting.quantities import memory, steady_state
-from gainproof.verify.judge.setting.spectrum import Factor, stable_factor
 from gainproof.verify.oracles import doubling, least_squares
 from gainproof.verify.oracles.state_space import state_space
 
@@ -29,6 +30,17 @@ NOISES = {
     "continuous-white-acceleration": [["1/3", "1/2"], ["1/2", "1"]],
     "no kinematic noise": [["2", "-1/3"], ["-1/3", "5/7"]],
 }
+
+THREE: dict[str, Any] = {
+    "name": "three states",
+    "transition": [["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1"]],
+    "measurement": [["1", "0", "0"]],
+    "measurement_noise": [["1"]],
+}
+INCREMENTS = [["0", "0", "0"], ["0", "0", "0"], ["0", "0", "1"]]
+THROUGH_POSITION = [["1/4", "1/2", "1/2"], ["1/2", "1", "1"], ["1/2", "1", "1"]]
+UNIT = [["1", "0"], ["0", "1"]]
+UNIT_OF_THREE = [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]
 
 
 def model(name: str) -> dict[str, Any]:
@@ -86,6 +98,45 @@ def test_other_transitions_and_observables(transition: Any, measurement: Any) ->
             assert abs(ball - flint.arb(str(truth.gain[i][0]))) < flint.arb("1e-30")
 
 
+@pytest.mark.parametrize(
+    ("transition", "measurement", "noise"),
+    [("1", "1", "1"), ("1", "1", "1/4"), ("1/2", "1", "3"), ("-3/2", "2", "1"), ("5", "-1", "2/3")],
+)
+def test_one_state_agrees_with_doubling(transition: str, measurement: str, noise: str) -> None:
+    data = {
+        "transition": [[transition]],
+        "process_noise": [[noise]],
+        "measurement": [[measurement]],
+        "measurement_noise": [["1"]],
+    }
+    found = steady_state(data).quantities
+    for index in (Fraction(1, 50), Fraction(3)):
+        truth = doubling.steady_state(state_space(data, index), 40).state
+        ball = at(found["filter_gain.1"], **{INDEX: index})
+        with flint.ctx.workprec(300):
+            assert abs(ball - flint.arb(str(truth.gain[0][0]))) < flint.arb("1e-30")
+
+
+@pytest.mark.parametrize("noise", [INCREMENTS, THROUGH_POSITION])
+def test_three_states_agree_with_doubling(noise: Any) -> None:
+    data = {**THREE, "process_noise": noise}
+    found = steady_state(data).quantities
+    for share in (Fraction(1, 10), Fraction(2, 3)):
+        point = {SHARE: share, INTERVAL: Fraction(1), DEVIATION: Fraction(1)}
+        index = found[INDEX]
+        value = substituted(index, {SHARE: number(share)})
+        exact = constant_value(value)
+        assert exact is not None
+        truth = doubling.steady_state(state_space(data, exact), 60).state
+        for i in range(3):
+            ball = at(found[f"filter_gain.{i + 1}"], **point)
+            with flint.ctx.workprec(300):
+                assert abs(ball - flint.arb(str(truth.gain[i][0]))) < flint.arb("1e-30")
+        ball = at(found["predicted_covariance.2.3"], **point)
+        with flint.ctx.workprec(300):
+            assert abs(ball - flint.arb(str(truth.predicted[1][2]))) < flint.arb("1e-25")
+
+
 @pytest.mark.parametrize("degree", [0, 1, 2])
 def test_fit_agrees_with_exact_least_squares(degree: int) -> None:
     found = memory(degree).quantities
@@ -115,7 +166,8 @@ def test_unstable_solution_is_not_established(monkeypatch: pytest.MonkeyPatch) -
 
     def mirrored(*arguments: Any) -> Factor:
         true = stable_factor(*arguments)
-        return Factor(true.c1 / true.c0, 1 / true.c0, true.innovation * true.c0 * true.c0)
+        c0, c1 = true.coefficients
+        return Factor((1 / c0, c1 / c0), true.innovation * c0 * c0)
 
     monkeypatch.setattr(module, "stable_factor", mirrored)
     with pytest.raises(NotEstablished, match=r"stable|positive"):
@@ -130,7 +182,9 @@ def test_unstable_solution_is_not_established(monkeypatch: pytest.MonkeyPatch) -
         ({"measurement_noise": [["2"]]}, Undecided),
         ({"process_noise": [["1", "1/2"]]}, Malformed),
         ({"process_noise": [["1.5", "0"], ["0", "1"]]}, Malformed),
-        ({"transition": [["1"]], "process_noise": [["1"]], "measurement": [["1"]]}, Undecided),
+        ({"transition": [["0"]], "process_noise": [["1"]], "measurement": [["1"]]}, Undecided),
+        ({"measurement": [["1", "0"], ["0", "1"]], "measurement_noise": UNIT}, Undecided),
+        ({**THREE, "process_noise": UNIT_OF_THREE}, Undecided),
     ],
 )
 def test_models_it_cannot_solve(change: dict[str, Any], error: type[Exception]) -> None:

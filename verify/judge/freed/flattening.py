@@ -1,0 +1,82 @@
+"""Powers of exponentials and exponentials of logarithms written without the inner function.
+
+exp(a log b) = b^a and (b^a)^c = b^(a c) for positive b, exp(a)^c = exp(a c).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.calculus import rebuilt
+from gainproof.verify.judge.exact.expression import Expr, add, mul, number
+from gainproof.verify.judge.freed.atoms import Positive
+from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials
+from gainproof.verify.judge.meaning.evaluation import general_power
+
+
+def flattened(expr: Expr, is_positive: Positive) -> Expr:
+    """An equal expression, flat where this is known to be allowed."""
+
+    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        if node.kind == "call" and node.name == "exp":
+            return _exponential(parts[0], is_positive)
+        if node.kind == "call" and node.name == "power":
+            return _power(parts[0], parts[1], is_positive)
+        if node.kind == "pow" and parts[0].kind == "call":
+            return _power(parts[0], number(node.fraction), is_positive)
+        return None
+
+    return rebuilt(expr, change)
+
+
+def _exponential(exponent: Expr, is_positive: Positive) -> Expr | None:
+    """exp of a sum, the terms with one logarithm as powers; None if there are none."""
+    factors: list[Expr] = []
+    rest: list[Expr] = []
+    for monomial, c in monomials(exponent).items():
+        logs = [base for base, n in monomial if n == 1 and _is(base, "log")]
+        if len(logs) == 1 and is_positive(logs[0].parts[0]):
+            times = _scaled(monomial - {(logs[0], 1)}, c)
+            factors.append(general_power(logs[0].parts[0], times))
+        else:
+            rest.append(_scaled(monomial, c))
+    if not factors:
+        return None
+    if rest:
+        factors.append(Expr("call", "exp", (add(*rest),)))
+    return mul(*factors)
+
+
+def _power(base: Expr, exponent: Expr, is_positive: Positive) -> Expr | None:
+    """A power of a product of powers and exponentials; None if the base is something else."""
+    terms = monomials(base)
+    if len(terms) != 1:
+        return None
+    ((monomial, c),) = terms.items()
+    if c != 1 or not monomial or not all(_is_flat(each, is_positive) for each, _ in monomial):
+        return None
+    factors = []
+    for each, n in monomial:
+        times = mul(number(n), exponent, each.parts[-1])
+        if each.name == "exp":
+            factors.append(Expr("call", "exp", (times,)))
+        else:
+            (simple, *others) = monomials(times).items()
+            whole = times if others else _scaled(*simple)
+            factors.append(general_power(each.parts[0], whole))
+    return mul(*factors)
+
+
+def _is_flat(base: Expr, is_positive: Positive) -> bool:
+    return _is(base, "exp") or (_is(base, "power") and is_positive(base.parts[0]))
+
+
+def _is(expr: Expr, name: str) -> bool:
+    return expr.kind == "call" and expr.name == name
+
+
+def _scaled(monomial: Monomial, c: Fraction) -> Expr:
+    if not monomial:
+        return number(c)
+    written = monomial_expr(monomial)
+    return written if c == 1 else number(c) * written
