@@ -55,6 +55,8 @@ QUANTITIES: Mapping[str, str] = {
     **{f"information_{i}{j}": f"information.{i}.{j}" for i in (1, 2, 3) for j in (1, 2, 3)},
 }
 """Names in derivations -> quantities of the judge."""
+ABBREVIATIONS = ("kappa", "rho")
+"""Names that derivations give to parts of formulas: no quantities, so each is as defined."""
 
 
 @dataclass(frozen=True)
@@ -136,6 +138,9 @@ def surroundings(
         if long in known:
             values[short] = substituted(known[long], put_in)
     _add_derived(values, environment, put_in)
+    for short in ABBREVIATIONS:
+        if tower is not None and short in tower.get("elements", {}):
+            values[short] = _element(tower, short, values)
     boxes = {} if name is None or box is None else {name: box}
     if index is not None and name is not None:
         _check_index(index, name, boxes)
@@ -186,7 +191,12 @@ def _polynomial(entries: Any, names: Sequence[str], values: Mapping[str, Expr]) 
 def _index(values: Mapping[str, Expr], tower: Mapping[str, Any] | None, name: str | None) -> Expr:
     if tower is None or name == INDEX:
         return symbol(INDEX)
-    element = tower["elements"][INDEX]
+    return _element(tower, INDEX, values)
+
+
+def _element(tower: Mapping[str, Any], name: str, values: Mapping[str, Expr]) -> Expr:
+    """A named element of a tower in terms of its parameter and roots."""
+    element = tower["elements"][name]
     names = [p["symbol"] for p in tower["parameters"]] + [g["symbol"] for g in tower["generators"]]
     top = _polynomial(element["num"], names, values)
     bottom = _polynomial(element["den"], names, values)

@@ -41,7 +41,7 @@ def test_proof_of_a_gain_relation(texts: dict[str, str]) -> None:
     text = texts["table-ab-RV"]
     for part in (
         "the Riccati equation, gain and innovation variance hold identically",
-        "stable (Jury)",
+        "stable (Hurwitz",
         r"\alpha (\alpha + \beta) = 2 \beta",
         r"\beta = ",
         "t1^2 = tracking_index^2 + 16",
