@@ -24,7 +24,7 @@ class Limits:
     exponent: int = 64
     digits: int = 200
     terms: int = 50_000
-    tower_degree: int = 128
+    tower_degree: int = 512
     root_count: int = 16
     norm_degree: int = 600
     symbols: int = 40
