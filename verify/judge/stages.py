@@ -11,6 +11,7 @@ from gainproof.verify.judge.contradiction import other_tasks, under_other_conven
 from gainproof.verify.judge.definition_use import defined_token
 from gainproof.verify.judge.repair.definition import DefinitionTask, definition_tasks
 from gainproof.verify.judge.repair.offer import (
+    explains,
     repair_tasks,
     with_definition_repair,
     with_repair,
@@ -54,22 +55,25 @@ def with_repairs(stages: Iterable[Stage], done: Done) -> list[Stage]:
     stages = list(stages)
     tasks = [task for stage in stages for task in _definition_tasks(stage)]
     tokens = {task.claim.id: task.token for task in tasks}
-    trials = done(tasks)
-    explained = {name for t in trials.values() if t.repair for name in t.repair["claims"]}
-    single = [
-        task
-        for stage in stages
-        for task in repair_tasks(stage.claims, stage.setting, stage.verdicts, admitted(stage.tried))
-        if task.claim.id not in explained
-    ]
-    repaired = done(single)
+    single = done(
+        [
+            task
+            for stage in stages
+            for task in repair_tasks(
+                stage.claims, stage.setting, stage.verdicts, admitted(stage.tried)
+            )
+        ]
+    )
+    better = {n: t for n, t in done(tasks).items() if t.repair and explains(t.repair, single)}
+    explained = {name for trial in better.values() for name in (trial.repair or {})["claims"]}
     found = []
     for stage in stages:
         mine = {v.id for v in stage.verdicts}
         verdicts = [
-            with_repair(v, repaired[v.id]) if v.id in repaired else v for v in stage.verdicts
+            with_repair(v, single[v.id]) if v.id in single and v.id not in explained else v
+            for v in stage.verdicts
         ]
-        here = {name: trial for name, trial in trials.items() if name in mine}
+        here = {name: trial for name, trial in better.items() if name in mine}
         found.append(replace(stage, verdicts=tuple(with_definition_repair(verdicts, here, tokens))))
     return found
 

@@ -51,8 +51,8 @@ class DefinitionTask:
     most: float = SECONDS + OVERTIME
 
     def run(self, models: Models, solved: Solved) -> Trial:
-        """A trial whose `repair` holds the changed definition, "changes" in words and the "claims"
-        that it makes true, if there is one.
+        """A trial whose `repair` holds the changed definition, "changes" in words with their
+        "weight" and the "claims" that it makes true, if there is one.
         """
         start = time.perf_counter()
         found: dict[str, Any] | None = None
@@ -80,7 +80,12 @@ class DefinitionTask:
                 for claim in (*self.wrong, *self.right)
             ):
                 names = [claim.id for claim in self.wrong]
-                return {"latex": formula.latex, "changes": in_words(change), "claims": names}
+                return {
+                    "latex": formula.latex,
+                    "changes": in_words(change),
+                    "weight": change.weight,
+                    "claims": names,
+                }
         return None
 
     def _changes(self, setting: Setting) -> Iterator[Change]:

@@ -55,6 +55,19 @@ def with_repair(verdict: ClaimVerdict, trial: Trial) -> ClaimVerdict:
     )
 
 
+def explains(definition: Mapping[str, Any], single: Mapping[str, Trial]) -> bool:
+    """Whether a changed definition is the better explanation of its claims: one of them has no
+    repair of its own, or none has a lighter one.
+    """
+    weights = []
+    for name in definition["claims"]:
+        offers = (single[name].repair or {}).get("offers") if name in single else None
+        if not offers:
+            return True
+        weights.append(offers[0]["weight"])
+    return bool(definition["weight"] <= min(weights))
+
+
 def with_definition_repair(
     verdicts: Sequence[ClaimVerdict], trials: Mapping[str, Trial], tokens: Mapping[str, str]
 ) -> list[ClaimVerdict]:

@@ -11,7 +11,7 @@ from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.repair.edit import LARGE
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.trivial import sorted_key
-from gainproof.verify.judge.repair.whole import Change
+from gainproof.verify.judge.repair.whole import SIDE, Change
 
 
 def parts_of_claims(claims: Iterable[Claim]) -> frozenset[bytes]:
@@ -44,9 +44,20 @@ def rank(change: Change, formula: Printed, said: frozenset[bytes]) -> tuple[obje
     size = abs(_size(after) - _size(before))
     touched = sum(_size((node,)) for s in change.steps if (node := s.part or s.before))
     named = sum(before[n] != after[n] for n in {link.left for link in formula.links})
-    # a missing factor or term is put where the left side stays what the formula is for
-    last = (touched, named) if change.weight < LARGE else (named, touched)
-    return (len(change.steps), -gained, other_names, *last, size)
+    # a sign or a missing factor is put where the left side stays what the formula is for
+    sided = change.weight == LARGE or any(step.what == SIDE for step in change.steps)
+    last = (named, touched) if sided else (touched, named)
+    stacked = _stacked(after) - _stacked(before)
+    return (len(change.steps), -gained, other_names, stacked, *last, size)
+
+
+def _stacked(sides: tuple[Expr, ...]) -> int:
+    """How many fractions stand under a fraction bar."""
+    return sum(
+        node.kind == "div" and any(part.kind == "div" for part in walk(node.parts[1]))
+        for side in sides
+        for node in walk(side)
+    )
 
 
 def _size(sides: tuple[Expr, ...]) -> int:

@@ -15,7 +15,7 @@ from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Formula, Reading
 from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.closings import closings
-from gainproof.verify.judge.repair.edit import LARGE, PLAIN
+from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
@@ -110,7 +110,8 @@ class Search:
         if sum(len(side.parts) + 1 for side in self.formula.sides) > MOST_NODES:
             return []
         if stage == 0 and self.claim.kind == "value":
-            return self._proved(list(rounded(self.claim, self.formula, self._judged)))
+            slight = changes(self.formula, self.table, self.numbers, SLIGHT)
+            return self._first([*slight, *rounded(self.claim, self.formula, self._judged)])
         if stage == 0:
             most = LARGE if self.by_values else PLAIN
             return self._first(changes(self.formula, self.table, self.numbers, most))
@@ -174,7 +175,8 @@ class Search:
         formula = reread(change.printed, self.setting.symbols)
         if formula is None or reading_fault(formula.readings[0], self.setting) is not None:
             return None
-        if self.off.is_trivial(printed(formula.readings[0])):
+        is_about = any(symbols_of(side) for side in self.formula.sides)
+        if is_about and self.off.is_trivial(printed(formula.readings[0])):
             return None
         if self.by_values and not is_sharp(self.formula, change.printed, self.far):
             return None

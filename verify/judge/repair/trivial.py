@@ -11,7 +11,7 @@ from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.repair.printed import Printed
-from gainproof.verify.judge.repair.values import Values, truth
+from gainproof.verify.judge.repair.values import PRECISION, Values, truth
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 
 SEED = 11
@@ -63,7 +63,9 @@ def _means_something(scope: Scope, name: str) -> bool:
 
 def _draw(source: Random, *, positive: bool) -> Ball:
     value = Fraction(source.randrange(100, 3000), 997)
-    return flint.arb(rational(value if positive or source.random() < 0.5 else -value))
+    # the ball of a rational number is as wide as the precision at which it is made
+    with flint.ctx.workprec(PRECISION):
+        return flint.arb(rational(value if positive or source.random() < 0.5 else -value))
 
 
 def _ends(formula: Printed, link: object) -> tuple[bytes, bytes]:

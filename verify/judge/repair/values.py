@@ -19,6 +19,7 @@ from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 
 MOST_KEPT = 200_000
 AGREED_BITS = 60
+PRECISION = 128
 COMPARED = frozenset(("=", "!=", "<", "<=", ">", ">="))
 """Relations that balls can decide."""
 
@@ -33,7 +34,7 @@ class Values:
         scope: Scope,
         point: Mapping[str, Fraction],
         put_in: Mapping[str, Expr],
-        precision: int = 128,
+        precision: int = PRECISION,
         overriding: Mapping[str, Ball] | None = None,
     ) -> None:
         self.scope, self.point, self.put_in, self.precision = scope, point, put_in, precision

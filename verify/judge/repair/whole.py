@@ -23,6 +23,7 @@ from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, Table
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.shift import shifted
 
+SIDE = "sign of a side"
 COMPARISONS = ("<", "<=", ">", ">=")
 
 
@@ -67,7 +68,7 @@ def changes_of_whole(formula: Printed, table: Table, numbers: frozenset[str]) ->
 
 
 def _sides(side: Expr, table: Table, numbers: frozenset[str]) -> Iterator[tuple[Expr, int, str]]:
-    yield opposite(side), SLIGHT, "sign of a side"
+    yield opposite(side), SLIGHT, SIDE
     yield product(TWO, side), PLAIN, "a factor 2"
     yield quotient(side, TWO), PLAIN, "a factor 2"
     if side.kind != "div":

@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from claim_texts import judged, memory, steady
+from claim_texts import MODELS, claim_file, judged, memory, steady
+
+from gainproof.verify.judge.convention import Convention, conventions
+from gainproof.verify.judge.reader.reader import read_formula
+from gainproof.verify.judge.repair.printed import printed
+from gainproof.verify.judge.repair.trivial import OffTheModel
+from gainproof.verify.judge.scope import Scope
 
 
 @pytest.mark.parametrize(
@@ -26,3 +32,27 @@ def test_the_true_formula_is_told_where_no_misprint_explains_a_claim() -> None:
     assert verdict.verdict in ("refuted", "conditional")
     assert verdict.repair is None
     assert "no misprint-like repair found; what is true is \\beta = \\frac{6}{" in verdict.reason
+
+
+def test_what_holds_whatever_the_symbols_are_is_not_offered() -> None:
+    setting = claim_file(steady("random-velocity"), [("identity", r"\alpha = \beta")]).settings["s"]
+    (convention,) = conventions(setting, MODELS, {})
+    assert isinstance(convention, Convention)
+    scope = Scope(convention.setting, convention.environment)
+    off = OffTheModel(scope, frozenset((r"\alpha", r"\beta")))
+    for latex, expected in (
+        (r"\alpha = \frac{\alpha \beta}{\beta}", True),
+        (r"(\alpha + \beta)^2 = \alpha^2 + 2\alpha\beta + \beta^2", True),
+        (r"\sqrt{\alpha^2} \ge 0", True),
+        (r"\alpha(\alpha + \beta) = 2\beta", False),
+        (r"\alpha > 0", False),
+    ):
+        reading = read_formula(latex, setting.symbols).readings[0]
+        assert off.is_trivial(printed(reading)) is expected, latex
+
+
+def test_arithmetic_in_print_is_repaired_too() -> None:
+    (verdict,) = judged(memory(0), ("value", r"1030 - \frac{1}{2} (989 - 1030) = 1009.5"))
+    assert verdict.verdict == "refuted"
+    assert verdict.repair is not None
+    assert "1030 + " in verdict.repair["latex"]
