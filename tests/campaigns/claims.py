@@ -4,9 +4,10 @@
 
 Each claim that the snapshots of verdicts have as proved is changed in N ways, a fifth of them near
 misses, each false by an evaluator that shares nothing with the judge; the judge must accept none,
-under the convention under which the original is proved. And it is written in other ways, each of
-which should still be proved. The state file is written after every few claims; a campaign that was
-interrupted goes on from it as long as judge and claims are the same. Status 1 for a false accept.
+under the convention under which the original is proved; and the originals must be true by that
+evaluator. Each is written in other ways too, which should still be proved. The state file is
+written after every few claims; a campaign that was interrupted goes on from it as long as judge and
+claims are the same. Status 1 for a false accept.
 """
 
 from __future__ import annotations
@@ -30,8 +31,8 @@ from gainproof.derive.catalogue import CATALOGUE
 
 HELP = "every proved claim of the repository broken and rewritten, and judged again"
 AT_ONCE = 8
-NOTHING: dict[str, Any] = {"mutants": [], "rewrites": [], "left out": {}}
-"""Of a claim that has no formula, or is not proved any more."""
+NOTHING: dict[str, Any] = {"mutants": [], "rewrites": [], "left out": {}, "doubt": False}
+"""Of a claim that is not proved any more."""
 
 
 def main() -> int:

@@ -24,7 +24,8 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
-from reader_campaign import CLAIMS, Tally, fuzz_files, fuzz_formulas, fuzz_made
+from fuzz_tally import Tally
+from reader_campaign import CLAIMS, fuzz_files, fuzz_formulas, fuzz_made
 
 import gainproof.verify.judge
 

@@ -4,23 +4,18 @@ spliced or repeated, with their own symbols; claim files broken in a few places.
 
 from __future__ import annotations
 
-import sys
-import time
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from random import Random
-from typing import Any
 
+from fuzz_tally import Refused, Symbols, Tally, tallied
 from reader_fuzz import PIECES, check_input, random_text
 
 import gainproof.verify
-from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_file, read_claim_text
-from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.claim_file import read_claim_file, read_claim_text
 from gainproof.verify.judge.reader.reader import read_conditions, read_formula
 
-Symbols = Mapping[str, Any]
 CLAIMS = Path(gainproof.verify.__file__).parent / "claims"
 MOST_LONG = 4200
 """A little more than the reader takes."""
@@ -60,44 +55,11 @@ TOML_PIECES = (
 )
 
 
-@dataclass
-class Tally:
-    """What came of many inputs. `crashes` are texts with what came out of the reader besides its
-    own error.
-    """
-
-    inputs: int = 0
-    read: int = 0
-    crashes: list[tuple[str, str]] = field(default_factory=list)
-    seconds: float = 0.0
-    slowest: str = ""
-    kilobytes: int = 0
-    largest: str = ""
-
-    def joined(self, other: Tally) -> Tally:
-        """Both together, the worst of each."""
-        slow = max(self, other, key=lambda tally: tally.seconds)
-        large = max(self, other, key=lambda tally: tally.kilobytes)
-        return Tally(
-            self.inputs + other.inputs,
-            self.read + other.read,
-            [*self.crashes, *other.crashes],
-            slow.seconds,
-            slow.slowest,
-            large.kilobytes,
-            large.largest,
-        )
-
-
 def fuzz_formulas(seed: int, count: int) -> Tally:
     """Formulas and conditions."""
     random = Random(f"formulas {seed}")
 
-    return _tally(count, lambda: random_formula(random), _read_either)
-
-
-class Refused(Exception):
-    """The reader's own error, which `check_input` has looked at."""
+    return tallied(count, lambda: random_formula(random), _read_either)
 
 
 def _read_either(text: str, symbols: Symbols) -> object:
@@ -115,56 +77,15 @@ def fuzz_made(seed: int, count: int) -> Tally:
         if not check_input(text, plain=len(text) % 4 == 0):
             raise Refused
 
-    return _tally(count, lambda: (random_text(random), {}), attempt)
+    return tallied(count, lambda: (random_text(random), {}), attempt)
 
 
 def fuzz_files(seed: int, count: int) -> Tally:
     """Whole claim files."""
     random = Random(f"files {seed}")
-    return _tally(
+    return tallied(
         count, lambda: (random_file(random), {}), lambda text, _: read_claim_text(text, "own.toml")
     )
-
-
-def _tally(
-    count: int,
-    make: Callable[[], tuple[str, Symbols]],
-    attempt: Callable[[str, Symbols], object],
-) -> Tally:
-    tally = Tally()
-    before = _peak()
-    for _ in range(count):
-        text, symbols = make()
-        start = time.perf_counter()
-        try:
-            attempt(text, symbols)
-            tally.read += 1
-        except Refused:
-            pass
-        except (ReaderError, ClaimFileError) as error:
-            # the message has to be sayable: a lone surrogate cannot be written
-            if any(0xD800 <= ord(character) < 0xE000 for character in str(error)):
-                tally.crashes.append((text, "a message that cannot be written"))
-        except Exception as error:  # noqa: BLE001 - that is what is looked for
-            tally.crashes.append((text, f"{type(error).__name__}: {error}"))
-        spent = time.perf_counter() - start
-        after = _peak()
-        tally.inputs += 1
-        if spent > tally.seconds:
-            tally.seconds, tally.slowest = spent, text
-        if after - before > tally.kilobytes:
-            tally.kilobytes, tally.largest = after - before, text
-        before = after
-    return tally
-
-
-def _peak() -> int:
-    """The most memory that this process ever had, in kilobytes; 0 where that is not known."""
-    if sys.platform == "win32":
-        return 0
-    import resource
-
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
 @cache

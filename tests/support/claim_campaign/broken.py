@@ -1,26 +1,34 @@
-"""Broken claims: one relation of a claim mutated, a fifth of them near misses."""
+"""Broken claims: a relation, the polynomial, or a condition of the domain mutated, a fifth of them
+near misses.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from random import Random
 
-from mutation.mutants import sample
-from mutation.tree import symbols, to_graph, to_tree
+from mutation.mutants import misprints, near_misses, sample
+from mutation.tree import Tree, number, symbols, to_graph, to_tree
 
-from claim_campaign.subject import Subject
-from gainproof.verify.judge.claim_record import Claim
+from claim_campaign.subject import Subject, calls, rel
+from gainproof.verify.judge.claim_record import LOCATIONS, Claim
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.formula import Relation as Printed
 
 SPARE = 2
 """So many times more mutants are made than wanted: some are true, or have no value to compare."""
+BOUNDED = ("inequality", "location", "monotone")
+"""Kinds of claims that mostly hold on their domain only."""
+
+Made = tuple[str, bool, Claim]
+"""What was done, whether it is a near miss, the claim."""
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """A claim with one relation changed; `words` say how."""
+    """A subject whose claim was changed; `words` say how."""
 
     subject: Subject
     words: str
@@ -33,33 +41,91 @@ class Mutant:
 
 
 def mutants(subject: Subject, count: int, random: Random) -> Iterator[Mutant]:
-    """More than `count` mutants, near misses and others in turn as one to four."""
+    """More than `count` mutants where there are so many, near misses and others as one to four."""
     close: list[Mutant] = []
     plain: list[Mutant] = []
-    for name, near, claim in _all(subject, count * SPARE, random):
-        made = Mutant(replace(subject, claim=claim), name, near)
-        (close if near else plain).append(made)
+    made = [*_relations(subject, count * SPARE, random), *_polynomials(subject), *_domains(subject)]
+    for words, near, claim in made:
+        one = Mutant(replace(subject, claim=claim), words, near)
+        (close if near else plain).append(one)
     random.shuffle(close)
     random.shuffle(plain)
     while close or plain:
-        yield from (group.pop() for group in (close, plain, plain, plain, plain) if group)
+        yield from [group.pop() for group in (close, plain, plain, plain, plain) if group]
 
 
-def _all(subject: Subject, count: int, random: Random) -> Iterator[tuple[str, bool, Claim]]:
-    assert subject.claim.formula is not None
+def _relations(subject: Subject, count: int, random: Random) -> Iterator[Made]:
+    if subject.claim.formula is None:
+        return
     (reading,) = subject.claim.formula.readings
     for place, relation in enumerate(reading.relations):
-        if relation.operator == "->" and ["symbol", "infinity"] in map(
-            list, relation.right["nodes"]
-        ):
+        if "infinity" in symbols(to_tree(relation.right)):
             continue  # what tends to infinity still does when it is changed a little
         left, right = to_tree(relation.left), to_tree(relation.right)
-        scalars = sorted(t for t in symbols(left) | symbols(right) if _is_scalar(subject, t))
-        if not scalars:
-            continue
-        for name, near, a, b in sample(left, right, random.choice(scalars), count, random):
-            changed = Printed(relation.operator, to_graph(a), to_graph(b))
-            yield name, near, _with(subject.claim, reading, place, changed)
+        if subject.claim.kind == "value":
+            made = _values(relation)
+        else:
+            scalars = sorted(t for t in symbols(left) | symbols(right) if _is_scalar(subject, t))
+            variable = random.choice(scalars) if scalars else ""
+            tried = sample(left, right, variable, count, random)
+            made = iter([(words, near, _sides(relation, a, b)) for words, near, a, b in tried])
+        for words, near, changed in made:
+            yield words, near, _with(subject.claim, reading, place, changed)
+
+
+def _values(relation: Printed) -> Iterator[tuple[str, bool, Printed]]:
+    """The exact side mutated; one more or less in the last digit that is printed."""
+    left, right = to_tree(relation.left), to_tree(relation.right)
+    decimals = relation.left_decimals if right[0] != "number" else relation.right_decimals
+    if decimals is None:
+        return
+    exact, shown = (left, right) if right[0] == "number" else (right, left)
+
+    def turned(a: Tree, b: Tree) -> Printed:
+        return _sides(relation, a, b) if exact is left else _sides(relation, b, a)
+
+    for words, new in misprints(exact):
+        yield words, False, turned(new, shown)
+    if shown[0] == "number":
+        for step in (1, -1, 2, -2, 3, -3, 5, -5, 10, -10):
+            other = number(shown[1] + step * Fraction(10) ** -decimals)
+            yield f"last digit {step:+d}", True, turned(exact, other)
+
+
+def _sides(relation: Printed, left: Tree, right: Tree) -> Printed:
+    return replace(relation, left=to_graph(left), right=to_graph(right))
+
+
+def _polynomials(subject: Subject) -> Iterator[Made]:
+    claim = subject.claim
+    if claim.polynomial is None or claim.variable is None:
+        return
+    tree = to_tree(claim.polynomial)
+    for words, new in misprints(tree):
+        yield f"polynomial: {words}", False, replace(claim, polynomial=to_graph(new))
+    for words, new in near_misses(tree, claim.variable):
+        if "abs" in calls(new):
+            continue  # no polynomial any more
+        yield f"polynomial: {words}", True, replace(claim, polynomial=to_graph(new))
+    for where in LOCATIONS:
+        if where != claim.where:
+            yield f"roots {where}", False, replace(claim, where=where)
+
+
+def _domains(subject: Subject) -> Iterator[Made]:
+    claim = subject.claim
+    if claim.kind not in BOUNDED:
+        return
+    for place, printed in enumerate(claim.domain):
+        rest = (*claim.domain[:place], *claim.domain[place + 1 :])
+        yield "condition dropped", False, replace(claim, domain=rest)
+        relation = rel(printed)
+        changed = [(w, new, relation.right) for w, new in misprints(relation.left)]
+        changed += [(w, relation.left, new) for w, new in misprints(relation.right)]
+        for words, left, right in changed:
+            other = _sides(printed, left, right)
+            domain = (*claim.domain[:place], other, *claim.domain[place + 1 :])
+            yield f"domain: {words}", False, replace(claim, domain=domain)
 
 
 def _is_scalar(subject: Subject, token: str) -> bool:

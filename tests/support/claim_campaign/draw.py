@@ -10,6 +10,7 @@ from typing import Any
 
 import mpmath
 from mutation.arithmetic import Misshapen, NoValue, real
+from mutation.tree import symbols, to_tree
 
 from claim_campaign import quantities
 from claim_campaign.compare import holds, holds_all
@@ -44,6 +45,8 @@ def domain_of(subject: Subject, more: Iterable[Rel] = ()) -> Domain:
     named = set().union(*(r.symbols() | calls(r.left) | calls(r.right) for r in given), set())
     for one in (*subject.relations(), *subject.conditions()):
         named |= one.symbols() | calls(one.left) | calls(one.right)
+    if claim.polynomial is not None:
+        named |= symbols(to_tree(claim.polynomial)) | calls(to_tree(claim.polynomial))
     needed = subject.reached(named)
     for token in sorted(needed):
         given += map(rel, subject.setting.symbols[token].domain)

@@ -8,15 +8,16 @@ from typing import Any
 
 import mpmath
 from mutation.arithmetic import Misshapen, NoValue
-from mutation.tree import Tree
+from mutation.tree import Tree, to_tree
 
 from claim_campaign.compare import holds
 from claim_campaign.draw import Domain, domain_of, points
 from claim_campaign.point import DIGITS, NotCovered, Point
-from claim_campaign.subject import Rel, Subject
+from claim_campaign.roots import lie
+from claim_campaign.subject import Rel, Subject, rel
 
 POINTS = 8
-PLAIN = ("identity", "inequality", "recursion", "implication", "equivalence", "limit")
+PLAIN = ("identity", "inequality", "recursion", "implication", "equivalence", "limit", "value")
 INFINITY: Tree = ("symbol", "infinity")
 FAR = 40
 """A limit is looked at this many powers of ten away, and half as many."""
@@ -28,6 +29,8 @@ def is_false(subject: Subject, random: Random) -> bool | None:
     """Whether the claim is false somewhere on its domain; None if no point says anything. Raises
     NotCovered.
     """
+    if subject.claim.kind == "location":
+        return _roots_elsewhere(subject, random)
     if subject.claim.kind not in PLAIN:
         raise NotCovered(f"claims of kind {subject.claim.kind}")
     relations, conditions = subject.relations(), subject.conditions()
@@ -52,7 +55,10 @@ def _fails(
 ) -> bool | None:
     """Whether something claimed fails at a point where all that is given holds."""
     found = points(domain_of(subject, given), POINTS, random)
-    said = [_all(claimed, point) for point in found]
+    if subject.claim.kind == "value":
+        said = [_all_shown(subject, point) for point in found]
+    else:
+        said = [_all(claimed, point) for point in found]
     if False in said:
         return True
     if found and not any(said):
@@ -63,6 +69,39 @@ def _fails(
 def _all(claimed: Sequence[Rel], point: Point) -> bool | None:
     each = [holds(relation, point) for relation in claimed]
     return False if False in each else None if None in each else True
+
+
+def _all_shown(subject: Subject, point: Point) -> bool | None:
+    """Whether every printed number is the other side, rounded to its digits."""
+    assert subject.claim.formula is not None
+    for printed in subject.claim.formula.readings[0].relations:
+        sides = rel(printed)
+        exact, shown, decimals = sides.left, sides.right, printed.right_decimals
+        if decimals is None:
+            exact, shown, decimals = sides.right, sides.left, printed.left_decimals
+        if decimals is None:
+            raise NotCovered("a value without digits")
+        try:
+            away = abs(point.value(exact) - point.value(shown))
+        except NoValue:
+            return None
+        if away > (mpmath.mpf(10) ** -decimals) / 2:
+            return False
+    return True
+
+
+def _roots_elsewhere(subject: Subject, random: Random) -> bool | None:
+    claim = subject.claim
+    if claim.polynomial is None or claim.variable is None or claim.where is None:
+        raise NotCovered("roots that are listed")
+    tree = to_tree(claim.polynomial)
+    said = []
+    for point in points(domain_of(subject), POINTS * 3, random):
+        try:
+            said.append(lie(tree, claim.variable, claim.where, point))
+        except NoValue:
+            continue
+    return not all(said) if said else None
 
 
 def _limit_is_false(

@@ -15,6 +15,8 @@ from mutation.tree import Tree
 
 DIGITS = 90
 STEP = mpmath.mpf(10) ** -25
+DOUBT = mpmath.mpf(10) ** -40
+"""Estimated error of an integral beyond which it has no value here."""
 MOST_TERMS = 2000
 FUNCTIONS: Mapping[str, Callable[[Any], Any]] = {
     name: getattr(mpmath, name)
@@ -60,7 +62,7 @@ class Point:
         definition = self.definitions.get(name)
         if definition is None or definition.arguments:
             raise NotCovered(name)
-        return self._value(definition.body, {})
+        return self._value(definition.body, local)  # an abbreviation: bound names reach into it
 
     def _value(self, tree: Tree, local: Mapping[str, Any]) -> Any:
         match tree[0]:
@@ -104,10 +106,12 @@ class Point:
         name, arguments = tree[1], tree[2:]
         if name == "sum":
             return self._sum(arguments, local)
+        if name == "integral":
+            return self._integral(arguments, local)
         values = [self._value(part, local) for part in arguments]
         if name in self.definitions:
             definition = self.definitions[name]
-            bound = dict(zip(definition.arguments, values, strict=True))
+            bound = {**local, **dict(zip(definition.arguments, values, strict=True))}
             return self._value(definition.body, bound)
         if name == "abs":
             return abs(values[0])
@@ -132,6 +136,16 @@ class Point:
         for n in range(int(low), int(high) + 1):
             total = plus(total, self._value(arguments[0], {**local, index: real(n)}))
         return total
+
+    def _integral(self, arguments: Tree, local: Mapping[str, Any]) -> Any:
+        low, high = (self._value(part, local) for part in arguments[2:])
+        name = arguments[1][1]
+        found, error = mpmath.quad(
+            lambda x: self._value(arguments[0], {**local, name: x}), [low, high], error=True
+        )
+        if error > DOUBT * max(1, abs(found)):
+            raise NoValue("integral")
+        return found
 
     def _at(self, tree: Tree, name: str, value: Any, local: Mapping[str, Any]) -> Any:
         if name in local:

@@ -103,7 +103,7 @@ def names_proved_before() -> list[str]:
 def subjects(
     names: Iterable[str], models: Sequence[Mapping[str, Any]], seconds: float, processes: int
 ) -> list[Subject]:
-    """The claims of these names that have a formula and are proved."""
+    """The claims of these names that are proved."""
     wanted = set(names)
     found: list[Subject] = []
     solved: Solved = {}
@@ -111,7 +111,7 @@ def subjects(
         if not any(name.startswith(f"{path.stem} ") for name in wanted):
             continue
         claim_file = read_claim_file(path)
-        claims = [c for c in claim_file.claims if f"{path.stem} {c.id}" in wanted and c.formula]
+        claims = [c for c in claim_file.claims if f"{path.stem} {c.id}" in wanted]
         tasks = [FirstProof(claim, claim_file.settings[claim.setting]) for claim in claims]
         trials = tried_apart(tasks, models, seconds, processes)
         for claim in claims:

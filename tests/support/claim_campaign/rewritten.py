@@ -38,7 +38,9 @@ class NotPlain(Exception):
 def rewrites(subject: Subject) -> Iterator[tuple[str, Claim, Setting]]:
     """Name, claim and setting of every rewriting that changes something."""
     claim, setting = subject.claim, subject.printed
-    assert claim.formula is not None
+    yield "symbols renamed", *renamed(claim, setting)
+    if claim.formula is None:
+        return
     (reading,) = claim.formula.readings
     for name, change in CHANGES.items():
         try:
@@ -52,7 +54,6 @@ def rewrites(subject: Subject) -> Iterator[tuple[str, Claim, Setting]]:
     other = _each(reading, lambda tree: _inlined(tree, subject))
     if other != reading:
         yield "definitions put in", _with(claim, other), setting
-    yield "symbols renamed", *renamed(claim, setting)
 
 
 def _with(claim: Claim, reading: Reading) -> Claim:
@@ -67,19 +68,28 @@ def _each(reading: Reading, change: Callable[[Tree], Tree]) -> Reading:
         return graph if other == tree else to_graph(other)
 
     relations = tuple(
-        r if r.operator == "->" and _is_end(r) else Printed(r.operator, side(r.left), side(r.right))
+        r if _is_end(r) else replace(r, left=side(r.left), right=side(r.right))
         for r in reading.relations
     )
     return replace(reading, relations=relations)
 
 
 def _is_end(relation: Printed) -> bool:
+    """Whether the relation says where something tends to, and it is no number."""
     return "infinity" in symbols(to_tree(relation.right))
 
 
 def _turned(reading: Reading) -> Reading:
     relations = tuple(
-        Printed(SWAPPED.get(r.operator, r.operator), r.right, r.left) for r in reading.relations
+        replace(
+            r,
+            operator=SWAPPED.get(r.operator, r.operator),
+            left=r.right,
+            right=r.left,
+            left_decimals=r.right_decimals,
+            right_decimals=r.left_decimals,
+        )
+        for r in reading.relations
     )
     return replace(reading, relations=relations)
 

@@ -23,7 +23,9 @@ from gainproof.verify.judge.worker import tried_apart
 
 REFUSED = ("refuted", "conditional", "undefined")
 Record = dict[str, Any]
-"""Of one claim: `mutants` and `rewrites` as lists of records, `left out` counted by reason."""
+"""Of one claim: `mutants` and `rewrites` as lists of records, `left out` counted by reason, `doubt`
+if the evaluator finds the claim itself false.
+"""
 
 
 def processors() -> int:
@@ -50,7 +52,9 @@ def run(
         tasks.append(task)
 
     for subject in subjects:
-        records[subject.name] = {"mutants": [], "rewrites": [], "left out": Counter()}
+        doubt = _is_doubted(subject, seed)
+        blank = {"mutants": [], "rewrites": [], "left out": Counter(), "doubt": doubt}
+        records[subject.name] = blank
         for entry, claim in _false(subject, count, seed, records[subject.name]["left out"]):
             one = _with_id(claim, len(tasks))
             task = UnderConvention(one, subject.printed, subject.convention)
@@ -63,6 +67,13 @@ def run(
         name, what, entry = places[identifier]
         records[name][what].append(entry | _said(trial, what))
     return records
+
+
+def _is_doubted(subject: Subject, seed: int) -> bool:
+    try:
+        return is_false(subject, Random(f"{seed} {subject.name}")) is True
+    except NotCovered:
+        return False
 
 
 def _with_id(claim: Claim, number: int) -> Claim:
@@ -113,9 +124,11 @@ def report(records: Mapping[str, Record]) -> str:
         left_out.update(record["left out"])
     near = sum(m["near"] for _, m in broken)
     units = sum(m["units"] for m in refused)
+    doubted = [name for name, record in records.items() if record["doubt"]]
     none = [name for name, record in records.items() if not record["mutants"]]
     lines = [
         f"claims: {len(records)}",
+        f"claims that the evaluator finds false: {len(doubted)}",
         f"false mutants: {len(broken)}, of them near misses {near}",
         f"refused: {len(refused)}, of them {units} by their units alone",
         f"false accepts: {len(accepted)}",
@@ -124,6 +137,7 @@ def report(records: Mapping[str, Record]) -> str:
         *(f"left out, {reason}: {number}" for reason, number in sorted(left_out.items())),
         *(f"no mutant of {name}" for name in none),
     ]
+    lines += [f"  FALSE {name}" for name in doubted]
     lines += [f"  ACCEPTED {name}: {m['name']}" for name, m in accepted]
     lines += [f"  {m['verdict']} {name}: {m['name']}: {m['reason'][:120]}" for name, m in open_ones]
     lines += [
@@ -135,5 +149,6 @@ def report(records: Mapping[str, Record]) -> str:
 
 
 def accepted(records: Mapping[str, Record]) -> int:
-    """How many false mutants were proved."""
-    return sum(m["verdict"] == "proved" for r in records.values() for m in r["mutants"])
+    """How many false mutants were proved, and claims that are false."""
+    wrong: int = sum(m["verdict"] == "proved" for r in records.values() for m in r["mutants"])
+    return wrong + sum(bool(record["doubt"]) for record in records.values())

@@ -42,19 +42,21 @@ class Subject:
     model: Mapping[str, Any] | None
 
     def relations(self) -> tuple[Rel, ...]:
-        """What is claimed."""
-        assert self.claim.formula is not None
+        """What is claimed in the formula, if there is one."""
+        if self.claim.formula is None:
+            return ()
         return tuple(map(rel, self.claim.formula.readings[0].relations))
 
     def conditions(self) -> tuple[Rel, ...]:
         """What is printed behind it, or on the other side of an arrow."""
-        assert self.claim.formula is not None
+        if self.claim.formula is None:
+            return ()
         return tuple(map(rel, self.claim.formula.readings[0].conditions))
 
     def connective(self) -> str:
         """`if`, `iff` or `implies`, as the kind of the claim has it."""
-        assert self.claim.formula is not None
-        printed = self.claim.formula.readings[0].connective
+        formula = self.claim.formula
+        printed = "if" if formula is None else formula.readings[0].connective
         return {"equivalence": "iff", "implication": "implies"}.get(self.claim.kind, printed)
 
     def definitions(self) -> dict[str, Definition]:
