@@ -19,10 +19,12 @@ from gainproof.verify.judge.reader.reader import (
 Symbols = Mapping[str, SymbolEntry]
 
 
-def formula_of(fields: Fields, field: str, latex: str, symbols: Symbols) -> Formula:
-    """The formula that `field` holds."""
+def formula_of(
+    fields: Fields, field: str, latex: str, symbols: Symbols, branch: str | None = None
+) -> Formula:
+    """The formula that `field` holds; `branch` says which signs of `\\pm` are meant."""
     try:
-        return read_formula(latex, symbols)
+        return read_formula(latex, symbols, branch)
     except ReaderError as error:
         raise _moved(fields, field, latex, error) from error
 

@@ -13,6 +13,7 @@ from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.claim_vocabulary import CLAIM_KINDS
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.latex import reading_to_latex
+from gainproof.verify.judge.reader.words import BRANCHES
 
 MOST_CLAIMS = 2000
 MOST_GIVEN = 20
@@ -24,6 +25,7 @@ FIELDS = (
     "setting",
     "latex",
     "plain",
+    "branch",
     "text",
     "domain",
     "given",
@@ -140,8 +142,13 @@ def _formula(fields: Fields, kind: str, setting: Setting) -> tuple[str, str | No
     latex, plain = fields.text_or_none("latex"), fields.text_or_none("plain")
     if latex is not None and plain is not None:
         raise fields.fail("plain", "a formula is written either as `latex` or as `plain`")
+    branch = fields.text_or_none("branch")
+    if branch is not None and "\\pm" not in (latex or "") and "\\mp" not in (latex or ""):
+        raise fields.fail("branch", "the formula in `latex` has no \\pm and no \\mp")
+    if branch not in (None, *BRANCHES):
+        raise fields.fail("branch", f"{branch!r} is none of {', '.join(BRANCHES)}")
     if latex is not None:
-        return latex, None, formula_of(fields, "latex", latex, setting.symbols)
+        return latex, None, formula_of(fields, "latex", latex, setting.symbols, branch)
     if plain is not None:
         formula = plain_formula_of(fields, "plain", plain, setting.symbols)
         return reading_to_latex(formula.readings[0]), plain, formula

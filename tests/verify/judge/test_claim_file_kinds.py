@@ -121,6 +121,9 @@ def test_shape() -> None:
         ("steady_state", LATEX + "recursion = 'a = b'\nprevious = 'c'", "previous", "declared"),
         ("determines", "about = ['a', 'b']", "text", "missing"),
         ("identity", LATEX + "plain = 'a = b'", "plain", "either"),
+        ("identity", LATEX + "branch = 'upper'", "branch", "no"),
+        ("identity", "latex = 'a = \\pm b'\nbranch = 'left'", "branch", "none of upper, lower"),
+        ("identity", "latex = 'a = \\pm b'", "latex", "declare branch"),
     ],
 )
 def test_fields_of_kinds_refused(kind: str, fields: str, where: str, problem: str) -> None:
@@ -185,3 +188,11 @@ def test_plain_text_is_read_to_the_same_graphs() -> None:
     assert printed.formula is not None
     assert found.formula.readings == printed.formula.readings
     assert found.latex == "\\frac{a^{2}}{2 - a} = b"
+
+
+def test_a_branch_is_part_of_the_reading() -> None:
+    found = claim("identity", "latex = 'a = \\pm b'\nbranch = 'lower'\n").formula
+    assert found is not None
+    (reading,) = found.readings
+    assert reading.text == "the lower signs"
+    assert reading.relations[0].right["nodes"][-1][0] == "neg"

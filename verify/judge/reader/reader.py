@@ -38,10 +38,15 @@ def read_plain(text: str, symbols: Mapping[str, Declared]) -> Formula:
 def _formula(text: str, vocabulary: Vocabulary, plain: bool) -> Formula:
     tree, names = _parse(text, vocabulary, "formula", plain)
     readings = tuple(
-        read_statements(tree, text, extents, vocabulary, words)
+        read_statements(tree, text, extents, vocabulary, _named(words, vocabulary.branch))
         for extents, words in _choices(tree, text)
     )
     return Formula(text, readings, names)
+
+
+def _named(words: str | None, branch: str | None) -> str | None:
+    """What names a reading: the slashes and bars, and the signs where a branch is meant."""
+    return words if branch is None else "; ".join(filter(None, (words, f"the {branch} signs")))
 
 
 def read_conditions(text: str, symbols: Mapping[str, Declared]) -> tuple[Relation, ...]:
