@@ -6,6 +6,10 @@ import difflib
 from collections.abc import Iterable
 
 MOST_SUGGESTIONS = 3
+SIMILARITY = 0.6
+"""How alike two names must be, from 0 to 1, for one to be suggested in place of the other."""
+LEAST_PART = 3
+"""Characters of a name that is suggested where it is part of a longer one."""
 
 
 class BadInputError(Exception):
@@ -17,8 +21,9 @@ def nearest(name: str, known: Iterable[str]) -> list[str]:
     choices = sorted(set(known))
     folded = {choice.casefold().replace("_", "-"): choice for choice in choices}
     wanted = name.casefold().replace("_", "-")
-    close = difflib.get_close_matches(wanted, list(folded), n=MOST_SUGGESTIONS, cutoff=0.5)
-    inside = [key for key in folded if wanted and wanted in key and key not in close]
+    close = difflib.get_close_matches(wanted, list(folded), n=MOST_SUGGESTIONS, cutoff=SIMILARITY)
+    is_part = len(wanted) >= LEAST_PART
+    inside = [key for key in folded if is_part and wanted in key and key not in close]
     return [folded[key] for key in [*close, *inside][:MOST_SUGGESTIONS]]
 
 

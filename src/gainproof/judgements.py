@@ -40,7 +40,10 @@ def read(file: Path) -> str:
         if len(content) > MOST_BYTES:
             raise BadInputError(f"{places.shown(file)}: more than {MOST_BYTES} bytes")
         return content.decode("utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+    except OSError as error:
+        why = error.strerror or error
+        raise BadInputError(f"{places.shown(file)}: cannot be read: {why}") from None
+    except UnicodeDecodeError as error:
         raise BadInputError(f"{places.shown(file)}: cannot be read: {error}") from None
 
 
@@ -49,6 +52,11 @@ def find(name: str) -> Path:
     own = {path.stem: path for path in places.claim_files()}
     if name in own:
         return own[name]
+    if name.endswith(".tex"):
+        raise BadInputError(
+            f"{name} is LaTeX; a claim file is drafted from it by: "
+            f"gainproof check --draft {name} --out {Path(name).stem}.toml"
+        )
     if Path(name).exists() or name.endswith(".toml") or Path(name).name != name:
         return Path(name)
     raise unknown_name("claim file", name, own)

@@ -170,6 +170,27 @@ def test_files_of_another_kind_have_status_2(
     assert message in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("paper.tex", "gainproof check --draft paper.tex --out paper.toml"),
+        ("none.toml", "none.toml: cannot be read: No such file"),
+        ("q", "no claim file is called 'q'; `gainproof list` shows"),
+    ],
+)
+def test_files_that_are_none(name: str, message: str, capsys: Capture) -> None:
+    assert cli.main(["check", name]) == 2
+    assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("seconds", ["x", "0", "nan", "-1", "1e9"])
+def test_seconds_that_are_none(seconds: str, capsys: Capture) -> None:
+    with pytest.raises(SystemExit) as end:
+        cli.main(["check", "--seconds", seconds])
+    assert end.value.code == 2
+    assert "more than 0 seconds" in capsys.readouterr().err
+
+
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="needs a file without end")
 def test_a_file_without_end_is_refused() -> None:
     assert cli.main(["check", "/dev/zero"]) == 2

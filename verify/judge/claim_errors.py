@@ -61,11 +61,21 @@ class FileText:
 
     def line_in_table(self, key: str, start: int | None) -> int | None:
         """The line of a key in the table of line `start`; None if it has no line of its own."""
-        number = self.line_of_key(key, start) if start is not None and key else None
-        if number is None or start is None:
+        if start is None:
+            return self._line_of_header(key) if key else None
+        number = self.line_of_key(key, start) if key else None
+        if number is None:
             return None
         between = self._lines[start:number]
         return None if any(line.startswith("[") for line in between) else number
+
+    def _line_of_header(self, name: str) -> int | None:
+        """The first line with a key of the file's own table, or a table of this name in it."""
+        for number, line in enumerate(self._lines, start=1):
+            bare = line.lstrip("[ ")
+            if bare.startswith(name) and bare[len(name) :].lstrip()[:1] in ("]", ".", "="):
+                return number
+        return None
 
     def line_of_identifier(self, value: str, start: int = 1) -> int | None:
         """The first line from `start` on that reads `id = "value"`, in either kind of quotes."""

@@ -136,7 +136,17 @@ def _parse(text: str, path: str) -> Mapping[str, Any]:
     except RecursionError:
         raise ClaimFileError(path, "", "tables or lists are nested too deep") from None
     except ValueError as error:
-        raise ClaimFileError(path, "", f"not TOML: {str(error)[:300]}") from error
+        raise _not_toml(path, str(error)[:300]) from error
+
+
+def _not_toml(path: str, problem: str) -> ClaimFileError:
+    """The parser's complaint, its place in front."""
+    what, _, place = problem.rpartition(" (at line ")
+    line, _, column = place.rstrip(")").partition(", column ")
+    hint = "; LaTeX stands in single quotes" if "\\" in problem else ""
+    if not (line.isdigit() and column.isdigit()):
+        return ClaimFileError(path, "", f"not TOML: {problem}{hint}")
+    return ClaimFileError(path, "", f"not TOML: {what}{hint}", int(line), int(column))
 
 
 def _source(text: FileText, table: object) -> SourceRecord:

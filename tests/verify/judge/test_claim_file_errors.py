@@ -134,6 +134,18 @@ def test_named_errors(old: str, new: str, where: str, problem: str) -> None:
     assert problem in error.problem
 
 
+def test_complaints_of_toml_have_their_place() -> None:
+    error = refusal("'\\alpha = a'", '"\\alpha = a"')
+    assert error.line == TEXT.split("\n").index("latex = '\\alpha = a'") + 1
+    assert error.column is not None
+    assert "LaTeX stands in single quotes" in error.problem
+
+
+def test_a_misspelt_table_has_its_line() -> None:
+    error = refusal("[settings.steady]", "[setings.steady]")
+    assert error.line == TEXT.split("\n").index("[settings.steady]") + 1
+
+
 def test_line_of_a_claim() -> None:
     error = refusal(
         'setting = "steady"\nlatex = \'\\alpha \\to', 'setting = "x"\nlatex = \'\\alpha \\to'

@@ -38,7 +38,7 @@ class ReaderError(ValueError):
 
 def nearest_names(token: str, declared: Iterable[str]) -> tuple[str, ...]:
     """Up to three declared names that resemble `token`, best first."""
-    return tuple(difflib.get_close_matches(token[:_MOST_SHOWN], sorted(declared), n=3, cutoff=0.5))
+    return tuple(difflib.get_close_matches(token[:_MOST_SHOWN], sorted(declared), n=3, cutoff=0.6))
 
 
 def _caret(text: str, position: int) -> str:
