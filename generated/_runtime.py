@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     Real: TypeAlias = np.floating[Any] | NDArray[np.floating[Any]]
     Block: TypeAlias = Callable[[Arrays, Arrays, Arrays, bool], None]
 
-SIZE = 32768  # elements of a block: calls cost little beside it, a few buffers stay in the cache
+SIZE = 65536  # elements of a block: calls cost little beside it, a few buffers stay in the cache
 
 
 class Domain(NamedTuple):

@@ -15,7 +15,7 @@ from printed_kernels import DTYPES, PrintedKernel, printed_kernels
 
 KERNELS = printed_kernels()
 EVERY = pytest.mark.parametrize("kernel", KERNELS, ids=lambda kernel: kernel.id)
-BLOCK = 32768  # elements that are computed at a time: sizes round it are tried
+BLOCK = 65536  # elements that are computed at a time: sizes round it are tried
 
 
 def sample(kernel: PrintedKernel, count: int, dtype: Any = np.float64) -> Any:
