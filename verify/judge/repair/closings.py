@@ -5,28 +5,22 @@ and recognised.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from fractions import Fraction
 from typing import Protocol
 
 import flint
 
-from gainproof.verify.judge.exact.expression import Expr, number, power
+from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.poly import Ball, rational
-from gainproof.verify.judge.repair.construct import (
-    ONE,
-    Path,
-    opposite,
-    places,
-    product,
-    quotient,
-    raised,
-    replaced,
-    total,
-)
+from gainproof.verify.judge.repair.construct import Path, places, replaced
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, Table
-from gainproof.verify.judge.repair.numbers import MOST_EXPONENT
+from gainproof.verify.judge.repair.filled import (
+    exponent_filled,
+    number_filled,
+    plus_filled,
+    times_filled,
+)
 from gainproof.verify.judge.repair.printed import Printed
-from gainproof.verify.judge.repair.recognise import common_rational, monomial
+from gainproof.verify.judge.repair.recognise import monomial
 from gainproof.verify.judge.repair.values import Values, combined
 from gainproof.verify.judge.repair.whole import Change, Step
 
@@ -88,83 +82,28 @@ def _holes(node: Expr, above: str) -> Iterator[tuple[Rule, Make, int, str]]:
     of the whole product.
     """
     if node.kind == "number":
-        yield lambda _, h: h, _number, PLAIN, "a number"
+        yield lambda _, h: h, number_filled, PLAIN, "a number"
         return
     if node.kind == "pow":
         yield (
             lambda x, h: (h * x.log() / rational(node.fraction)).exp(),
-            lambda found, *_: _exponent(node, found),
+            lambda found, *_: exponent_filled(node, found),
             PLAIN,
             "an exponent",
         )
     if above not in ("mul", "div", "neg"):
         yield (
             lambda x, h: h * x,
-            lambda found, names, at: _times(node, monomial(found, names, at)),
+            lambda found, names, at: times_filled(node, monomial(found, names, at)),
             LARGE,
             "a factor",
         )
     yield (
         lambda x, h: h + x,
-        lambda found, names, at: _plus(node, monomial(found, names, at)),
+        lambda found, names, at: plus_filled(node, monomial(found, names, at)),
         LARGE,
         "a missing term",
     )
-
-
-def _number(found: Sequence[Ball], *_: object) -> Expr | None:
-    value = common_rational(found)
-    if value is None:
-        return None
-    size = quotient(number(abs(value.numerator)), number(value.denominator))
-    return size if value >= 0 else opposite(size)
-
-
-def _exponent(node: Expr, found: Sequence[Ball]) -> Expr | None:
-    value = common_rational(found)
-    if value is None or max(abs(value), Fraction(value.denominator)) > MOST_EXPONENT:
-        return None
-    return raised(node.parts[0], value) if value else power(node.parts[0], 0)
-
-
-def _times(node: Expr, factor: Expr | None) -> Expr | None:
-    """The node times a factor, its numbers multiplied out."""
-    if factor is None:
-        return None
-    if factor.kind == "neg":
-        inner = _times(node, factor.parts[0])
-        return None if inner is None else opposite(inner)
-    above, below = factor.parts if factor.kind == "div" else (factor, ONE)
-    top, bottom = node.parts if node.kind == "div" else (node, ONE)
-    (a, tops), (b, bottoms) = _gathered(above, top), _gathered(below, bottom)
-    size = a / b
-    return quotient(
-        product(number(size.numerator), *tops), product(number(size.denominator), *bottoms)
-    )
-
-
-def _gathered(*factors: Expr) -> tuple[Fraction, list[Expr]]:
-    """The numbers among the factors multiplied, and the others."""
-    flat = product(*factors)
-    parts = flat.parts if flat.kind == "mul" else (flat,)
-    value = Fraction(1)
-    for part in parts:
-        value *= part.fraction if part.kind == "number" else 1
-    return value, _powers([part for part in parts if part.kind != "number"])
-
-
-def _powers(factors: Sequence[Expr]) -> list[Expr]:
-    """Equal bases once, their whole exponents added."""
-    found: dict[Expr, Fraction] = {}
-    for factor in factors:
-        is_power = factor.kind == "pow" and factor.fraction.denominator == 1
-        base, exponent = (factor.parts[0], factor.fraction) if is_power else (factor, Fraction(1))
-        found[base] = found.get(base, Fraction(0)) + exponent
-    return [raised(base, exponent) for base, exponent in found.items()]
-
-
-def _plus(node: Expr, term: Expr | None) -> Expr | None:
-    return None if term is None else total(node, term)
 
 
 def _solved(context: Context, side: int, path: Path, rule: Rule) -> list[Ball] | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim_record import Claim, Setting, SymbolEntry
@@ -12,7 +12,17 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
 from gainproof.verify.judge.repair.printed import Printed
+from gainproof.verify.judge.repair.whole import Change
 from gainproof.verify.judge.setting.environment import Environment
+
+
+@dataclass(frozen=True)
+class Offer:
+    """A proved formula near a claim."""
+
+    formula: Formula
+    change: Change
+    environment: str
 
 
 def reread(formula: Printed, symbols: Mapping[str, SymbolEntry]) -> Formula | None:

@@ -12,14 +12,14 @@ from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.dimension import reading_fault
 from gainproof.verify.judge.exact.expression import symbols_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.formula import Formula, Reading
+from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.closings import closings
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
-from gainproof.verify.judge.repair.proof import is_proved, reread, with_formula
+from gainproof.verify.judge.repair.proof import Offer, is_proved, reread, with_formula
 from gainproof.verify.judge.repair.rank import parts_of_claims, rank
 from gainproof.verify.judge.repair.rounded import rounded
 from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
@@ -41,15 +41,6 @@ MOST_OFFERED = 4
 STAGES = (0, 1, 2)
 BY_VALUES = frozenset(("identity", "inequality", "recursion"))
 """Kinds of claims that are what their relations say at each point of the domain."""
-
-
-@dataclass(frozen=True)
-class Offer:
-    """A proved formula near a claim."""
-
-    formula: Formula
-    change: Change
-    environment: str
 
 
 @dataclass
@@ -83,6 +74,11 @@ class Search:
         plain = all(link.operator in COMPARED for link in self.formula.links)
         return plain and self.claim.kind in BY_VALUES and self.formula.connective == "if"
 
+    @property
+    def is_equation(self) -> bool:
+        """Whether the claim is made of equations that values can decide."""
+        return self.by_values and all(link.operator == "=" for link in self.formula.links)
+
     def _prepare(self) -> None:
         names = set().union(*[symbols_of(side) for side in self.formula.sides])
         for name in names | set(self.table.symbols):
@@ -110,12 +106,15 @@ class Search:
         if sum(len(side.parts) + 1 for side in self.formula.sides) > MOST_NODES:
             return []
         if stage == 0 and self.claim.kind == "value":
+            # within the digits shown, other edits come out right by chance
             slight = changes(self.formula, self.table, self.numbers, SLIGHT)
-            return self._first([*slight, *rounded(self.claim, self.formula, self._judged)])
+            turned = [c for c in slight if all(s.what.startswith("sign of") for s in c.steps)]
+            return self._first([*turned, *rounded(self.claim, self.formula, self._judged)])
         if stage == 0:
-            most = LARGE if self.by_values else PLAIN
+            # a bound with something put in is true of many formulas
+            most = LARGE if self.is_equation else PLAIN
             return self._first(changes(self.formula, self.table, self.numbers, most))
-        if not self.by_values:
+        if not self.is_equation:
             return []
         return self._first(closings(self) if stage == 1 else two_changes(self))
 

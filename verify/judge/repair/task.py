@@ -11,7 +11,8 @@ from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.repair.edit import PLAIN
-from gainproof.verify.judge.repair.search import STAGES, Offer, Search
+from gainproof.verify.judge.repair.proof import Offer
+from gainproof.verify.judge.repair.search import STAGES, Search
 from gainproof.verify.judge.repair.true_value import true_value
 from gainproof.verify.judge.repair.words import in_words
 from gainproof.verify.judge.scope import UndefinedSymbol
