@@ -7,6 +7,7 @@ import os
 import signal
 from dataclasses import dataclass, replace
 
+import gainproof.verify.judge.process_limits as process_limits
 import gainproof.verify.judge.worker as worker
 from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.statement import Enclosure, Witness
@@ -37,7 +38,9 @@ class Odd:
             case "fail":
                 raise KeyError("oh")
             case "fill":
-                return Trial(self.claim, {}, (), False, 0.0, str(len("x" * (worker.MEMORY + 1))))
+                return Trial(
+                    self.claim, {}, (), False, 0.0, str(len("x" * (process_limits.MEMORY + 1)))
+                )
             case "talk":
                 long = {"": Finding("proved", "x" * (17 << 20))}
                 return Trial(self.claim, long, (), False, 0.0)

@@ -2,16 +2,14 @@
 
 Signals do not interrupt the arithmetic library, so a time limit needs a process of its own. A child
 keeps the environments it solved and takes claim after claim; after a kill a new one is started.
-Its memory is limited where the system can do that (`LIMITED`), its processor time as well, so that
-a child whose parent was killed ends too. What comes back is JSON text of limited size.
+Its memory and its processor time are limited where the system can do that (`process_limits`), so
+that a child whose parent was killed ends too. What comes back is JSON text of limited size.
 Works with every start method, `spawn` included.
 """
 
 from __future__ import annotations
 
-import math
 import multiprocessing
-import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -20,14 +18,11 @@ from multiprocessing.context import SpawnProcess
 from typing import Any
 
 from gainproof.verify.judge.answer import MOST_BYTES, BadAnswer, answer_bytes, read_answer
+from gainproof.verify.judge.process_limits import limit_memory, limit_time
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.task import Models, Task
 from gainproof.verify.judge.trial import Trial
 
-MEMORY = 4 << 30
-"""Bytes of address space that a child may take."""
-LIMITED = sys.platform.startswith(("linux", "freebsd"))
-"""Whether memory is limited; other systems have no such limit, or accept it and do not keep it."""
 START = 60.0
 """Seconds in which a child must be ready; those of a claim are counted from then on."""
 _READY = b"ready"
@@ -182,7 +177,7 @@ def _stop(child: _Child) -> None:
 
 def _serve(pipe: Connection, models: Models, seconds: float) -> None:
     """The child: a task in, a trial out, until the pipe closes."""
-    _limit_memory()
+    limit_memory()
     solved: dict[Any, Environment] = {}
     pipe.send_bytes(_READY)
     while True:
@@ -190,35 +185,10 @@ def _serve(pipe: Connection, models: Models, seconds: float) -> None:
             task: Task = pipe.recv()
         except (EOFError, OSError):
             return
-        _limit_time(seconds)
+        limit_time(seconds)
         try:
             answer = answer_bytes(task.run(models, solved))
         except Exception as error:  # noqa: BLE001 - whatever it is costs this claim, no other
             reason = f"the judge stopped: {type(error).__name__}: {str(error)[:200]}"
             answer = answer_bytes(Trial(task.claim, {}, (), False, 0.0, reason))
         pipe.send_bytes(answer)
-
-
-def _limit_memory() -> None:
-    if LIMITED:
-        import resource
-
-        _limit(resource.RLIMIT_AS, MEMORY)
-
-
-def _limit_time(seconds: float) -> None:
-    """Processor time for the next claim; the parent's clock runs out before, if there is one."""
-    if LIMITED:
-        import resource
-
-        _limit(resource.RLIMIT_CPU, math.ceil(time.process_time() + max(0.0, seconds)) + 2)
-
-
-def _limit(what: int, most: int) -> None:
-    """The limit, or the lower one that the process was started with."""
-    import resource
-
-    _, highest = resource.getrlimit(what)
-    if highest != resource.RLIM_INFINITY:
-        most = min(most, highest)
-    resource.setrlimit(what, (most, highest))

@@ -58,6 +58,7 @@ def run(options: argparse.Namespace) -> int:
     from gainproof.claim_words import claim_words
     from gainproof.workshop import open_workshop
 
+    _say_what_is_not_limited()
     sheet = errata.target(options.errata) if options.errata else None
     files = [judgements.find(options.file)] if options.file else list(places.claim_files())
     shop = open_workshop(fresh=options.fresh, only_terminal=True)
@@ -69,6 +70,15 @@ def run(options: argparse.Namespace) -> int:
     if sheet is not None and not options.json:
         print(f"\nerrata: {places.shown(sheet)}")
     return 1 if any(verdicts.unsettled(judgement) for judgement in judged) else 0
+
+
+def _say_what_is_not_limited() -> None:
+    import sys
+
+    from gainproof.verify.judge.process_limits import LIMITED, UNLIMITED_NOTE
+
+    if not LIMITED:
+        print(f"gainproof: {UNLIMITED_NOTE}", file=sys.stderr)
 
 
 def _begun(options: argparse.Namespace) -> str:

@@ -13,7 +13,8 @@ from pathlib import Path
 import pytest
 from odd_task import CLAIM, WITNESS, judge_and_hang, odd
 
-import gainproof.verify.judge.worker as worker
+import gainproof.verify.judge.process_limits as process_limits
+from gainproof.cli import main
 from gainproof.verify.judge.answer import BadAnswer, answer_bytes, read_answer
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import Finding
@@ -64,7 +65,9 @@ def test_children_stay_for_the_next_tasks_and_are_replaced_when_they_end() -> No
     assert not multiprocessing.active_children()
 
 
-@pytest.mark.skipif(not worker.LIMITED, reason="this system cannot limit the memory of a process")
+@pytest.mark.skipif(
+    not process_limits.LIMITED, reason="this system cannot limit the memory of a process"
+)
 def test_memory_is_limited() -> None:
     found = tried_apart(odd("fill", "good"), [], 30.0)
     assert "MemoryError" in str(found["0 fill"].failure)
@@ -88,7 +91,7 @@ def test_no_process_is_left_behind_by_an_interrupt() -> None:
     assert not multiprocessing.active_children()
 
 
-@pytest.mark.skipif(not worker.LIMITED, reason="this system cannot limit processor time")
+@pytest.mark.skipif(not process_limits.LIMITED, reason="this system cannot limit processor time")
 def test_a_child_whose_parent_was_killed_ends() -> None:
     context = multiprocessing.get_context("spawn")
     parent = context.Process(target=judge_and_hang)
@@ -154,3 +157,13 @@ def test_an_answer_is_read_as_it_was_said() -> None:
 def test_what_is_no_answer(data: bytes) -> None:
     with pytest.raises(BadAnswer):
         read_answer(data, CLAIM)
+
+
+@pytest.mark.skipif(not process_limits.LIMITED, reason="this system limits nothing")
+def test_a_system_that_cannot_limit_memory_is_named(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.setattr(process_limits, "LIMITED", False)
+    monkeypatch.setenv("GAINPROOF_CACHE", str(tmp_path))
+    assert main(["check", "no-such-file.toml"]) == 2
+    assert process_limits.UNLIMITED_NOTE in capsys.readouterr().err
