@@ -23,7 +23,11 @@ TRUE, FALSE = "proved", "refuted"
 def other_conventions(setting: Setting) -> list[Setting]:
     """The setting with one of its stated conventions opened, in every way that reaches a symbol."""
     stated = [n for n in VALUES if getattr(setting, n) != "search" and reaches(n, setting)]
-    opened: list[dict[str, Any]] = [{name: "search"} for name in stated]
+    # in units of the measurement noise any power of it would do: that is no explanation
+    turned = {"deviation": "variance"}.get(setting.noise, "deviation")
+    opened: list[dict[str, Any]] = [
+        {name: turned if name == "noise" else "search"} for name in stated
+    ]
     if setting.kind == "steady_state" and setting.model not in (None, "search"):
         opened.append({"model": "search"})
     return [replace(setting, **fields) for fields in opened]

@@ -166,3 +166,12 @@ def test_another_family_than_the_one_stated() -> None:
     )
     assert verdict.verdict == "conditional"
     assert verdict.convention == "process noise random-acceleration"
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"), [("P = K s", "conditional"), ("P = K s^7", "refuted")]
+)
+def test_dimensions_are_not_explained_away(latex: str, expected: str) -> None:
+    fields = "gain = 'filter'\ncovariance = 'updated'"
+    (verdict,) = judged(STEADY.format("random-velocity", fields), ("identity", latex))
+    assert verdict.verdict == expected
