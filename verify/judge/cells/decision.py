@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
 from gainproof.verify.judge.cells.certificate import cells_certificate
 from gainproof.verify.judge.cells.domain_text import domain_text
+from gainproof.verify.judge.cells.integers import runs_of
 from gainproof.verify.judge.cells.piece import Part, Piece, all_pieces
 from gainproof.verify.judge.cells.pieces import exact_part, parts
 from gainproof.verify.judge.cells.task import Budget, Task
@@ -16,7 +18,7 @@ from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
 from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
 from gainproof.verify.judge.exact.points import failure_at
-from gainproof.verify.judge.exact.statement import Outcome, Statement, unstated
+from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness, unstated
 from gainproof.verify.judge.exact.truth import SKIPPED, TRUE
 
 METHOD = "truth on the open cells of several parameters"
@@ -43,28 +45,52 @@ def decide_in_cells(
     found = list(parts(task, budget, stated))
     outcome = _outcome(task, found, budget, stated, labels)
     if outcome.verdict != "proved" and any(box.integer for box in original.values()):
-        outcome = _for_integers(task, outcome, original, labels)
+        outcome = _for_integers(task, outcome, original, labels, limits)
     certificate = cells_certificate(statement, original, found, labels)
     return replace(outcome, certificate=certificate)
 
 
 def _for_integers(
-    task: Task, outcome: Outcome, boxes: Mapping[str, Box], labels: Mapping[str, str]
+    task: Task,
+    outcome: Outcome,
+    boxes: Mapping[str, Box],
+    labels: Mapping[str, str],
+    limits: Limits,
 ) -> Outcome:
-    """A statement that is false for real numbers needs a witness with integers where these are
-    wanted. Raises Undecided if none is found.
+    """What a statement that is false for real numbers is for integers: refuted by a simple point
+    or at an integer, or proved on real intervals that hold all integers. Raises Undecided.
     """
-    whole = [name for name, box in boxes.items() if box.integer]
+    whole = [name for name in task.names if boxes[name].integer]
     for tried, point in enumerate(simple_points(task), start=1):
-        if all(point[name].denominator == 1 for name in whole if name in point):
+        if all(point[name].denominator == 1 for name in whole):
             witness = failure_at(task.statement, point, labels)
             if witness is not None:
-                reason = f"fails {witness.text()}"
-                if outcome.verdict == "conditional":
-                    reason += f"; holds at least {outcome.domain}"
-                return replace(outcome, witness=witness, reason=reason, reach=tried)
+                return _failing(outcome, witness, tried)
+    for name in whole:
+        runs = runs_of(task, name, boxes, limits)
+        found = [
+            decide_in_cells(task.statement, {**boxes, name: box}, labels, limits)
+            for box in runs.intervals
+        ]
+        if found and all(f.verdict == "proved" for f in found):
+            domain = ", ".join(box.text(labels.get(n, n)) for n, box in sorted(boxes.items()))
+            reason = "holds for all integers, though not for all real numbers between them"
+            return Outcome("proved", f"for {domain}", reason, found[0].method)
+        ends = [end for box in runs.intervals for end in (box.lower, box.upper) if end is not None]
+        for value in ends if runs.failing is None else [Fraction(runs.failing)]:
+            point_box = Box(value, value, lower_open=False, upper_open=False)
+            there = decide_in_cells(task.statement, {**boxes, name: point_box}, labels, limits)
+            if there.witness is not None:
+                return _failing(outcome, there.witness, 1)
     names = ", ".join(labels.get(name, name) for name in whole)
     raise Undecided(f"false for real numbers; whether for integers {names} was not decided")
+
+
+def _failing(outcome: Outcome, witness: Witness, tried: int) -> Outcome:
+    reason = f"fails {witness.text()}"
+    if outcome.verdict == "conditional":
+        reason += f"; holds at least {outcome.domain}"
+    return replace(outcome, witness=witness, reason=reason, reach=tried)
 
 
 def _task(statement: Statement, boxes: Mapping[str, Box]) -> Task:

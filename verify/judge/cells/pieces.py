@@ -95,17 +95,16 @@ def _open_cells(question: CellQuestion, budget: Budget, stated: frozenset[str]) 
     pieces = []
     for cell in found:
         budget.check_time()
-        pieces.append(_piece(question, task, cell, len(boxes), stated))
+        pieces.append(piece_of_cell(question, task, cell, stated))
     return Part(task, tuple(pieces), question, tuple(cuts), projection)
 
 
-def _piece(
-    question: Question, task: Task, cell: Cell, dimension: int, stated: frozenset[str]
-) -> Piece:
+def piece_of_cell(question: Question, task: Task, cell: Cell, stated: frozenset[str]) -> Piece:
+    """The truth on one open cell. Raises Undecided."""
     local = Local(question.tower, cell)
     found, failing = truth(question, local)
     counted = found != SKIPPED and (found != NO_VALUE or is_stated(task, failing, local, stated))
-    return Piece(task, cell, dimension, found, failing, local, counted)
+    return Piece(task, cell, len(cell.sides), found, failing, local, counted)
 
 
 def exact_part(task: Task, budget: Budget, stated: frozenset[str]) -> Part:

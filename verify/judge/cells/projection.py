@@ -35,14 +35,18 @@ class Projection:
     dropped: tuple[Poly, ...]
 
 
-def projected(factors: Sequence[Poly], boxes: Sequence[Box], limits: Limits) -> Projection:
-    """All levels for irreducible factors. Raises Undecided where polynomials grow too large."""
+def projected(
+    factors: Sequence[Poly], boxes: Sequence[Box], limits: Limits, base: int | None = None
+) -> Projection:
+    """All levels for irreducible factors; `base` is the variable that gets its value first, if that
+    matters. Raises Undecided where polynomials grow too large.
+    """
     left = set(range(len(boxes)))
     dropped: dict[str, Poly] = {}
     kept = _without_constant_sign(factors, boxes, dropped)
     levels: list[Level] = []
     while left:
-        index = _next_variable(kept, left)
+        index = _next_variable(kept, left - {base} or left)
         left.discard(index)
         here = [p for p in kept if degree(p, index) > 0]
         levels.append(Level(index, tuple(here)))

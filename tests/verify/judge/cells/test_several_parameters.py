@@ -151,15 +151,6 @@ def test_curves_of_degree_three_are_followed() -> None:
     assert decide_in_cells(nearer, positive).verdict == "conditional"
 
 
-def test_integers_are_asked_only_where_real_numbers_fail() -> None:
-    whole = Box(lower=Fraction(1), lower_open=False, integer=True)
-    product = (x - 1) * (x - 2) * y
-    assert judged("<=", x + y, 2 * x * y, whole).verdict == "proved"
-    assert judged("<", x + y, x * y, whole).witness is not None
-    with pytest.raises(Undecided, match="for integers"):
-        judged(">=", product, 0, whole)
-
-
 def test_limits_are_named() -> None:
     many = Statement((Rel("<=", 2 * x * y, square(x) + square(y) + z + w),))
     with pytest.raises(Undecided, match="more than 3 parameters"):
