@@ -8,13 +8,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof.verify.judge.claim_record import OwnModel, Setting
+from gainproof.verify.judge.claim_record import Setting
 from gainproof.verify.judge.convention_effect import choices, with_conventions, with_units
 from gainproof.verify.judge.definition_reading import with_one_reading
-from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished, algebra
+from gainproof.verify.judge.setting.own_model import own_environment
 from gainproof.verify.judge.setting.quantities import memory, steady_state
 
 Model = Mapping[str, Any]
@@ -83,6 +82,8 @@ def _bases(
             if key not in solved:
                 solved[key] = memory(setting.degree if setting.degree is not None else -1)
             yield solved[key]
+        case "steady_state" if setting.own_model is not None:
+            yield _own(setting, solved)
         case "steady_state":
             for model in _models(setting, models):
                 yield _steady(model, solved)
@@ -91,13 +92,20 @@ def _bases(
 
 
 def _models(setting: Setting, models: Sequence[Model]) -> Iterator[Model]:
-    if setting.own_model is not None:
-        yield own_model(setting.name, setting.own_model)
-        return
     found = [m for m in models if setting.model in ("search", m.get("name"))]
     if not found:
         raise Undecided(f"the model {setting.model!r} is not known")
     yield from found
+
+
+def _own(setting: Setting, solved: dict[Any, Environment]) -> Environment | Unusable:
+    key = ("own", repr(setting))
+    try:
+        if key not in solved:
+            solved[key] = own_environment(setting)
+    except (Undecided, Malformed, NotEstablished) as reason:
+        return Unusable(setting.name, str(reason))
+    return solved[key]
 
 
 def _steady(model: Model, solved: dict[Any, Environment]) -> Environment | Unusable:
@@ -108,28 +116,3 @@ def _steady(model: Model, solved: dict[Any, Environment]) -> Environment | Unusa
     except (Undecided, Malformed, NotEstablished) as reason:
         return Unusable(str(model.get("name", "model")), str(reason))
     return solved[key]
-
-
-def own_model(name: str, model: OwnModel) -> Model:
-    """A source's own model as model data; its entries must be numbers in units T = 1, noise
-    variance 1.
-    """
-
-    def rows(matrix: tuple[tuple[Any, ...], ...]) -> list[list[str]]:
-        made = []
-        for row in matrix:
-            values = [constant_value(read_graph(entry)) for entry in row]
-            if any(v is None for v in values):
-                raise Undecided(
-                    "a model of the source's own with symbols in its matrices is not covered"
-                )
-            made.append([str(v) for v in values])
-        return made
-
-    return {
-        "name": name,
-        "transition": rows(model.transition),
-        "process_noise": rows(model.process_noise),
-        "measurement": rows(model.measurement),
-        "measurement_noise": rows(model.measurement_noise),
-    }

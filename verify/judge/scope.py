@@ -10,7 +10,8 @@ from gainproof.verify.judge.formula import Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.domains import domains
 from gainproof.verify.judge.meaning.evaluation import number_of
-from gainproof.verify.judge.meaning.table import Table, UndefinedSymbol
+from gainproof.verify.judge.meaning.symbols import UndefinedSymbol
+from gainproof.verify.judge.meaning.table import Table
 from gainproof.verify.judge.meaning.value import Value, entries, shape, shape_text, zeros_like
 
 MOST_NODES = 5_000

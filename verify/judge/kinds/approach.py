@@ -18,6 +18,7 @@ from gainproof.verify.judge.kinds.framing import Frame
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import leading
+from gainproof.verify.judge.setting.environment import INDEX
 
 SMALL = "distance to the limit"
 End = Expr | str
@@ -92,6 +93,14 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
     A variable that is an expression of one base variable must be strictly monotone in it; then it
     goes to the point as the base variable goes to one of its ends. Raises Undecided.
     """
+    environment = frame.environment
+    if variable.kind == "symbol" and environment.moves_with(variable.name):
+        raise Undecided("a limit in a symbol with which the tracking index changes")
+    if environment.intensity and variable == environment.assigned[environment.intensity]:
+        if point != "infinity" and point != number(0):
+            raise Undecided("a limit in the intensity of the noise other than zero and infinity")
+        # the source's other symbols stay, so the index alone goes
+        variable = environment.quantities[INDEX]
     if variable.kind == "symbol":
         name = variable.name
         if not isinstance(point, str) and name in symbols_of(point):

@@ -65,7 +65,7 @@ def judge_reading(claim: Claim, reading: Reading | None, scope: Scope) -> Findin
         for token, value in scope.used.items()
         if isinstance(value, Expr)
         and value.kind != "symbol"
-        and scope.setting.symbols[token].role == "quantity"
+        and (scope.setting.symbols[token].role == "quantity" or token in scope.environment.assigned)
     }
     if meanings and finding.certificate:
         graphs = {token: graph_of(expr) for token, expr in meanings.items()}

@@ -18,7 +18,7 @@ from gainproof.verify.judge.freed.deciding import decided
 from gainproof.verify.judge.hypothesis import without_equations
 from gainproof.verify.judge.meaning.domains import refuse_fractions
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.setting.environment import SAMPLE
+from gainproof.verify.judge.setting.environment import SAMPLE, Environment
 
 PLAIN = ("=", "!=", "<", "<=", ">", ">=")
 
@@ -31,6 +31,7 @@ class Frame:
     conditions: tuple[Rel, ...]
     parameter: str | None
     labels: Mapping[str, str]
+    environment: Environment
 
     def decide(self, statement: Statement) -> Outcome:
         """The statement under the conditions of the frame. Raises Undecided."""
@@ -86,8 +87,17 @@ def framed(
         boxes[SAMPLE] = replace(boxes[SAMPLE], lower=max(lower or Fraction(0), Fraction(1)))
     boxes, rest = bounded({**boxes, **scope.bound_domains}, stated)
     refuse_fractions(scope.whole, boxes)
-    frame = Frame(boxes, rest, scope.environment.parameter, scope.labels())
+    environment = scope.environment
+    frame = Frame(boxes, rest, environment.parameter, scope.labels(), environment)
+    if scope.environment.assigned:
+        frame = _without_implied(frame)
     return _with_required(frame, scope.required)
+
+
+def _without_implied(frame: Frame) -> Frame:
+    """Without the conditions that a model of the source's own makes true everywhere."""
+    bare = replace(frame, conditions=())
+    return replace(frame, conditions=tuple(c for c in frame.conditions if not bare.holds(c)))
 
 
 def _with_required(frame: Frame, required: Iterable[Rel]) -> Frame:

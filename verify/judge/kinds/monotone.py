@@ -37,6 +37,8 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     frame = framed(claim, scope, stated)
     names = symbols_of(variable)
     _refuse_gaps(frame, names)
+    if claim.about[1] == scope.environment.intensity:
+        names = {scope.environment.parameter or ""}
     if variable.kind != "symbol" and not _one_way(variable, names, frame):
         raise Undecided(f"{claim.about[1]} is not strictly monotone itself")
     # defined everywhere, hence continuous; where it has corners its slope is not asked for

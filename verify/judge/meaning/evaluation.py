@@ -43,6 +43,9 @@ class Names(Protocol):
     def is_declared(self, token: str) -> bool:
         """Whether the table of symbols has it."""
 
+    def is_shared(self, name: str) -> bool:
+        """Whether quantities change with a base variable in a way that their formulas hide."""
+
     def function(self, name: str, arguments: Sequence[Value], bindings: Bindings) -> Value:
         """The value of a declared function."""
 
@@ -127,7 +130,7 @@ def _power(base: Value, node: Expr) -> Value:
 
 def _at(value: Value, token: str, place: Value, names: Names, bindings: Bindings) -> Value:
     target = names.symbol(token, bindings)
-    if not isinstance(target, Expr) or target.kind != "symbol":
+    if not isinstance(target, Expr) or target.kind != "symbol" or names.is_shared(target.name):
         raise Undecided(f"substitution for {token}, which is no free symbol")
     put_in = {target.name: number_of(place)}
     return mapped(value, lambda entry: substituted(entry, put_in))

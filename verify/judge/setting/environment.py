@@ -39,7 +39,8 @@ class Environment:
 
     `missing` says why a quantity that has a name is not determined by the setting. `continued` are
     rational functions equal to quantities wherever these have a value, and defined where their
-    formula still is. `assigned` are free symbols of the source that the setting's model fixes.
+    formula still is. `assigned` are free symbols of the source that the setting's model fixes, and
+    `intensity` is the one among them that changes with the parameter while all others stay.
     """
 
     name: str
@@ -50,6 +51,13 @@ class Environment:
     missing: Mapping[str, str] = field(default_factory=dict)
     continued: Mapping[str, Expr] = field(default_factory=dict)
     assigned: Mapping[str, Expr] = field(default_factory=dict)
+    intensity: str | None = None
+
+    def moves_with(self, name: str) -> bool:
+        """Whether quantities hide a base variable: with the source's other symbols kept, the
+        parameter changes too when that variable does.
+        """
+        return bool(self.assigned) and name in self.boxes and name != self.parameter
 
 
 def algebra() -> Environment:

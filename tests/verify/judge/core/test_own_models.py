@@ -1,0 +1,93 @@
+"""Models of a source's own, with symbols in their matrices."""
+
+from __future__ import annotations
+
+import pytest
+from small_claims import check, judged
+
+MODEL = """kind = 'steady_state'
+transition = {0}
+process_noise = {1}
+measurement = {2}
+measurement_noise = [['{3}']]
+"""
+WHITE = MODEL.format(
+    "[['1', 'T'], ['0', '1']]",
+    r"[['\frac{q T^3}{3}', '\frac{q T^2}{2}'], ['\frac{q T^2}{2}', 'q T']]",
+    "[['1', '0']]",
+    "r",
+)
+KNOWN = {
+    "T": "{ quantity = 'sampling_interval', meaning = 'interval' }",
+    "q": "{ unit = 'm^2 s^-3', domain = 'q > 0', meaning = 'density' }",
+    "r": "{ unit = 'm^2', domain = 'r > 0', meaning = 'variance' }",
+    r"\alpha": "{ quantity = 'filter_gain.1', meaning = 'gain' }",
+    r"\beta": "{ quantity = 'filter_gain.2', meaning = 'gain' }",
+    "P": "{ quantity = 'predicted_covariance.1.1', meaning = 'variance' }",
+    "S": "{ quantity = 'innovation_variance', meaning = 'variance' }",
+}
+ONE = {
+    "q": "{ unit = 'm^2', domain = 'q > 0', meaning = 'variance of the steps' }",
+    "r": KNOWN["r"],
+    "w": "{ unit = 'm', domain = 'w > 0', meaning = 'deviation of the steps' }",
+    "v": "{ unit = 'm', domain = 'v > 0', meaning = 'deviation' }",
+    "K": "{ quantity = 'filter_gain.1', meaning = 'gain' }",
+    "P": KNOWN["P"],
+}
+
+
+def walk(noise: str, measured: str, transition: str = "1") -> str:
+    return MODEL.format(f"[['{transition}']]", f"[['{noise}']]", "[['1']]", measured)
+
+
+@pytest.mark.parametrize(
+    ("kind", "fields", "wanted"),
+    [
+        ("identity", r"\frac{\beta^2}{1 - \alpha} = \frac{q T^3}{r}", "proved"),
+        ("identity", r"\frac{\beta^2}{1 - \alpha} = \frac{q T^2}{r} T \alpha", "refuted"),
+        ("identity", "S = P + r", "proved"),
+        ("inequality", r"\alpha < 1", "proved"),
+        ("limit", r"\lim_{q \to 0} \alpha = 0", "proved"),
+        ("limit", r"\lim_{q \to \infty} \alpha = \frac{1}{2}", "refuted"),
+        ("monotone", "about = ['\\alpha', 'q']\ntrend = 'increasing'\ntext = 't'", "proved"),
+        ("monotone", "about = ['\\alpha', 'q']\ntrend = 'decreasing'\ntext = 't'", "refuted"),
+        # the index changes with T and r too, while the gains are formulas of the index alone
+        ("identity", r"\frac{\partial \alpha}{\partial T} = 0", "undecided"),
+        ("identity", r"\frac{\partial \alpha}{\partial r} = 0", "undecided"),
+        ("limit", r"\lim_{T \to 0} \alpha = \alpha", "undecided"),
+    ],
+)
+def test_white_acceleration(kind: str, fields: str, wanted: str) -> None:
+    check(judged(kind, fields, KNOWN, WHITE), wanted)
+
+
+@pytest.mark.parametrize(
+    ("noise", "measured", "latex", "wanted"),
+    [
+        ("q", "r", r"P = \frac{q + \sqrt{q^2 + 4 q r}}{2}", "proved"),
+        ("q", "r", r"P = \frac{-q + \sqrt{q^2 + 4 q r}}{2}", "refuted"),
+        ("q", "r", r"K = \frac{P}{P + r}", "proved"),
+        ("w^2", "v^2", r"K = \frac{w^2}{2 v^2} (\sqrt{1 + \frac{4 v^2}{w^2}} - 1)", "proved"),
+        ("w^2", "v^2", r"K = \frac{w}{v + w}", "refuted"),
+        ("1", "r", "K = 1", "undecided"),
+    ],
+)  # fmt: skip
+def test_random_walk(noise: str, measured: str, latex: str, wanted: str) -> None:
+    check(judged("identity", latex, ONE, walk(noise, measured)), wanted)
+
+
+def test_matrices_that_do_not_scale_are_named() -> None:
+    found = judged("identity", "K = 1", ONE, walk("q", "r", "v"))
+    check(found, "undecided")
+    assert "transition of the model" in found.reason
+
+
+def test_states_are_moved_by_the_model_itself() -> None:
+    symbols = {
+        "z": "{ quantity = 'measurement', meaning = 'measured' }",
+        "x": "{ quantity = 'previous_state.1', meaning = 'state before' }",
+        "p": "{ quantity = 'predicted_state.1', meaning = 'predicted' }",
+    }
+    setting = walk("1", "1", r"\frac{1}{2}")
+    check(judged("identity", r"p = \frac{x}{2}", symbols, setting), "proved")
+    check(judged("identity", "p = x", symbols, setting), "refuted")

@@ -1,0 +1,136 @@
+"""What the symbols of a setting stand for in one environment."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from gainproof.verify.judge.claim_record import Setting, SymbolEntry
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.expression import Expr, symbol
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.formula import Formula, Graph, Relation
+from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.domains import entry_names, free_name
+from gainproof.verify.judge.meaning.reach import Reach
+from gainproof.verify.judge.meaning.value import (
+    Value,
+    matrix,
+    shape,
+    shape_text,
+)
+from gainproof.verify.judge.setting.environment import Environment
+
+
+class UndefinedSymbol(Exception):
+    """The formula uses a symbol that the source never defines."""
+
+    def __init__(self, token: str) -> None:
+        super().__init__(f"{token} is never defined by the source")
+        self.token = token
+
+
+@dataclass
+class Symbols(ABC):
+    """The symbols of a setting in one environment. `choice` says which reading of each definition
+    is taken.
+
+    `needed` collects what was differentiated: a derivative has a value only where its function has
+    one. `required` collects what sums and integrals rest on: bounds in order, convergence; `whole`
+    what must be a whole number.
+    `bound_domains` are the domains of bound names that occur in these.
+    """
+
+    setting: Setting
+    environment: Environment
+    choice: Mapping[str, int] = field(default_factory=dict)
+    needed: list[Expr] = field(default_factory=list)
+    required: list[Rel] = field(default_factory=list)
+    whole: list[Expr] = field(default_factory=list)
+    bound_domains: dict[str, Box] = field(default_factory=dict)
+    used: dict[str, Value] = field(default_factory=dict)
+    root: Bindings = field(default_factory=Bindings)
+    opened: list[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        """The definitions' mutual use is worked out as it is asked for."""
+        self.reach = Reach(self.setting.symbols)
+
+    def symbol(self, token: str, bindings: Bindings | None = None) -> Value:
+        """What a declared symbol stands for."""
+        bindings = self.root if bindings is None else bindings
+        if token in bindings.names:
+            return bindings.names[token]
+        if not self.reach.meets(token, bindings.names):
+            bindings = self.root
+        known = self.used if bindings is self.root else bindings.symbols
+        if token in known:
+            return known[token]
+        entry = self.setting.symbols.get(token)
+        if entry is None:
+            raise Undecided(f"the symbol {token} is not declared")
+        if token in self.opened:
+            raise Undecided(f"the definition of {token} uses itself")
+        if known is not self.used and entry.domain:
+            raise Undecided(f"{token} has a domain of its own and uses a bound name")
+        self.opened.append(token)
+        try:
+            found = self._meaning(token, entry, bindings)
+        finally:
+            self.opened.pop()
+        known[token] = found
+        return found
+
+    def _meaning(self, token: str, entry: SymbolEntry, bindings: Bindings) -> Value:
+        match entry.role:
+            case "quantity" if entry.shape is not None:
+                raise Undecided(f"{token} is declared a matrix, its quantity is a number")
+            case "quantity":
+                return self._quantity(entry.quantity or "")
+            case "free" if token in self.environment.assigned:
+                return self.environment.assigned[token]
+            case "free" if entry.shape is not None:
+                names = entry_names(token, entry.shape)
+                return matrix([[symbol(free_name(n)) for n in line] for line in names])
+            case "free":
+                return symbol(free_name(token))
+            case "definition" if entry.definition is not None and not entry.arguments:
+                found = self.under(self.defining(token, entry.definition).right, bindings)
+                if entry.shape is not None and shape(found) != entry.shape:
+                    raise Undecided(f"{token} is declared otherwise, it is {shape_text(found)}")
+                return found
+            case "undefined":
+                raise UndefinedSymbol(token)
+            case _:
+                raise Undecided(f"{token} is a function; it stands here without arguments")
+
+    def _quantity(self, name: str) -> Expr:
+        known = self.environment.quantities
+        if name in known:
+            return known[name]
+        if not known and name in ("sampling_interval", "sample_number"):
+            return symbol(name)
+        raise Undecided(
+            self.environment.missing.get(name, f"{name} is not known in {self.environment.name}")
+        )
+
+    def defining(self, token: str, definition: Formula) -> Relation:
+        readings = definition.readings
+        reading = readings[min(self.choice.get(token, 0), len(readings) - 1)]
+        if reading.conditions:
+            raise Undecided(f"the definition of {token} holds under conditions only")
+        return reading.relations[0]
+
+    @abstractmethod
+    def under(self, graph: Graph, bindings: Bindings) -> Value:
+        """What a graph stands for under the bindings."""
+
+    def is_declared(self, token: str) -> bool:
+        """Whether the table of symbols has it."""
+        return token in self.setting.symbols
+
+    def is_shared(self, name: str) -> bool:
+        """Whether quantities change with a base variable in a way that their formulas hide."""
+        return self.environment.moves_with(name)
