@@ -46,7 +46,7 @@ def settle_arguments(text: str, tokens: Sequence[FormulaToken]) -> list[FormulaT
         end = _argument_end(tokens, start, ends)
         if end == start:
             raise ReaderError(f"{token.value} of what?", text, token.end, token.value)
-        if end < len(tokens) and tokens[end].kind in _UNCLEAR_AFTER:
+        if _is_unclear(tokens, end):
             problem = f"what {token.value} acts on is not clear: write brackets"
             raise ReaderError(problem, text, tokens[end].start, tokens[end].value)
         opens.setdefault(start, []).append("ARGUMENT_OPEN")
@@ -57,6 +57,17 @@ def settle_arguments(text: str, tokens: Sequence[FormulaToken]) -> list[FormulaT
         result += [FormulaToken(kind, "", place, place) for kind in opens.get(number, ())]
         result += tokens[number : number + 1]
     return result
+
+
+def _is_unclear(tokens: Sequence[FormulaToken], end: int) -> bool:
+    """Whether what follows an argument without brackets may belong to it: `\\sin \\omega \\cdot t`,
+    but not `\\sin\\theta \\cdot \\cos\\theta`.
+    """
+    if end >= len(tokens):
+        return False
+    dotted = tokens[end].kind in ("DOT", "DOT_BEFORE_BIG")
+    before_function = [token.kind for token in tokens[end + 1 : end + 2]] == ["NAMED"]
+    return tokens[end].kind in _UNCLEAR_AFTER or (dotted and not before_function)
 
 
 def _ends(tokens: Sequence[FormulaToken]) -> dict[int, int]:

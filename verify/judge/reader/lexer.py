@@ -7,7 +7,6 @@ from __future__ import annotations
 from gainproof.verify.judge.reader.alphabet import (
     DIGITS,
     brace_partners,
-    braced_sign_end,
     command_at,
     is_letter,
     skip_space,
@@ -19,6 +18,7 @@ from gainproof.verify.judge.reader.line_end import LineEnds, end_of_tag, equatio
 from gainproof.verify.judge.reader.names import scan_base
 from gainproof.verify.judge.reader.naming import NameFinder
 from gainproof.verify.judge.reader.scan import (
+    Scanned,
     evaluation_end,
     scan_mark,
     scan_number,
@@ -27,9 +27,10 @@ from gainproof.verify.judge.reader.scan import (
 )
 from gainproof.verify.judge.reader.special import (
     function_named,
+    sign_in_braces,
     sign_of_branch,
     special_name,
-    transpose_end,
+    transpose,
 )
 from gainproof.verify.judge.reader.token_list import TokenList
 from gainproof.verify.judge.reader.tokens import (
@@ -81,12 +82,10 @@ class _Lexer:
                 self._command()
             elif character == "~":
                 self.position += 1
-            elif character == "{" and self._sign_in_braces():
-                continue
+            elif (special := self._special_mark(character)) is not None:
+                self._add(*special)
             elif character == "&" and not self.environments.has_columns():
                 raise self._error("the character '&' has no meaning here", "&")
-            elif character == "^" and self._transposes():
-                continue
             else:
                 self._add(*scan_mark(self.text, start, self.tokens.found))
         self.environments.refuse_open()
@@ -158,22 +157,13 @@ class _Lexer:
         else:
             self._named_by_command(command)
 
-    def _transposes(self) -> bool:
-        """Whether the mark of a transpose stands here, which is then read."""
-        found = None if self.tokens.takes_bound() else transpose_end(self.text, self.position + 1)
-        if found is None:
-            return False
-        self._add("TRANSPOSE", *found)
-        return True
-
-    def _sign_in_braces(self) -> bool:
-        """Whether `{+}` or `{-}` stands here as a sign of its own, which is then read."""
-        end = None if self.tokens.single else braced_sign_end(self.text, self.position)
-        if end is None:
-            return False
-        sign = self.text[self.position : end].strip("{} ")
-        self._add("PLUS" if sign == "+" else "MINUS", sign, end)
-        return True
+    def _special_mark(self, character: str) -> Scanned | None:
+        """The mark of a transpose, or a sign in braces, where one stands here."""
+        if character == "^" and not self.tokens.takes_bound():
+            return transpose(self.text, self.position + 1)
+        if character == "{" and not self.tokens.single:
+            return sign_in_braces(self.text, self.position)
+        return None
 
     def _wide(self, command: str, end: int) -> None:
         number = equation_number_end(self.text, end)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from gainproof.verify.judge.reader.brackets import Pairing
+from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.tokens import FormulaToken
 
 _SEPARATES = frozenset(("COMMA", "AND", "CONNECTIVE", "IF"))
@@ -16,12 +18,18 @@ _CLOSES = frozenset(
     ("CLOSE", "CONDITION_CLOSE", "RIGHT_BRACE", "OVER_CLOSE", "BAR_CLOSE", "ROOT_CLOSE")
 )
 _RELATIONS = frozenset(("EQUAL", "RELATION"))
+_GOES_ON = (
+    _RELATIONS
+    | {"PLUS", "DOT", "DOT_BEFORE_BIG", "SLASH", "KRON", "CONDITION_OPEN"}
+    | (_SEPARATES - {"COMMA"})
+)
+"""What a line begins or ends with that goes on."""
 
 
-def settle_lines(tokens: Sequence[FormulaToken], pairing: Pairing) -> list[FormulaToken]:
+def settle_lines(text: str, tokens: Sequence[FormulaToken], pairing: Pairing) -> list[FormulaToken]:
     """The tokens again without the marks `&` of aligned lines; the end of a line becomes `AND`
-    where a new statement begins, and `NOTHING` where the one before goes on: with a relation, with
-    a sign after `&`, or in a line without a relation.
+    where a new statement begins, and `NOTHING` where the one before goes on: with a relation, an
+    operator or a condition. ReaderError where that is not clear.
     """
     result = list(tokens)
     outside = [number for number in range(len(tokens)) if pairing.inside[number] == -1]
@@ -33,9 +41,15 @@ def settle_lines(tokens: Sequence[FormulaToken], pairing: Pairing) -> list[Formu
             result[number] = replace(token, kind="NOTHING")
         elif token.kind == "LINE":
             line = outside[place + 1 : _line_end(tokens, outside, place)]
-            goes_on = _goes_on([tokens[inner].kind for inner in line])
-            result[number] = replace(token, kind="NOTHING" if goes_on else "AND")
-            for inner in line if goes_on else ():
+            before = tokens[number - 1].kind if number else ""
+            joint = _joint(before, [tokens[inner].kind for inner in line])
+            if not joint:
+                problem = (
+                    "whether this line goes on with the one before is not clear: mark it with &"
+                )
+                raise ReaderError(problem, text, token.end, token.value)
+            result[number] = replace(token, kind=joint)
+            for inner in line if joint == "NOTHING" else ():
                 if tokens[inner].kind not in ("WIDE", "CELL"):
                     break
                 result[inner] = replace(tokens[inner], kind="NOTHING")
@@ -53,14 +67,21 @@ def _line_end(tokens: Sequence[FormulaToken], outside: Sequence[int], place: int
     return end
 
 
-def _goes_on(kinds: Sequence[str]) -> bool:
-    marked = bool(kinds) and kinds[0] == "CELL"
+def _joint(before: str, kinds: Sequence[str]) -> str:
+    """`AND` where the line with these tokens is another statement, `NOTHING` where it goes on,
+    empty where nobody can tell.
+    """
     words = [kind for kind in kinds if kind not in ("CELL", "WIDE", "GAP")]
-    if not words or words[0] in _RELATIONS or words[0] in ("PLUS", "DOT", "SLASH"):
-        return True
-    if words[0] == "MINUS" and marked:
-        return True
-    return not any(kind in _RELATIONS for kind in words)
+    if not words or words[0] in _GOES_ON or before in _GOES_ON | {"MINUS"}:
+        return "NOTHING"
+    is_marked = kinds[0] == "CELL"
+    has_relation = any(kind in _RELATIONS for kind in words)
+    if words[0] == "MINUS" and (is_marked or not has_relation):
+        return "NOTHING"
+    marks_relation = any(
+        kind == "CELL" and following in _RELATIONS for kind, following in pairwise(kinds)
+    )
+    return "AND" if has_relation and (words[0] != "MINUS" or marks_relation) else ""
 
 
 def settle_wide_spaces(tokens: Sequence[FormulaToken]) -> list[FormulaToken]:

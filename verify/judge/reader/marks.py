@@ -78,7 +78,7 @@ def scan_mark_behind(text: str, position: int) -> Mark | None:
             position += len(command)
             continue
         if character == "{" and (sign_end := braced_sign_end(text, position)) is not None:
-            pieces.append(text[position:sign_end].strip("{} "))
+            pieces.append(text[position:sign_end].strip("{} \t\n"))
             position = sign_end
             continue
         if character not in BLANKS:

@@ -20,6 +20,7 @@ _MARKS = {mark: token for mark, token in MARKS.items() if mark not in ("{", "}",
     "~=": ("RELATION", "approx"),
     "~": ("RELATION", "sim"),
     "**": ("POWER", "^"),
+    "*": ("DOT", "*"),
     ";": ("LINE", ";"),
 }
 _INFINITY = ("infinity", "inf", "oo")

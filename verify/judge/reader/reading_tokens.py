@@ -26,6 +26,6 @@ def read_tokens(text: str, vocabulary: Vocabulary, plain: bool = False) -> list[
     )
     pairing = pair_brackets(text, tokens)
     tokens = settle_brackets(text, tokens, pairing)
-    tokens = settle_lines(tokens, pairing)
+    tokens = settle_lines(text, tokens, pairing)
     tokens = settle_lists(text, settle_wide_spaces(tokens), vocabulary)
     return settle_arguments(text, settle_sides(tokens))

@@ -16,9 +16,9 @@ from gainproof.verify.judge.reader.tree import Branch, start
 
 @dataclass(frozen=True)
 class Part:
-    """A factor with the way it joins what stands before: `first`, `juxtaposed`, `dotted`, `divided`
-    or `crossed`; `place` is where the operator or the factor begins; `bars` are the evaluations
-    printed behind it.
+    """A factor with the way it joins what stands before: `first`, `juxtaposed`, `dotted`, `starred`
+    (the dot of plain text, which ends what a slash divides by), `divided` or `crossed`; `place` is
+    where the operator or the factor begins; `bars` are the evaluations printed behind it.
     """
 
     operator: str
@@ -49,7 +49,9 @@ def product_parts(tree: Branch, text: str) -> list[Part]:
         if slashes > MOST_SLASHES:
             problem = f"more than {MOST_SLASHES} slashes in one product"
             raise ReaderError(problem, text, start(child), "/")
-        parts.append(Part(str(child.data), start(child), factor))
+        starred = child.data == "dotted" and child.children[0] == "*"
+        operator = "starred" if starred else str(child.data)
+        parts.append(Part(operator, start(child), factor))
     operators = {part.operator for part in parts[1:]}
     if "crossed" in operators and len(operators) > 1:
         crossed = next(part for part in parts if part.operator == "crossed")
@@ -89,7 +91,7 @@ def factors_under(tree: Branch, text: str) -> dict[int, tuple[int, ...]]:
         if part.operator != "divided":
             continue
         end = number + 1
-        while end < len(parts) and parts[end].operator != "divided":
+        while end < len(parts) and parts[end].operator not in ("divided", "starred"):
             end += 1
         close = number + 1
         while close < end and parts[close].operator == "juxtaposed":

@@ -4,7 +4,7 @@ mark of a transpose; the sign of a branch.
 
 from __future__ import annotations
 
-from gainproof.verify.judge.reader.alphabet import command_at, skip_space
+from gainproof.verify.judge.reader.alphabet import braced_sign_end, command_at, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.scan import Scanned
 from gainproof.verify.judge.reader.tokens import SIZES
@@ -51,7 +51,16 @@ def _bracket_after(text: str, position: int) -> str:
     return command_at(text, position) if mark == "\\" else mark
 
 
-def transpose_end(text: str, position: int) -> tuple[str, int] | None:
+def sign_in_braces(text: str, position: int) -> Scanned | None:
+    """`{+}` or `{-}` at `position`, which prints a sign without blanks round it."""
+    end = braced_sign_end(text, position)
+    if end is None:
+        return None
+    sign = text[position:end].strip("{} \t\n")
+    return Scanned("PLUS" if sign == "+" else "MINUS", sign, end)
+
+
+def transpose(text: str, position: int) -> Scanned | None:
     """The mark of a transpose after `^`, `T` or `-T` with that of an inverse before it, and the
     end; None for any other exponent.
     """
@@ -70,7 +79,7 @@ def transpose_end(text: str, position: int) -> tuple[str, int] | None:
         if text[end : end + 1] != "}":
             return None
         end += 1
-    return ("-T" if inverse else "T"), end
+    return Scanned("TRANSPOSE", "-T" if inverse else "T", end)
 
 
 def _end_of_mark(text: str, start: int) -> int | None:

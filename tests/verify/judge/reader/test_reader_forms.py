@@ -11,6 +11,7 @@ import pytest
 from auto_declared import Declared
 
 from gainproof.verify.judge.formula import INFINITY, Relation
+from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token
 from gainproof.verify.judge.reader.reader import read_expression, read_formula
 
@@ -97,6 +98,33 @@ def written(graph: Mapping[str, Any]) -> str:
 def test_expression(text: str, wanted: str) -> None:
     (graph,) = read_expression(text, SYMBOLS)
     assert written(graph) == wanted
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"\begin{align} a &= b \\ &= c - k, \\ -x &= y \end{align}",
+        r"a = b = c \\ - k \\ -x &= y".replace("&", ""),
+        r"a = b \\ = c - k \quad -x = y",
+        r"\begin{split} a &= b = c \\ &- k, \\ &-x = y \end{split}".replace("&-x", "-x &"),
+        r"a = b = c - \\ k, -x = y",
+    ],
+)
+def test_lines(text: str) -> None:
+    if r"\\ -x = y" in text:
+        with pytest.raises(ReaderError, match="not clear"):
+            read_formula(text, SYMBOLS)
+        return
+    (reading,) = read_formula(text, SYMBOLS).readings
+    shown = [(r.operator, written(r.left), written(r.right)) for r in reading.relations]
+    assert shown == [("=", "a", "b"), ("=", "b", "add(c, neg(k))"), ("=", "neg(x)", "y")]
+
+
+def test_a_star_of_plain_text_ends_what_a_slash_divides_by() -> None:
+    (graph,) = read_expression("a/b*c", SYMBOLS, plain=True)
+    assert written(graph) == "mul(div(a, b), c)"
+    assert len(read_expression("a/b c", SYMBOLS, plain=True)) == 2
+    assert len(read_expression(r"a/b \cdot c", SYMBOLS)) == 2
 
 
 def test_a_bar_behind_a_quotient_has_two_readings() -> None:
