@@ -31,7 +31,7 @@ def induction(
     box = boxes[name]
     if not box.integer or box.lower is None:
         raise Undecided(f"an induction over {name} without a first number")
-    if any(name in symbols_of(c.left, c.right) for c in statement.conditions):
+    if any(name in symbols_of(c.left, c.right) for c in (*statement.conditions, *statement.given)):
         raise Undecided(f"an induction over {name} under conditions on it")
     if any(r.operator != "=" for r in statement.relations) or statement.connective != "if":
         raise Undecided("an induction for anything but identities")

@@ -9,12 +9,21 @@ from fractions import Fraction
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, neg, number, power, symbol, symbols_of
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    neg,
+    number,
+    power,
+    symbol,
+    symbols_of,
+    walk,
+)
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.formula import Graph, Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame
+from gainproof.verify.judge.meaning.domains import is_whole
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import leading
@@ -65,6 +74,15 @@ class Approach:
         """The distance itself, of the variable."""
         x = symbol(self.name)
         return power(x, -1) if isinstance(self.point, str) else x - self.point
+
+
+def refuse_real_powers(expr: Expr, frame: Frame) -> None:
+    """Raises Undecided for b^x with a base that may be negative and an x that is no integer."""
+    for node in walk(expr):
+        if node.kind == "call" and node.name == "power":
+            base, exponent = node.parts
+            if not is_whole(exponent, frame.boxes) and not frame.holds(Rel(">", base, number(0))):
+                raise Undecided("a power with a base that may be negative, exponent not whole")
 
 
 def arrow_of(reading: Reading) -> tuple[Relation, tuple[Relation, ...]]:

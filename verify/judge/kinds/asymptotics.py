@@ -21,6 +21,7 @@ from gainproof.verify.judge.kinds.approach import (
     equal,
     open_sides,
     others_frame,
+    refuse_real_powers,
 )
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
@@ -44,6 +45,7 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     left, right = scope.expression(relation.left), scope.expression(relation.right)
     frame = framed(claim, scope, resolved(others, scope))
     approach = approach_of(variable, point, frame)
+    refuse_real_powers(left - right, frame)
     around, dropped = others_frame(frame, approach)
     rest, errors = _without_orders(left + neg(right))
     if claim.order is not None:

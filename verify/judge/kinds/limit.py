@@ -25,6 +25,7 @@ from gainproof.verify.judge.kinds.approach import (
     equal,
     open_sides,
     others_frame,
+    refuse_real_powers,
 )
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
@@ -83,6 +84,7 @@ def _algebraic(expr: Expr, approach: Approach, claimed: End) -> Outcome:
 
 
 def _by_expansion(expr: Expr, approach: Approach, claimed: End, frame: Frame) -> Finding:
+    refuse_real_powers(expr, frame)
     around, dropped = others_frame(frame, approach)
     finding: Finding | None = None
     for side in open_sides(approach, frame, around):

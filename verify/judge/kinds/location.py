@@ -24,22 +24,28 @@ def judge_location(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     conditions = resolved(reading.conditions, scope)
     relations: list[Rel] = []
     listed = [scope.expression(r.right) for r in reading.relations]
-    for relation, root in zip(reading.relations, listed, strict=True):
-        left = scope.expression(relation.left)
-        if left.kind != "symbol" or relation.operator != "=" or left.name in symbols_of(*listed):
-            relations.append(Rel(relation.operator, left, root))
     known: list[Expr] | None = None
     if claim.polynomial is not None and claim.variable is not None:
         known = _coefficients(claim.polynomial, claim.variable, scope)
-        if listed:
-            relations += _all_roots(known, listed)
-    elif not listed:
+    for relation, root in zip(reading.relations, listed, strict=True):
+        left = scope.expression(relation.left)
+        if relation.operator != "=" or not _is_name(left, [*listed, *(known or [])]):
+            relations.append(Rel(relation.operator, left, root))
+    if known is not None and listed:
+        relations += _all_roots(known, listed)
+    elif known is None and not listed:
         raise Undecided("neither a polynomial nor its roots are given")
     if claim.where is not None:
         whole = known if known is not None else _from_roots(listed)
         relations += located(whole, claim.where)
     frame = framed(claim, scope, conditions)
     return finding_of(frame.decide(Statement(tuple(relations), (), "if", tuple(scope.needed))))
+
+
+def _is_name(left: Expr, used: list[Expr]) -> bool:
+    """Whether the left side only names a root: a free symbol that nothing else speaks of."""
+    is_free = left.kind == "symbol" and left.name.startswith("free ")
+    return is_free and left.name not in symbols_of(*used)
 
 
 def _coefficients(polynomial: Graph, token: str, scope: Scope) -> list[Expr]:

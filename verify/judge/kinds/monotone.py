@@ -10,6 +10,7 @@ from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import judge_identity, resolved
@@ -48,11 +49,24 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         reason = f"no value everywhere between the ends of the domain: {defined.reason}"
         return replace(finding_of(defined), reason=reason)
     inside = replace(frame, boxes={n: _opened(b) for n, b in frame.boxes.items()})
+    _refuse_unknown_slopes(slope, inside)
     finding = finding_of(inside.decide(Statement((Rel(operator, slope, number(0)),))))
     if finding.verdict != "proved" and operator in "<>" and _nearly(operator, slope, inside):
         weak = inside.decide(Statement((Rel(f"{operator}=", slope, number(0)),)))
         finding = finding_of(weak)
     return replace(finding, method=f"sign of the derivative; {finding.method}")
+
+
+def _refuse_unknown_slopes(slope: Expr, inside: Frame) -> None:
+    """Raises Undecided unless the slope has a value everywhere but at single points."""
+    everywhere = {n: replace(b, stated=True) for n, b in inside.boxes.items()}
+    found = replace(inside, boxes=everywhere).decide(Statement((Rel("=", slope, slope),)))
+    if found.verdict == "proved":
+        return
+    places = found.certificate.get("places", [{"place": "", "found": NO_VALUE}])
+    without = [p["place"] for p in places if p["found"] == NO_VALUE]
+    if not all(" = " in place for place in without):
+        raise Undecided("the derivative has no value on a whole interval")
 
 
 def _refuse_gaps(frame: Frame, names: set[str]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import factorial
 
 from gainproof.verify.judge.exact.calculus import substituted
@@ -18,32 +19,45 @@ from gainproof.verify.judge.exact.expression import (
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.meaning.expansion import coefficients, products
+from gainproof.verify.judge.meaning.sums import INFINITE
 
 
 def integral_of(integrand: Expr, name: str, low: Expr, high: Expr) -> tuple[Expr, tuple[Rel, ...]]:
     """The integral over the bound symbol `name`, and what must not vanish. Raises Undecided."""
     known = coefficients(integrand, name)
+    endless = high == INFINITE
+    if low == INFINITE or (endless and known is not None):
+        raise Undecided("an integral to infinity of something that does not decay")
     if known is not None:
         return _between(_primitive(known, name), name, low, high), ()
     terms: list[Expr] = []
     needed: list[Rel] = []
     for product in products(integrand, [name]):
-        rates = [f for f in product if f.kind == "call" and f.name == "exp"]
-        rates = [f for f in rates if name in symbols_of(f)]
-        factor = [f for f in product if f not in rates]
-        polynomial = coefficients(mul(*factor) if factor else number(1), name)
-        if polynomial is None:
-            raise Undecided("an integral of anything but polynomials and exponentials of them")
-        if not rates:
+        polynomial, exponent = _split(product, name)
+        if exponent is None:
+            if endless:
+                raise Undecided("an integral to infinity of something that does not decay")
             terms.append(_primitive(polynomial, name))
             continue
-        exponent = add(*[f.parts[0] for f in rates])
         line = coefficients(exponent, name)
         if line is None or not set(line) <= {0, 1} or 1 not in line:
             raise Undecided("an integral of an exponential whose exponent is not linear")
-        needed.append(Rel("!=", line[1], number(0)))
+        needed.append(Rel("<" if endless else "!=", line[1], number(0)))
         terms.append(_with_exponential(polynomial, name, exponent, line[1]))
-    return _between(add(*terms), name, low, high), tuple(needed)
+    primitive = add(*terms)
+    if endless:
+        return neg(substituted(primitive, {name: low})), tuple(needed)
+    return _between(primitive, name, low, high), tuple(needed)
+
+
+def _split(product: Sequence[Expr], name: str) -> tuple[dict[int, Expr], Expr | None]:
+    """A product as a polynomial, and the exponent of the exponentials in it."""
+    rates = [f for f in product if f.kind == "call" and f.name == "exp" and name in symbols_of(f)]
+    factor = [f for f in product if f not in rates]
+    polynomial = coefficients(mul(*factor) if factor else number(1), name)
+    if polynomial is None:
+        raise Undecided("an integral of anything but polynomials and exponentials of them")
+    return polynomial, add(*[f.parts[0] for f in rates]) if rates else None
 
 
 def _primitive(known: dict[int, Expr], name: str) -> Expr:

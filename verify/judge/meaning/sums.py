@@ -31,6 +31,8 @@ def sum_of(summand: Expr, index: str, low: Expr, high: Expr) -> tuple[Expr, tupl
 
     A sum without a closed form here is kept as a call. Raises Undecided.
     """
+    if low == INFINITE:
+        raise Undecided("a sum that begins at infinity")
     if high == INFINITE:
         return _endless(summand, index, low)
     first, last = constant_value(low), constant_value(high)

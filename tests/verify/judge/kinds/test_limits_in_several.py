@@ -34,6 +34,8 @@ GAIN = r"\frac{-q + \sqrt{q^2 + 4 q r}}{2 r}"
         (r"\lim_{n \to \infty} (1 + \frac{x}{n})^n = e^x", "proved"),
         (r"\lim_{n \to \infty} (1 + \frac{x}{n})^n = e^{2x}", "refuted"),
         (r"latex = '\lim_{x \to \infty} \frac{x^2}{x + a} = \infty'" + ABOVE, "proved"),
+        # between whole numbers a power of a negative number has no value
+        (r"latex = '\lim_{x \to \infty} c^x = 0'" + "\ndomain = '-1 < c < 1'", "undecided"),
         # which sign decides is left open by the domain
         (r"\lim_{x \to \infty} a x = \infty", "undecided"),
     ],

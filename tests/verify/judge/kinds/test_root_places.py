@@ -57,6 +57,11 @@ def test_listed_roots_are_all_of_them(roots: str, sign: str, wanted: str) -> Non
     )
 
 
+def test_a_parameter_is_no_name_of_a_root() -> None:
+    fields = "latex = 'a = 0'\npolynomial = 'z - a'\nvariable = 'z'"
+    check(judged("location", fields), "refuted")
+
+
 @pytest.mark.parametrize("where", [CIRCLE, LEFT])
 def test_conditions_agree_with_numerical_roots(where: str) -> None:
     """NumPy's roots share nothing with the determinants; roots close to the border are left out."""

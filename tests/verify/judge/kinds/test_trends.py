@@ -25,6 +25,9 @@ from small_claims import check, judged
         (r"\frac{2n+1}{(n+1)(n+2)}", "n", "decreasing", r"n \geq 1", "proved"),
         (r"\frac{2n+1}{(n+1)(n+2)}", "n", "decreasing", r"n \geq 0", "conditional"),
         ("2", "x", "increasing", "", "refuted"),
+        # constant where its derivative, as a formula, has no value
+        (r"-\sqrt{(x - \left|x\right|)^2}", "x", "increasing", "", "undecided"),
+        (r"\sqrt[3]{x}", "x", "increasing", "", "proved"),
         ("2", "x", "nondecreasing", "", "proved"),
         ("e^{-a x}", "x", "decreasing", "a > 0", "proved"),
     ],

@@ -25,6 +25,7 @@ TRUE = [
     r"\int_0^t x^2 \, dx = \frac{t^3}{3}",
     r"latex = '\int_0^t e^{-a x} \, dx = \frac{1 - e^{-a t}}{a}'" + POSITIVE,
     r"latex = '\int_0^t x e^{-a x} \, dx = \frac{1 - (1 + a t) e^{-a t}}{a^2}'" + POSITIVE,
+    r"latex = '\int_0^\infty x e^{-a x} \, dx = \frac{1}{a^2}'" + POSITIVE,
     (
         r"\int_0^t \begin{pmatrix} x \\ 1 \end{pmatrix} \begin{pmatrix} x & 1 \end{pmatrix} q \, dx"
         r" = q \begin{pmatrix} \frac{t^3}{3} & \frac{t^2}{2} \\ \frac{t^2}{2} & t \end{pmatrix}"
@@ -40,6 +41,8 @@ FALSE = [
     r"latex = '\int_0^t x e^{-a x} \, dx = \frac{1 - e^{-a t}}{a^2}'" + POSITIVE,
 ]
 LEFT_OPEN = [
+    (r"\int_0^\infty x \, dx - \int_0^\infty x \, dx = 0", "does not decay"),
+    (r"\int_0^\infty e^{-a x} \, dx = \frac{1}{a}", "without a value"),
     (r"latex = '\sum_{i=0}^{\infty} a (1-a)^i = 1'" + "\ndomain = '0 < a < 3'", "without a value"),
     (r"\sum_{i=0}^{x} i = \frac{x(x+1)}{2}", "no whole number"),
     (r"\int_0^t \frac{1}{x + 1} \, dx = t", "integral of anything but polynomials"),
