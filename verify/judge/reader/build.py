@@ -17,7 +17,7 @@ from gainproof.verify.judge.reader.build_calculus import (
 )
 from gainproof.verify.judge.reader.build_calls import call, named, named_raised
 from gainproof.verify.judge.reader.build_dots import dotted_product, dotted_sum, has_dots
-from gainproof.verify.judge.reader.build_matrix import matrix, transposed
+from gainproof.verify.judge.reader.build_matrix import kronecker, matrix, transposed
 from gainproof.verify.judge.reader.constant import constant_value
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_EXPONENT
@@ -138,7 +138,7 @@ class Builder:
         if len(parts) > 1 and has_dots([part.factor for part in parts]):
             return dotted_product(self, parts)
         if len(parts) > 1 and parts[1].operator == "crossed":
-            return self._kronecker(parts)
+            return kronecker(self, [self._factor(part) for part in parts])
         factors: list[int] = []
         position = 0
         while position < len(parts):
@@ -163,12 +163,6 @@ class Builder:
         for bar in part.bars:
             if self.extents.get(start(bar), 1) == 1:
                 number = evaluated(self, number, children(bar)[0])
-        return number
-
-    def _kronecker(self, parts: Sequence[Part]) -> int:
-        number = self._factor(parts[0])
-        for part in parts[1:]:
-            number = self.nodes.add("kronecker", number, self._factor(part))
         return number
 
     def _power(self, tree: Branch) -> int:

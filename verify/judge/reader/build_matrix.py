@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from lark import Token
@@ -46,6 +47,14 @@ def _has_comma(builder: Builder, tree: Branch) -> bool:
 
 def _all_matrices(builder: Builder, entries: list[int]) -> bool:
     return len(entries) == 2 and all(map(builder.nodes.is_matrix, entries))
+
+
+def kronecker(builder: Builder, numbers: Sequence[int]) -> int:
+    """Kronecker products from left to right."""
+    number = numbers[0]
+    for other in numbers[1:]:
+        number = builder.nodes.add("kronecker", number, other)
+    return number
 
 
 def transposed(builder: Builder, base: int, mark: Token) -> int:

@@ -19,11 +19,11 @@ from gainproof.verify.judge.reader.names import scan_base
 from gainproof.verify.judge.reader.naming import NameFinder
 from gainproof.verify.judge.reader.scan import (
     Scanned,
-    evaluation_end,
+    joining_word,
+    scan_bar,
     scan_mark,
     scan_number,
     scan_sized,
-    word_in_text,
 )
 from gainproof.verify.judge.reader.special import (
     function_named,
@@ -42,7 +42,7 @@ from gainproof.verify.judge.reader.tokens import (
     FormulaToken,
 )
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
-from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS, JOINING_WORDS
+from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS
 
 _TEXTS = frozenset(("\\text", "\\mathrm", "\\textrm", "\\mbox"))
 
@@ -144,9 +144,9 @@ class _Lexer:
         elif command in ("\\pm", "\\mp"):
             self._add(*sign_of_branch(text, start, command, self.vocabulary.branch))
         elif command in ("\\mid", "\\vert"):
-            self._bar(command)
-        elif command in _TEXTS and self._joins(end):
-            return
+            self._add(*scan_bar(text, start, command))
+        elif command in _TEXTS and (joint := joining_word(text, end)) is not None:
+            self._add(*joint)
         elif command in NO_EXACT_MEANING:
             raise self._error(NO_EXACT_MEANING[command], command)
         elif command in COMMANDS:
@@ -171,19 +171,6 @@ class _Lexer:
             self._add("WIDE", command, end)
         else:
             self.position = number
-
-    def _bar(self, command: str) -> None:
-        end = evaluation_end(self.text, self.position, command)
-        if end is None:
-            raise self._error(f"{command} needs a subscript that says where", command)
-        self._add("AT", "|_", end)
-
-    def _joins(self, end: int) -> bool:
-        found = word_in_text(self.text, end)
-        if found is None or found[0] not in JOINING_WORDS:
-            return False
-        self._add(*JOINING_WORDS[found[0]], found[1])
-        return True
 
     def _named_by_command(self, command: str) -> None:
         text, start = self.text, self.position

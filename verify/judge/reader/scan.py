@@ -10,6 +10,7 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DIGITS
 from gainproof.verify.judge.reader.line_end import ends_line
 from gainproof.verify.judge.reader.tokens import COMMANDS, MARKS, FormulaToken
+from gainproof.verify.judge.reader.words import JOINING_WORDS
 
 _BARS = frozenset(("|", "\\mid", "\\vert", "\\rvert"))
 
@@ -94,9 +95,19 @@ def scan_mark(text: str, start: int, before: Sequence[FormulaToken]) -> Scanned:
     raise ReaderError(f"the character {character!r} has no meaning here", text, start, character)
 
 
-def word_in_text(text: str, start: int) -> tuple[str, int] | None:
-    """The word in `{and}` at `start` and the end, or None if something else stands there."""
+def scan_bar(text: str, start: int, command: str) -> Scanned:
+    """`\\mid_{x=0}` and the like. ReaderError where no subscript says where."""
+    end = evaluation_end(text, start, command)
+    if end is None:
+        problem = f"{command} needs a subscript that says where"
+        raise ReaderError(problem, text, start, command)
+    return Scanned("AT", "|_", end)
+
+
+def joining_word(text: str, start: int) -> Scanned | None:
+    """What joins statements in `{and}` at `start`, or None if something else stands there."""
     closing = text.find("}", start, start + 20)
-    if closing > 0 and text[start : start + 1] == "{":
-        return text[start + 1 : closing].strip(" ~,"), closing + 1
-    return None
+    word = text[start + 1 : max(closing, start + 1)].strip(" ~,")
+    if text[start : start + 1] != "{" or word not in JOINING_WORDS:
+        return None
+    return Scanned(*JOINING_WORDS[word], closing + 1)
