@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from gainproof.verify.judge.cells.exclusions import exclusions
+from gainproof.verify.judge.cells.exclusions import apart_from_borders, exclusions
 from gainproof.verify.judge.cells.ground import as_expr
 from gainproof.verify.judge.cells.piece import Part, all_pieces
 from gainproof.verify.judge.cells.pieces import border_parts, parts
@@ -21,6 +21,7 @@ from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.truth import FALSE, SKIPPED, TRUE
 
 MOST_BORDERS = 60
+WITH_VALUE = "wherever it has a value"
 
 
 def domain_text(
@@ -32,7 +33,9 @@ def domain_text(
 ) -> tuple[str, bool]:
     """The set of truth as text; False if it may hold on more than is named."""
     texts, exact = _texts(task, found, budget, stated, labels)
-    return ("for " + ", ".join(texts) if texts else "everywhere"), exact
+    if not texts:
+        return "everywhere", exact
+    return ("" if texts[0] == WITH_VALUE else "for ") + ", ".join(texts), exact
 
 
 def _texts(
@@ -49,8 +52,10 @@ def _texts(
         return _on_borders(task, found, budget, stated, labels)
     literals = separating(found[0])
     if literals is None:
+        if not budget.gaps and all(p.truth != FALSE for p in all_pieces(found)):
+            return [*texts, WITH_VALUE], True
         cells = alternatives(found[0], labels)
-        return [*texts, cells, *_apart_from_borders(found[0], labels)], False
+        return [*texts, cells, *apart_from_borders(found[0], labels)], False
     gaps, inside, whole = list(budget.gaps), list(found), True
     if any(p.truth == FALSE for p in found[0].pieces):
         # the borders inside the region of truth were not looked at yet
@@ -84,14 +89,6 @@ def _bounds(task: Task, labels: Mapping[str, str]) -> list[str]:
         for name, box in task.boxes.items()
         if box.lower is not None or box.upper is not None
     ]
-
-
-def _apart_from_borders(part: Part, labels: Mapping[str, str]) -> list[str]:
-    """That nothing is said about any border."""
-    if part.question is None:
-        return []
-    borders = [labelled(as_expr(p, part.task.names), labels) for p in part.question.borders()]
-    return [f"and none of these zero: {'; '.join(borders)}"] if borders else []
 
 
 def _line(part: Part, labels: Mapping[str, str]) -> list[str]:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
+from gainproof.verify.judge.cells.ground import as_expr
+from gainproof.verify.judge.cells.one_sign import keeps_sign
 from gainproof.verify.judge.cells.piece import Part, Piece, all_pieces
 from gainproof.verify.judge.cells.task import Task
 from gainproof.verify.judge.exact.expression import Expr
@@ -85,3 +87,13 @@ def _of_line(part: Part, chain: Chain, labels: Mapping[str, str]) -> list[str]:
         return [f"except where {before}"]
     places = [p.place for p in wrong if isinstance(p.place, Place)]
     return [f"except where {before} and ({region_text(places, labels.get(name, name))})"]
+
+
+def apart_from_borders(part: Part, labels: Mapping[str, str]) -> list[str]:
+    """That nothing is said about any border."""
+    if part.question is None:
+        return []
+    boxes = [part.task.boxes[name] for name in part.task.names]
+    met = [p for p in part.question.borders() if not keeps_sign(p, boxes, closed=True)]
+    borders = [labelled(as_expr(p, part.task.names), labels) for p in met]
+    return [f"and none of these zero: {'; '.join(borders)}"] if borders else []

@@ -89,6 +89,19 @@ def test_thin_truth_beside_the_region_is_not_called_exact() -> None:
     assert "holds at least for x >= 0" in outcome.reason
 
 
+def test_a_domain_without_few_signs_is_where_there_are_values() -> None:
+    k = x * square(y) + square(x) / 4
+    c = x * k * (1 + square(y) / 6)
+    p = 2 * square(y) * x * c - square(y) * square(k) * (square(y) - 4)
+    q = square(c) - 4 * square(y) * power(k, 3)
+    first = square(square(y) * x)
+    root = sqrt((-p + sqrt(square(p) - 4 * first * q)) / (2 * first))
+    outcome = judged("=", first * power(root, 4) + p * square(root) + q, 0, POSITIVE)
+    assert outcome.verdict == "conditional"
+    assert outcome.domain == "for x > 0, y > 0, wherever it has a value"
+    assert "holds exactly" in outcome.reason
+
+
 def test_a_tiny_or_hidden_error_is_found() -> None:
     tiny = number(Fraction(1, 10**12))
     outcome = judged("<=", 2 * x * y, square(x) + square(y) - tiny * x, POSITIVE)
