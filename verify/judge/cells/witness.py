@@ -142,9 +142,9 @@ def _point(piece: Piece, sample: Sample | None, labels: Mapping[str, str]) -> di
         exact = constant_value(here)
         known[name] = here if exact is None else number(exact)
         found[labels.get(name, name)] = str(exact) if exact is not None else labelled(here, labels)
-    return found
+    return dict(sorted(found.items()))
 
 
 def _with_solved(witness: Witness, task: Task, labels: Mapping[str, str]) -> Witness:
     more = {labels.get(name, name): str(constant_value(expr)) for name, expr in task.solved}
-    return replace(witness, point={**witness.point, **more})
+    return replace(witness, point=dict(sorted({**witness.point, **more}.items())))
