@@ -21,11 +21,16 @@ def judge(files: Sequence[Path], shop: Workshop, seconds: float = SECONDS) -> li
     shared = {"models": models, "seconds": seconds}
     # one file has all processors for its claims; many files share them
     also = {"processes": max(1, workers.processors() // max(1, len(files)))}
+    # the longest first, so that the last to end is a short one
+    order = sorted(files, key=lambda file: len(texts[file]), reverse=True)
     jobs = [
-        workers.Job(file.stem, "judge", {"path": places.shown(file), "text": text, **shared}, also)
-        for file, text in texts.items()
+        workers.Job(
+            file.stem, "judge", {"path": places.shown(file), "text": texts[file], **shared}, also
+        )
+        for file in order
     ]
-    return shop.results("judged", jobs)
+    found = dict(zip(order, shop.results("judged", jobs), strict=True))
+    return [found[file] for file in files]
 
 
 def read(file: Path) -> str:
