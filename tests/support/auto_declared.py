@@ -51,6 +51,8 @@ def declared_until_read(
                 break
             shape = (1, 1) if matrix_like(name) or name in matrices else None
             symbols[name] = Declared(shape=shape)
+        elif "as an integer" in error.problem:
+            symbols[error.token] = Declared(integer=True)
         elif "two vectors in parentheses" in error.problem:
             before = latex[: error.position].rstrip()
             called = [name for name in symbols if before.endswith(name)]
