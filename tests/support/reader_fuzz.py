@@ -20,7 +20,8 @@ MATRICES = ("A", r"\underline{x}", r"\hat{x}_k(+)")
 SYMBOLS = (
     {canonical_token(token): Declared() for token in NUMBERS}
     | {canonical_token(token): Declared(shape=(2, 2)) for token in MATRICES}
-    | {"S": Declared(("k", "T")), "P": Declared(("k",), (2, 2))}
+    | {"S": Declared(("k", "T")), "P": Declared(("k",), (2, 2)), "i": Declared(integer=True)}
+    | {name: Declared() for name in ("b_i", "b_1", "b_2", "b_k")}
 )
 # soups are made of these, and formulas are broken with them
 PIECES = (
@@ -57,6 +58,8 @@ FORMULAS = (
     r"A = \begin{pmatrix} 1 & T \\ 0 & 1 \end{pmatrix} \left[ k \quad T^2/2 \right]^T",
     r"\lim_{k \to 0+} \frac{\sin 2k}{k} = \left. \frac{d \alpha}{d k} \right|_{k=0, T=1} + O(k^2)",
     r"\int_0^T k^2 \, dk = \prod_{k=1}^\infty e^{-k/2} \quad \text{as } T \to \infty, \tag{3}",
+    r"\alpha = b_1 + b_2 + \cdots + b_k \quad (i = 0, 1, 2, \dots)",
+    r"\underline{x} = (b_1, \ldots, b_k)^T, \beta = (b_i)_{i=1}^2 \quad (i = 1, \dots, k)",
 )
 PLAIN_FORMULAS = (
     "alpha^2/(2 - alpha) = beta and sqrt(k) < T",

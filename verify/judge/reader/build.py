@@ -39,7 +39,7 @@ def build_graph(
 
 class Builder:
     """Makes the nodes of one expression; the forms that are not arithmetic have modules of their
-    own.
+    own. `indices` keeps the nodes of indices met in names.
     """
 
     def __init__(self, text: str, extents: Mapping[int, int], vocabulary: Vocabulary) -> None:
@@ -47,6 +47,7 @@ class Builder:
         self.extents = extents
         self.vocabulary = vocabulary
         self.nodes = NodeList(vocabulary.matrices)
+        self.indices: dict[str, int | None] = {}
 
     def value(self, tree: Branch) -> int:
         """The number of the node for a tree. ReaderError where the print is open to doubt."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from gainproof.verify.judge.reader.errors import ReaderError
@@ -70,11 +69,10 @@ def _unified_names(
 ) -> int | None:
     """The one declared name with a whole number as index from which both names are made."""
     templates = set()
-    for name in builder.vocabulary.symbols:
-        for before, index, after in _indices(builder, name):
-            inner = [_between(text, before, after) for text in (first, last)]
-            if name not in (first, last) and all(inner):
-                templates.add((name, index, *inner))
+    for template in builder.vocabulary.index_templates:
+        low, high = template.inner(first), template.inner(last)
+        if template.name not in (first, last) and low and high:
+            templates.add((template.name, template.index, low, high))
     if len(templates) != 1:
         return None
     ((name, index, low, high),) = templates
@@ -85,38 +83,15 @@ def _unified_names(
     return builder.nodes.add("symbol", name)
 
 
-def _indices(builder: Builder, name: str) -> Iterator[tuple[str, str, str]]:
-    """Every way to see a whole number as index in the subscript or the brackets of a name, with
-    what stands before and behind it.
-    """
-    text = _with_braces(name)
-    starts = [place + 1 for place in (text.find("_{") + 1, text.find("(")) if place > 0]
-    for start in starts[:1]:
-        for index in builder.vocabulary.symbols:
-            place = text.find(index, start)
-            if builder.vocabulary.is_integer(index) and place >= 0:
-                yield text[:place], index, text[place + len(index) :]
-
-
-def _between(name: str, before: str, after: str) -> str:
-    text = _with_braces(name)
-    inside = text.startswith(before) and text.endswith(after)
-    return text[len(before) : len(text) - len(after)] if inside else ""
-
-
-def _with_braces(name: str) -> str:
-    """`b_1` as `b_{1}`."""
-    place = name.rfind("_")
-    return f"{name[:place]}_{{{name[place + 1]}}}" if place == len(name) - 2 > 0 else name
-
-
 def _expression(builder: Builder, text: str) -> int | None:
     """The node of an index as printed, None if it is no expression over declared names."""
-    try:
-        tokens = read_tokens(text, builder.vocabulary)
-        return builder.value(parse_tokens(text, tokens, "single"))
-    except ReaderError:
-        return None
+    if text not in builder.indices:
+        try:
+            tokens = read_tokens(text, builder.vocabulary)
+            builder.indices[text] = builder.value(parse_tokens(text, tokens, "single"))
+        except ReaderError:
+            builder.indices[text] = None
+    return builder.indices[text]
 
 
 def instance(builder: Builder, pattern: Pattern, index: int) -> int | None:
@@ -141,12 +116,16 @@ def _named_instance(builder: Builder, name: str, index: str, value: int) -> int 
     """The declared name that the template becomes for that index; the name itself if it has no
     such index.
     """
-    places = [(b, a) for b, i, a in _indices(builder, name) if i == index]
-    if not places:
+    templates = [
+        template
+        for template in builder.vocabulary.index_templates
+        if (template.name, template.index) == (name, index)
+    ]
+    if not templates:
         return builder.nodes.add("symbol", name)
-    for other in builder.vocabulary.symbols:
-        for before, after in places:
-            inner = _between(other, before, after)
+    for template in templates:
+        for other in builder.vocabulary.symbols:
+            inner = template.inner(other)
             if inner and other != name and _expression(builder, inner) == value:
                 return builder.nodes.add("symbol", other)
     return None

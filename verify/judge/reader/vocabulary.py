@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
+from gainproof.verify.judge.reader.index_template import IndexTemplate, index_templates
 from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
 from gainproof.verify.judge.reader.plain_names import plain_table
 from gainproof.verify.judge.reader.words import BRANCHES
@@ -65,6 +66,12 @@ class Vocabulary:
     def plain_names(self) -> dict[str, tuple[str, ...]]:
         """What names in plain text may stand for."""
         return plain_table(self.symbols)
+
+    @cached_property
+    def index_templates(self) -> tuple[IndexTemplate, ...]:
+        """Declared names with a whole number as index."""
+        indices = [name for name in self.symbols if self.is_integer(name)]
+        return tuple(index_templates(list(self.symbols), indices))
 
     @cached_property
     def matrices(self) -> frozenset[str]:

@@ -5,11 +5,15 @@ soon.
 from __future__ import annotations
 
 import random
+from string import ascii_letters
 
 import pytest
+from auto_declared import Declared
 from reader_fuzz import check_input, random_text, read_or_refuse
 
+from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
+from gainproof.verify.judge.reader.reader import read_formula
 
 INPUTS = 10_000
 
@@ -45,3 +49,12 @@ def test_the_longest_inputs_end(piece: str) -> None:
         shorter = text[: MOST_CHARACTERS - len(ending)] + ending
         read_or_refuse(shorter)
         read_or_refuse(shorter, plain=True)
+
+
+def test_dots_over_many_declared_names_end() -> None:
+    """Every name could be an index of every other."""
+    names = [f"b_{{{first}{second}}}" for first in ascii_letters for second in ascii_letters[:9]]
+    symbols = {name: Declared(integer=True) for name in (*names, *ascii_letters)}
+    listed = " + ".join(names[:400])
+    with pytest.raises(ReaderError):
+        read_formula(rf"a = {listed} + \cdots + {names[-1]}", symbols)
