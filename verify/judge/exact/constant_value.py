@@ -8,10 +8,13 @@ from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS
 from gainproof.verify.judge.exact.rational_root import integer_root
 
+MOST_BITS = 50_000
+"""Size of a value: powers inside one another write numbers that no memory holds."""
+
 
 def constant_value(expr: Expr) -> Fraction | None:
-    """The value of an expression of numbers only, if it is rational; None for others, and for those
-    in which a root is not rational.
+    """The value of an expression of numbers only, if it is rational; None for others, for those in
+    which a root is not rational, and for those in which a number is too large.
     """
     done: dict[bytes, Fraction] = {}
     for node in walk(expr):
@@ -30,12 +33,14 @@ def constant_value(expr: Expr) -> Fraction | None:
             case "mul":
                 value = Fraction(1)
                 for v in values:
+                    if _bits(value) > MOST_BITS:
+                        return None
                     value *= v
             case "div":
                 value = None if values[1] == 0 else values[0] / values[1]
             case "pow":
                 value = _power(values[0], node.fraction)
-        if value is None:
+        if value is None or _bits(value) > MOST_BITS:
             return None
         done[node.key] = value
     return done[expr.key]
@@ -46,7 +51,13 @@ def _power(base: Fraction, exponent: Fraction) -> Fraction | None:
     if abs(times) > DEFAULT_LIMITS.exponent or (base == 0 and times < 0):
         return None
     root = rational_root(base, order)
-    return None if root is None else root**times
+    if root is None or _bits(root) * abs(times) > MOST_BITS:
+        return None
+    return root**times
+
+
+def _bits(value: Fraction) -> int:
+    return value.numerator.bit_length() + value.denominator.bit_length()
 
 
 def rational_root(value: Fraction, order: int) -> Fraction | None:
