@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 
 class IndexTemplate(NamedTuple):
-    """A name, the index in it, and what stands before and behind the index."""
+    """A name, the symbol in it that is its index, and what stands before and behind the index."""
 
     name: str
-    index: str
+    symbol: str
     before: str
     after: str
 

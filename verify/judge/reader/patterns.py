@@ -72,7 +72,7 @@ def _unified_names(
     for template in builder.vocabulary.index_templates:
         low, high = template.inner(first), template.inner(last)
         if template.name not in (first, last) and low and high:
-            templates.add((template.name, template.index, low, high))
+            templates.add((template.name, template.symbol, low, high))
     if len(templates) != 1:
         return None
     ((name, index, low, high),) = templates
@@ -119,7 +119,7 @@ def _named_instance(builder: Builder, name: str, index: str, value: int) -> int 
     templates = [
         template
         for template in builder.vocabulary.index_templates
-        if (template.name, template.index) == (name, index)
+        if (template.name, template.symbol) == (name, index)
     ]
     if not templates:
         return builder.nodes.add("symbol", name)
