@@ -8,11 +8,20 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.domains import domains
+from gainproof.verify.judge.meaning.domains import domains, is_whole
 from gainproof.verify.judge.meaning.evaluation import number_of
+from gainproof.verify.judge.meaning.sequences import terms_of, with_variables
 from gainproof.verify.judge.meaning.symbols import UndefinedSymbol
 from gainproof.verify.judge.meaning.table import Table
-from gainproof.verify.judge.meaning.value import Value, entries, shape, shape_text, zeros_like
+from gainproof.verify.judge.meaning.value import (
+    Value,
+    entries,
+    mapped,
+    put_in,
+    shape,
+    shape_text,
+    zeros_like,
+)
 
 MOST_NODES = 5_000
 
@@ -46,6 +55,9 @@ class Scope(Table):
     def relations(self, relation: Relation) -> tuple[Rel, ...]:
         """A relation with both sides resolved; one between matrices entry by entry."""
         left, right = self.value(relation.left), self.value(relation.right)
+        if self.sequences:
+            terms = terms_of(self.sequences, self.setting.symbols, self._numbers())
+            left, right = (mapped(put_in(v, terms), with_variables) for v in (left, right))
         operator = relation.operator
         if isinstance(left, Expr) and isinstance(right, Expr):
             return (Rel(operator, left, right),)
@@ -56,6 +68,16 @@ class Scope(Table):
             raise Undecided(f"{shape_text(left)} on the left, {shape_text(right)} on the right")
         pairs = zip(entries(left), entries(right), strict=True)
         return tuple(Rel("=", a, b) for a, b in pairs)
+
+    def _numbers(self) -> dict[str, Expr]:
+        """The symbols that stand for whole numbers."""
+        boxes = self.boxes()
+        found = {t: self.symbol(t) for t, e in self.setting.symbols.items() if e.integer}
+        return {
+            token: value
+            for token, value in found.items()
+            if isinstance(value, Expr) and is_whole(value, boxes)
+        }
 
     def labels(self) -> dict[str, str]:
         """Base variables in the source's own symbols, as far as it has them."""

@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import lcm
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.expression import (
     Expr,
     neg,
@@ -27,6 +28,7 @@ from gainproof.verify.judge.freed.monomials import (
     terms_expr,
 )
 from gainproof.verify.judge.meaning.domains import is_whole
+from gainproof.verify.judge.meaning.sequences import is_term
 
 EULER = symbol("e")
 """Base of exponentials; no base variable is called like that."""
@@ -143,11 +145,17 @@ class Atoms:
 
         Raises Undecided where that is not known either.
         """
+        if is_term(node):
+            index = terms_expr(monomials(node.parts[0]))
+            return self._named(
+                ("value", Expr("call", node.name, (index,)), UNIT), Box(stated=False)
+            )
         if node.name == "log" and not self.is_positive(node.parts[0]):
             raise Undecided("a logarithm of something that is not known to be positive")
         if node.name not in ("log", "atan", "sum") or (_nested(node) and node.name != "sum"):
             raise Undecided(f"the function {node.name} of this argument is not covered")
-        return self._named(("value", node, UNIT), Box(stated=False))
+        key: Key = ("value", _with_plain_index(node), UNIT)
+        return self._named(key, Box(stated=False))
 
     def _named(self, key: Key, box: Box) -> Expr:
         if key not in self.names:
@@ -170,6 +178,22 @@ def is_opaque(node: Expr) -> bool:
 
 def _nested(node: Expr) -> bool:
     return any(below.kind == "call" for part in node.parts for below in walk(part))
+
+
+def _with_plain_index(expr: Expr) -> Expr:
+    """Sums with their indices named by how deep they nest, so that equal sums are one."""
+    depths: dict[bytes, int] = {}
+
+    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        depth = max((depths[p.key] for p in node.parts), default=0)
+        is_sum = node.kind == "call" and node.name == "sum"
+        depths[node.key] = depth + is_sum
+        if not is_sum:
+            return None
+        plain = {node.parts[1].name: symbol(f"index {depth}")}
+        return Expr("call", "sum", tuple(substituted(p, plain) for p in parts))
+
+    return rebuilt(expr, change)
 
 
 def _bases(base: Expr) -> dict[Expr, int]:

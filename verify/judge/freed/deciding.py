@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
-from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
@@ -15,6 +15,7 @@ from gainproof.verify.judge.freed.induction import induction, open_sums
 from gainproof.verify.judge.freed.rewriting import freed, has_functions
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.evaluation import general_power
+from gainproof.verify.judge.meaning.sequences import is_term, with_variables
 from gainproof.verify.judge.meaning.sums import sum_of
 
 FREED = "function values as free variables"
@@ -32,7 +33,10 @@ def decided(
     if not has_functions(statement):
         return settle(statement, boxes, parameter, labels)
     reasons: list[str] = []
-    for attempt in (_inductively if open_sums(statement) else _freely, _for_numbers):
+    sums = open_sums(statement)
+    ways = [_freely] if all(_is_total(s.parts[0]) for s in sums) else []
+    ways += [_inductively, _for_numbers] if sums else [_for_numbers]
+    for attempt in ways:
         try:
             return attempt(statement, boxes, parameter, labels)
         except Undecided as reason:
@@ -41,6 +45,16 @@ def decided(
     if points is None:
         raise Undecided("; ".join(dict.fromkeys(r for r in reasons if r)))
     return points
+
+
+def _is_total(summand: Expr) -> bool:
+    """Whether all terms have a value, at a glance: then so has the sum, whatever it is."""
+    return all(
+        n.kind in ("number", "symbol", "add", "mul", "neg")
+        or (n.kind == "pow" and n.fraction.denominator == 1 and n.fraction >= 0)
+        or is_term(n)
+        for n in walk(summand)
+    )
 
 
 def _freely(
@@ -122,7 +136,7 @@ def _written_out(expr: Expr) -> Expr:
     def powers(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
         return general_power(*parts) if node.kind == "call" and node.name == "power" else None
 
-    return rebuilt(rebuilt(expr, sums), powers)
+    return with_variables(rebuilt(rebuilt(expr, sums), powers))
 
 
 def _domain_text(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]) -> str:

@@ -44,8 +44,13 @@ def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive)
     atoms = Atoms(boxes, is_positive)
     atoms.collect(*statement.exprs())
 
+    bound = bound_names(statement)
+
     def changed(expr: Expr) -> Expr:
-        return rebuilt(expr, lambda node, _: _free(node, atoms) if node.kind == "call" else None)
+        return rebuilt(expr, lambda node, _: _free(node, atoms) if is_open(node) else None)
+
+    def is_open(node: Expr) -> bool:
+        return node.kind == "call" and (node.name == "sum" or not symbols_of(node) & bound)
 
     moved = statement.mapped(changed)
     if atoms.has_angles:
@@ -53,10 +58,16 @@ def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive)
     return Freed(moved, {**boxes, **atoms.made}, atoms.labels(), tuple(atoms.exclusions.values()))
 
 
+def bound_names(statement: Statement) -> set[str]:
+    """The indices of sums."""
+    calls = [n for n in walk(*statement.exprs()) if n.kind == "call"]
+    return {n.parts[1].name for n in calls if n.name == "sum"}
+
+
 def _arguments(statement: Statement) -> list[Expr]:
     """What functions are taken of: it must have a value, of which the new variables say nothing."""
     calls = [n for n in walk(*statement.exprs()) if n.kind == "call"]
-    bound = {n.parts[1].name for n in calls if n.name == "sum"}
+    bound = bound_names(statement)
     found = [part for n in calls if n.name != "sum" for part in n.parts]
     return [part for part in found if not symbols_of(part) & bound]
 

@@ -105,16 +105,27 @@ def _with_required(frame: Frame, required: Iterable[Rel]) -> Frame:
 
     A symbol of which nothing was said begins where its sum has a term.
     """
+    said = frame.boxes
     for rel in required:
-        narrowed = _beginning(rel, frame.boxes)
+        narrowed = _beginning(rel, said)
         if narrowed is not None:
-            frame = replace(frame, boxes={**frame.boxes, **narrowed})
+            frame = replace(frame, boxes=_later(frame.boxes, narrowed))
         elif not frame.holds(rel):
             raise Undecided(
                 "a sum with its bounds turned round, or a sum or integral without a value, is not "
                 "excluded by the domain that is stated"
             )
     return frame
+
+
+def _later(boxes: Mapping[str, Box], narrowed: Mapping[str, Box]) -> dict[str, Box]:
+    """The boxes with those that begin later."""
+    found = dict(boxes)
+    for name, box in narrowed.items():
+        known = found[name].lower
+        if known is None or (box.lower is not None and box.lower > known):
+            found[name] = box
+    return found
 
 
 def _beginning(rel: Rel, boxes: Mapping[str, Box]) -> dict[str, Box] | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from gainproof.verify.judge.claim_record import SymbolEntry
 from gainproof.verify.judge.exact.expression import Expr, walk
@@ -47,10 +47,12 @@ class Reach:
             )
         return self._direct[token]
 
-    def refuse_indexed(self, body: Expr, index: str) -> None:
-        """Raises Undecided if a symbol below has the bound name as its index: x_i has no values."""
+    def refuse_indexed(self, body: Expr, index: str, known: Collection[str]) -> None:
+        """Raises Undecided if a symbol below, not among the known ones, has the bound name as its
+        index.
+        """
         for name in set(names_in(body)):
-            for each in {name, *self.of(name)}:
+            for each in {name, *self.of(name)} - set(known):
                 if each != index and index in indices_of(each):
                     raise Undecided(f"a sum over {index} of {each}, a symbol with that index")
 

@@ -13,6 +13,7 @@ from gainproof.verify.judge.exact.expression import (
     power,
     symbol,
     symbols_of,
+    walk,
 )
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
@@ -21,6 +22,7 @@ from gainproof.verify.judge.setting.growing_memory import power_sum
 
 MOST_TERMS = 200
 MOST_POLYNOMIAL = 12
+MOST_SHIFT = 6
 INFINITE = symbol("infinity")
 EULERIAN = ((1,), (0, 1), (0, 1, 1), (0, 1, 4, 1))
 """Sum of j^m c^j over j >= 0 is this polynomial of c over (1 - c)^(m + 1)."""
@@ -39,14 +41,42 @@ def sum_of(summand: Expr, index: str, low: Expr, high: Expr) -> tuple[Expr, tupl
     if first is not None and last is not None:
         terms = [substituted(summand, {index: n}) for n in range_of(low, high)]
         return (add(*terms) if terms else number(0)), ()
-    ordered = (Rel(">=", high - low, number(-1)),)
+    ordered = (Rel(">=", high - low, number(-1)), Rel(">=", _apart(high)[0] - low, number(-1)))
     known = coefficients(summand, index)
     if known is None or max(known, default=0) > MOST_POLYNOMIAL:
-        return Expr("call", "sum", (summand, symbol(index), low, high)), ordered
+        return _kept(summand, index, low, high), ordered
     terms = [
         mul(c, add(_power_sum(m, high), neg(_power_sum(m, low - 1)))) for m, c in known.items()
     ]
     return (add(*terms) if terms else number(0)), ordered
+
+
+def _kept(summand: Expr, index: str, low: Expr, high: Expr) -> Expr:
+    """A sum up to k + c as the one up to k, with the terms between added or taken away.
+
+    So that sums with neighbouring bounds share one call. The bounds must be in order for both.
+    """
+    upper, offset = _apart(high)
+    whole = Expr("call", "sum", (summand, symbol(index), low, upper))
+    steps = range(1, offset + 1) if offset > 0 else range(offset + 1, 1)
+    between = [substituted(summand, {index: upper + j if j else upper}) for j in steps]
+    if not between:
+        return whole
+    return add(whole, *between) if offset > 0 else add(whole, *[neg(t) for t in between])
+
+
+def _apart(high: Expr) -> tuple[Expr, int]:
+    """A bound k + c as k and c, for small c; else the whole bound and 0."""
+    names = symbols_of(high)
+    if len(names) != 1:
+        return high, 0
+    base = symbol(next(iter(names)))
+    offset = constant_value(substituted(high, {base.name: number(0)}))
+    following = constant_value(substituted(high, {base.name: number(1)}))
+    linear = all(n.kind in ("add", "neg", "symbol", "number") for n in walk(high))
+    if not linear or offset is None or following is None or following - offset != 1:
+        return high, 0
+    return (base, int(offset)) if abs(offset) <= MOST_SHIFT else (high, 0)
 
 
 def range_of(low: Expr, high: Expr) -> list[Expr]:

@@ -5,7 +5,7 @@ integrals, expectations.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
@@ -20,6 +20,8 @@ from gainproof.verify.judge.meaning.domains import free_name
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
+from gainproof.verify.judge.meaning.reach import names_in
+from gainproof.verify.judge.meaning.sequences import indexed
 from gainproof.verify.judge.meaning.sums import INFINITE, range_of, sum_of
 from gainproof.verify.judge.meaning.symbols import Symbols
 from gainproof.verify.judge.meaning.value import (
@@ -38,6 +40,7 @@ MOST_CALLS = 500
 class Table(Symbols):
     """Everything that an evaluation asks for."""
 
+    sequences: set[str] = field(default_factory=set)
     _count: int = 0
     _calls: int = 0
 
@@ -98,14 +101,14 @@ class Table(Symbols):
     ) -> Value:
         """A sum, a product or an integral of `body` over the bound name `token`."""
         first, last = number_of(low), number_of(high)
-        self.reach.refuse_indexed(body, token)
         fresh = self._fresh(token)
+        inner = {token: fresh, **self._terms(body, token, fresh)}
         lower, upper = constant_value(first), constant_value(last)
         self.bound_domains[fresh.name] = Box(lower, upper, False, False, kind != "integral")
         if kind != "integral":
             self.whole += [bound for bound in (first, last) if bound != INFINITE]
         mark = len(self.needed)
-        value = evaluated(body, self, bindings.having({token: fresh}))
+        value = evaluated(body, self, bindings.having(inner))
         if any(fresh.name in symbols_of(e) for e in self.needed[mark:]):
             raise Undecided(f"a {kind} of derivatives over {token}")
         if kind == "product":
@@ -119,6 +122,22 @@ class Table(Symbols):
             return found
 
         return mapped(value, each)
+
+    def _terms(self, body: Expr, index: str, fresh: Expr) -> dict[str, Expr]:
+        """Free symbols of a body that have the bound name as their index, as terms of sequences."""
+        found: dict[str, Expr] = {}
+        for token in set(names_in(body)):
+            parsed, entry = indexed(token), self.setting.symbols.get(token)
+            if parsed and parsed.base == index and entry is not None and entry.role == "free":
+                if entry.variance is not None or entry.domain or entry.shape is not None:
+                    raise Undecided(
+                        f"a sum of {token}, a noise, a matrix or with a domain of its own"
+                    )
+                at = fresh + parsed.offset if parsed.offset else fresh
+                found[token] = parsed.term(at)
+                self.sequences.add(parsed.stem)
+        self.reach.refuse_indexed(body, index, found)
+        return found
 
     def derivative(self, value: Value, token: str, bindings: Bindings) -> Value:
         """Total derivative: partial with respect to a base variable, else the quotient of two

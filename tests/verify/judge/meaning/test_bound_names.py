@@ -48,11 +48,3 @@ def test_true(latex: str) -> None:
 @pytest.mark.parametrize("latex", FALSE)
 def test_false(latex: str) -> None:
     check(judged("identity", latex, SYMBOLS), "refuted")
-
-
-def test_indexed_symbols_are_no_values_of_a_sequence() -> None:
-    found = judged(
-        "identity", r"\sum_{i=1}^{2} x_i = 2 x_i", {"x_i": "{ unit = '1', meaning = 'sample' }"}
-    )
-    check(found, "undecided")
-    assert "with that index" in found.reason

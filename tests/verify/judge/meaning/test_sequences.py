@@ -1,0 +1,57 @@
+"""Sums over symbols with an index: terms of a sequence, a recursion against its batch."""
+
+from __future__ import annotations
+
+import pytest
+from small_claims import check, judged
+
+NUMBER = "{ unit = '1', meaning = 'a term' }"
+SYMBOLS = {
+    **dict.fromkeys(("x_i", "x_k", "x_{k-1}", "x_1", "x_2"), NUMBER),
+    "m_k": r"{ definition = '\frac{1}{k} \sum_{i=1}^{k} x_i', meaning = 'mean' }",
+    "m_{k-1}": r"{ definition = '\frac{1}{k-1} \sum_{i=1}^{k-1} x_i', meaning = 'mean before' }",
+    "z_i": "{ unit = '1', domain = 'z_i > 0', meaning = 'positive terms' }",
+    "w_i": "{ unit = '1', variance = 'q', meaning = 'noises' }",
+    "s_i": "{ definition = 'x_i + 1', meaning = 'uses the index' }",
+}
+LATER = "\ndomain = 'k \\geq 2'"
+TRUE = [
+    r"\sum_{i=1}^{k} x_i = \sum_{i=1}^{k-1} x_i + x_k",
+    r"\sum_{i=1}^{k} x_i = \sum_{i=1}^{k-2} x_i + x_{k-1} + x_k",
+    r"\sum_{i=1}^{2} x_i = x_1 + x_2",
+    r"\sum_{i=1}^{2} x_i^2 = x_1^2 + x_2^2",
+    r"\sum_{i=1}^{k} (a x_i + 1) = a \sum_{i=1}^{k} x_i + k",
+    r"latex = 'm_k = m_{k-1} + \frac{1}{k} (x_k - m_{k-1})'" + LATER,
+    r"latex = 'm_k = \frac{k-1}{k} m_{k-1} + \frac{x_k}{k}'" + LATER,
+]
+FALSE = [
+    r"\sum_{i=1}^{2} x_i = x_1 - x_2",
+    r"\sum_{i=1}^{k} x_i = \sum_{i=1}^{k-1} x_i - x_k",
+    r"\sum_{i=1}^{k} x_i^2 = \left(\sum_{i=1}^{k} x_i\right)^2",
+    r"latex = 'm_k = m_{k-1} + \frac{1}{k-1} (x_k - m_{k-1})'" + LATER,
+    r"latex = 'm_k = m_{k-1} + \frac{1}{k} (x_{k-1} - m_{k-1})'" + LATER,
+]
+
+
+@pytest.mark.parametrize("fields", TRUE)
+def test_true(fields: str) -> None:
+    check(judged("recursion", fields, SYMBOLS), "proved")
+
+
+@pytest.mark.parametrize("fields", FALSE)
+def test_false(fields: str) -> None:
+    check(judged("recursion", fields, SYMBOLS), "refuted")
+
+
+@pytest.mark.parametrize(
+    ("latex", "why"),
+    [
+        (r"\sum_{i=1}^{2} z_i = 2", "a domain of its own"),
+        (r"E\left[\sum_{i=1}^{2} w_i\right] = 0", "a noise"),
+        (r"\sum_{i=1}^{2} s_i = 2", "a symbol with that index"),
+    ],
+)
+def test_what_is_no_plain_sequence_is_left_open(latex: str, why: str) -> None:
+    found = judged("identity", latex, SYMBOLS)
+    check(found, "undecided")
+    assert why in found.reason
