@@ -12,6 +12,7 @@ from gainproof.verify.judge.claim_record import Claim, Setting, Unit
 from gainproof.verify.judge.dimension import dimension_of, reading_fault, unit_text
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reach import names_in
+from gainproof.verify.judge.verdict import ClaimVerdict
 
 NAMED = {
     Unit(): "a number",
@@ -93,3 +94,25 @@ def _agrees(formula: Formula, token: str, unit: Unit, setting: Setting) -> bool:
     entry = replace(setting.symbols[token], unit=unit, definition=None, arguments=())
     changed = replace(setting, symbols={**setting.symbols, token: entry})
     return any(reading_fault(reading, changed) is None for reading in formula.readings)
+
+
+def with_blame(
+    verdicts: Sequence[ClaimVerdict], claims: Sequence[Claim], setting: Setting
+) -> list[ClaimVerdict]:
+    """Verdicts in which claims refuted for their dimensions name the definition at fault."""
+    by_id = {claim.id: claim for claim in claims}
+    refuted = [v.id for v in verdicts if v.verdict == "refuted" and v.method == "dimensions"]
+    faulty = {
+        token: name
+        for name in refuted
+        if (token := defined_token(by_id[name], setting)) is not None
+    }
+    found = []
+    for verdict in verdicts:
+        formula = by_id[verdict.id].formula
+        used = [t for t in faulty if formula is not None and t in formula.symbols]
+        if verdict.id in refuted and verdict.id not in faulty.values() and used:
+            told = "; ".join(f"the definition of {t} is at fault, claim {faulty[t]}" for t in used)
+            verdict = replace(verdict, reason=f"{verdict.reason}; {told}")
+        found.append(verdict)
+    return found

@@ -10,7 +10,7 @@ from typing import Any
 
 from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim_record import Claim, ClaimFile, Setting
-from gainproof.verify.judge.definition_use import contradicted
+from gainproof.verify.judge.definition_use import contradicted, with_blame
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.stages import Done, Stage, with_other_conventions, with_repairs
@@ -116,7 +116,7 @@ def _verdicts(
         for claim in claims
         if claim.setting == setting.name and claim.kind in WITHOUT_DECISION
     ]
-    return [*plain, *choose(trials)]
+    return with_blame([*plain, *choose(trials)], claims, setting)
 
 
 def _plain(claim: Claim, setting: Setting, claims: Sequence[Claim]) -> ClaimVerdict:

@@ -15,6 +15,7 @@ from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.closings import closings
+from gainproof.verify.judge.repair.conditions import changed_conditions
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
@@ -113,7 +114,12 @@ class Search:
         if stage == 0:
             # a bound with something put in is true of many formulas
             most = LARGE if self.is_equation else PLAIN
-            return self._first(changes(self.formula, self.table, self.numbers, most))
+            edited = changes(self.formula, self.table, self.numbers, most)
+            # conditions decide where values are taken, so that values cannot decide between them
+            narrowed = self._proved(list(changed_conditions(self.formula)))
+            found = [*self._first(edited), *narrowed]
+            least = min((offer.change.weight for offer in found), default=0)
+            return [offer for offer in found if offer.change.weight == least]
         if not self.is_equation:
             return []
         return self._first(closings(self) if stage == 1 else two_changes(self))

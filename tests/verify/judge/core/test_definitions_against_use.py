@@ -23,6 +23,7 @@ def test_use_is_named() -> None:
         "dimensions: w is defined as a length (m), but claim c1 uses it as a velocity (m s^-1)"
     )
     assert used.verdict == "refuted"
+    assert "the definition of w is at fault, claim c0" in used.reason
     assert other.verdict == "proved"
 
 

@@ -108,6 +108,12 @@ def test_other_kinds(kind: str, latex: str, expected: str) -> None:
     assert " ".join(found.split()) == expected
 
 
+def test_slips_in_conditions() -> None:
+    verdict, found, _ = repair(LINE, r"\beta = \frac{6}{(k+1)(k+2)} \quad (0 \le k)")
+    assert verdict.verdict == "conditional"
+    assert found.endswith(r"\quad ( 0 < k )")
+
+
 def test_bounds_that_nothing_comes_near_are_not_offered() -> None:
     verdict, _, told = repair(RV, r"\alpha > 1", "inequality")
     assert verdict.repair == {"latex": r"\alpha < 1", "verdict": "proved"}
