@@ -8,14 +8,15 @@ from typing import Any
 
 from gainproof import derivations, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
+from gainproof.commands.time_limit import DEFAULT
 from gainproof.workshop import Workshop
 
-SECONDS = 60.0
-"""Time for one claim, unless somebody says otherwise; what takes longer is undecided."""
 
+def judge(files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT) -> list[dict[str, Any]]:
+    """{"source", "claims"} of every file; a claim that takes more than `seconds` is undecided.
 
-def judge(files: Sequence[Path], shop: Workshop, seconds: float = SECONDS) -> list[dict[str, Any]]:
-    """{"source", "claims"} of every file. Raises BadInputError for a file that cannot be used."""
+    Raises BadInputError for a file that cannot be used.
+    """
     texts = {file: read(file) for file in files}
     models = [entry["model"] for entry in derivations.overview(shop) if entry["model"]]
     shared = {"models": models, "seconds": seconds}

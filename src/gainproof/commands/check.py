@@ -6,6 +6,8 @@ import argparse
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from gainproof.commands import time_limit
+
 HELP = "judge the claims of a claim file, or begin one"
 DESCRIPTION = """\
 Judges every claim of FILE, or of all claim files that belong to gainproof. Exit status 0 if every
@@ -24,29 +26,16 @@ def configure(parser: argparse.ArgumentParser) -> None:
         const="",
         help="errata sheet instead of the table, in Markdown; or written to SHEET (.md or .tex)",
     )
-    parser.add_argument(
-        "--seconds",
-        metavar="N",
-        type=_seconds,
-        help="time for one claim, which is undecided after that (default: 60)",
-    )
+    time_limit.configure(parser)
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
     begin = parser.add_argument_group("to begin a claim file, instead of judging one")
     begin.add_argument("--new", metavar="NEW.toml", help="write a commented template")
     begin.add_argument(
         "--draft", metavar="PAPER.tex", help="draft one from the displayed equations of a paper"
     )
-    begin.add_argument("--out", metavar="NEW.toml", help="where to write the draft")
-
-
-def _seconds(text: str) -> float:
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = 0.0
-    if not 0 < seconds <= 86400:
-        raise argparse.ArgumentTypeError(f"wanted: more than 0 seconds, at most a day, got {text}")
-    return seconds
+    begin.add_argument(
+        "--out", metavar="NEW.toml", help="where to write the draft; else it is printed"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -62,7 +51,7 @@ def run(options: argparse.Namespace) -> int:
     sheet = errata.target(options.errata) if options.errata else None
     files = [judgements.find(options.file)] if options.file else list(places.claim_files())
     shop = open_workshop(fresh=options.fresh, only_terminal=True)
-    judged = judgements.judge(files, shop, options.seconds or judgements.SECONDS)
+    judged = judgements.judge(files, shop, options.seconds)
     words = [claim_words(judgements.read(file)) for file in files]
     if sheet is not None:
         errata.write(judged, words, sheet)

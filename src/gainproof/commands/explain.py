@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from gainproof.commands import time_limit
+
 HELP = "print the whole proof or witness of one claim"
 DESCRIPTION = """\
 Prints all that is known about one claim of a claim file: what was decided, by which method, with
@@ -13,6 +15,7 @@ the certificate of a proof or the exact point where a formula fails."""
 def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", metavar="FILE", help="a claim file, or the key of one of gainproof")
     parser.add_argument("claim", metavar="ID", help="the id of a claim")
+    time_limit.configure(parser)
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
 
 
@@ -25,7 +28,9 @@ def run(options: argparse.Namespace) -> int:
     from gainproof.workshop import open_workshop
 
     file = judgements.find(options.file)
-    (judgement,) = judgements.judge([file], open_workshop(fresh=options.fresh, quiet=True))
+    (judgement,) = judgements.judge(
+        [file], open_workshop(fresh=options.fresh, quiet=True), options.seconds
+    )
     claims = {claim["id"]: claim for claim in judgement["claims"]}
     if options.claim not in claims:
         raise unknown_name(f"claim of {judgement['source']['key']}", options.claim, claims)
