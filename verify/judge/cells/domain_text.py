@@ -35,7 +35,8 @@ def domain_text(
     texts, exact = _texts(task, found, budget, stated, labels)
     if not texts:
         return "everywhere", exact
-    return ("" if texts[0] == WITH_VALUE else "for ") + ", ".join(texts), exact
+    first = "everywhere " if texts[0].startswith("except") else "for "
+    return ("" if texts[0] == WITH_VALUE else first) + ", ".join(texts), exact
 
 
 def _texts(
