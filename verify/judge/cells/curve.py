@@ -27,7 +27,7 @@ from gainproof.verify.judge.exact.connected import Connected
 from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.place import Place, places
-from gainproof.verify.judge.exact.poly import Poly, degree, univariate
+from gainproof.verify.judge.exact.poly import Poly, constant, degree, univariate
 from gainproof.verify.judge.exact.survey import Work
 from gainproof.verify.judge.exact.truth import NO_VALUE, SKIPPED, Question, truth
 
@@ -123,11 +123,9 @@ def _candidates(factor: Poly, at: Algebraic, upper: int, box: Box) -> list[Algeb
     """Numbers of the box among which the other coordinates are, over an irrational point."""
     lower = 1 - upper
     context = factor.context()
-    x = context.gen(lower)
-    minimal = sum(
-        (x**k * c for k, c in enumerate(at.coefficients[1:], start=1)),
-        start=context.constant(at.coefficients[0]),
-    )
+    minimal: Poly = constant(context, 0)
+    for k, c in enumerate(at.coefficients):
+        minimal = minimal + context.gen(lower) ** k * c
     return _roots(minimal.resultant(factor, lower), upper, box)
 
 

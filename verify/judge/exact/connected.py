@@ -18,11 +18,14 @@ class Connected(Protocol):
     @property
     def at(self) -> Algebraic | None:
         """The point, where it is one of a tower with one parameter."""
+        ...
 
     @property
     def is_cell(self) -> bool:
         """Whether it is an open set."""
+        ...
 
     @property
     def samples(self) -> Sequence[Sample]:
         """Points of a cell, the simplest first; none for a point of a tower with one parameter."""
+        ...

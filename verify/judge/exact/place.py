@@ -36,9 +36,13 @@ class Place:
     at: Algebraic | None = None
     is_cell: bool = False
 
-    @cached_property
+    @property
     def samples(self) -> tuple[Fraction, ...]:
         """Rational points of a cell, the simplest first."""
+        return self._spread
+
+    @cached_property
+    def _spread(self) -> tuple[Fraction, ...]:
         if not self.is_cell:
             return ()
         low = None if self.left is None else self.left.high

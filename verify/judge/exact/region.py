@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import ceil, floor
 
@@ -11,7 +12,7 @@ from gainproof.verify.judge.exact.algebraic import (
 from gainproof.verify.judge.exact.place import Place
 
 
-def region_text(kept: list[Place], name: str, *, integer: bool = False) -> str:
+def region_text(kept: Sequence[Place], name: str, *, integer: bool = False) -> str:
     """The union of places as text: neighbouring places are joined."""
     pieces: list[list[Place]] = []
     for place in kept:

@@ -86,7 +86,8 @@ def sample_points(place: Connected, integer: bool) -> Iterable[Fraction | None]:
     whole = [Fraction(n) for n in place.integers(12)]
     if integer:
         return whole
-    return [*whole[:6], *[s for s in place.samples if s not in whole[:6]]]
+    spread: tuple[Fraction, ...] = place.samples
+    return [*whole[:6], *[s for s in spread if s not in whole[:6]]]
 
 
 def find_witness(
