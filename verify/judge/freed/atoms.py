@@ -106,7 +106,7 @@ class Atoms:
     def _range(self, base: Expr, monomial: Monomial, positive: bool) -> Box:
         """Above 1, between 0 and 1, positive, or anything."""
         if not positive:
-            return Box(stated=False)
+            return self._any(base, monomial_expr(monomial))
         grows = base == EULER or self.is_positive(base - 1)
         falls = not grows and self.is_positive(1 - base)
         exponent = monomial_expr(monomial)
@@ -120,7 +120,7 @@ class Atoms:
     def half_angle(self, monomial: Monomial) -> tuple[Expr, int]:
         """The variable for tan(m/(2d)), and d."""
         key: Key = ("angle", number(1), monomial)
-        return self._named(key, Box(stated=False)), self.divisors[key]
+        return self._named(key, self._any(monomial_expr(monomial))), self.divisors[key]
 
     @property
     def has_angles(self) -> bool:
@@ -147,15 +147,18 @@ class Atoms:
         """
         if is_term(node):
             index = terms_expr(monomials(node.parts[0]))
-            return self._named(
-                ("value", Expr("call", node.name, (index,)), UNIT), Box(stated=False)
-            )
+            return self._named(("value", Expr("call", node.name, (index,)), UNIT), self._any(index))
         if node.name == "log" and not self.is_positive(node.parts[0]):
             raise Undecided("a logarithm of something that is not known to be positive")
         if node.name not in ("log", "atan", "sum") or (_nested(node) and node.name != "sum"):
             raise Undecided(f"the function {node.name} of this argument is not covered")
         key: Key = ("value", _with_plain_index(node), UNIT)
-        return self._named(key, Box(stated=False))
+        return self._named(key, self._any(node))
+
+    def _any(self, *exprs: Expr) -> Box:
+        """Any number; stated, so that no divisor may vanish, where a domain behind it is stated."""
+        stated = any(self.boxes[n].stated for n in symbols_of(*exprs) if n in self.boxes)
+        return Box(stated=stated)
 
     def _named(self, key: Key, box: Box) -> Expr:
         if key not in self.names:

@@ -45,13 +45,16 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     # defined everywhere, hence continuous; where it has corners its slope is not asked for
     boxes = {n: replace(b, stated=b.stated or n in names) for n, b in frame.boxes.items()}
     defined = replace(frame, boxes=boxes).decide(Statement((Rel("=", subject, subject),)))
+    if defined.verdict == "held":
+        raise Undecided("it may have no value somewhere between the ends of the domain")
     if defined.verdict != "proved":
         reason = f"no value everywhere between the ends of the domain: {defined.reason}"
         return replace(finding_of(defined), reason=reason)
-    inside = replace(frame, boxes={n: _opened(b) for n, b in frame.boxes.items()})
+    within = {n: _opened(b) if n in names else b for n, b in frame.boxes.items()}
+    inside = replace(frame, boxes=within)
     _refuse_unknown_slopes(slope, inside)
     finding = finding_of(inside.decide(Statement((Rel(operator, slope, number(0)),))))
-    if finding.verdict != "proved" and operator in "<>" and _nearly(operator, slope, inside):
+    if finding.verdict != "proved" and operator in "<>" and _nearly(operator, slope, names, inside):
         weak = inside.decide(Statement((Rel(f"{operator}=", slope, number(0)),)))
         finding = finding_of(weak)
     return replace(finding, method=f"sign of the derivative; {finding.method}")
@@ -90,9 +93,9 @@ def _opened(box: Box) -> Box:
     return replace(box, lower_open=True, upper_open=True, stated=False)
 
 
-def _nearly(operator: str, slope: Expr, frame: Frame) -> bool:
+def _nearly(operator: str, slope: Expr, names: set[str], frame: Frame) -> bool:
     """Whether a slope never has the other sign and is zero at isolated points only."""
-    if len(Statement((Rel("=", slope, slope),)).symbols()) != 1:
+    if symbols_of(slope) != names or len(names) != 1:
         return False
     if not frame.holds(Rel(f"{operator}=", slope, number(0))):
         return False

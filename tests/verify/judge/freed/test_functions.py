@@ -79,6 +79,7 @@ def test_orders(fields: str, wanted: str | None) -> None:
         "latex = 'c^{-n} c^{n} = 1'\ndomain = '-1 < c < 1'",
         r"\log x = \log x \quad (x > -1)",
         "O(x) - O(x) = 0",
+        "latex = '\\tan\\theta \\cos\\theta = \\sin\\theta'\ndomain = '0 < \\theta < 3'",
         "latex = 'e^{\\frac{1}{x}} = e^{\\frac{1}{x}}'\ndomain = '-1 < x < 1'",
         "latex = '(2^{\\frac{1}{x}})^x = 2'\ndomain = '-1 < x < 1'",
         "latex = '\\sin\\frac{1}{x} = \\sin\\frac{1}{x}'\ndomain = '-1 < x < 1'",

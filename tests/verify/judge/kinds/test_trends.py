@@ -25,6 +25,11 @@ from small_claims import check, judged
         (r"\frac{2n+1}{(n+1)(n+2)}", "n", "decreasing", r"n \geq 1", "proved"),
         (r"\frac{2n+1}{(n+1)(n+2)}", "n", "decreasing", r"n \geq 0", "conditional"),
         ("2", "x", "increasing", "", "refuted"),
+        # flat where the other symbol is zero
+        ("a x", "x", "increasing", r"a \geq 0", "conditional"),
+        ("a x", "x", "nondecreasing", r"a \geq 0", "proved"),
+        # it falls back at each of its poles
+        (r"\tan\theta", r"\theta", "increasing", "", "undecided"),
         # constant where its derivative, as a formula, has no value
         (r"-\sqrt{(x - \left|x\right|)^2}", "x", "increasing", "", "undecided"),
         (r"\sqrt[3]{x}", "x", "increasing", "", "proved"),
