@@ -31,7 +31,8 @@ from gainproof.derive.catalogue import CATALOGUE
 
 HELP = "every proved claim of the repository broken and rewritten, and judged again"
 AT_ONCE = 8
-NOTHING: dict[str, Any] = {"mutants": [], "rewrites": [], "left out": {}, "doubt": False}
+LOST = {"not proved again within the time": 1}
+NOTHING: dict[str, Any] = {"mutants": [], "rewrites": [], "left out": LOST, "doubt": False}
 """Of a claim that is not proved any more."""
 
 
