@@ -94,13 +94,19 @@ def _opened(box: Box) -> Box:
 
 
 def _nearly(operator: str, slope: Expr, names: set[str], frame: Frame) -> bool:
-    """Whether a slope never has the other sign and is zero at isolated points only."""
-    if symbols_of(slope) != names or len(names) != 1:
+    """Whether a slope never has the other sign and is zero at isolated points only, for all values
+    of the other symbols. Raises Undecided where only the latter is not known.
+    """
+    if len(names) != 1 or not names <= symbols_of(slope):
         return False
     if not frame.holds(Rel(f"{operator}=", slope, number(0))):
         return False
-    flat = frame.decide(Statement((Rel("=", slope, number(0)),)))
-    return flat.verdict == "refuted"
+    if symbols_of(slope) == names:
+        return frame.decide(Statement((Rel("=", slope, number(0)),))).verdict == "refuted"
+    known = coefficients(slope, next(iter(names))) or {}
+    if any(frame.holds(Rel("!=", c, number(0))) for c in known.values()):
+        return True
+    raise Undecided("a slope that may be zero on an interval for some values of the other symbols")
 
 
 def _from_sample_to_sample(

@@ -27,6 +27,8 @@ from small_claims import check, judged
         ("2", "x", "increasing", "", "refuted"),
         # flat where the other symbol is zero
         ("a x", "x", "increasing", r"a \geq 0", "conditional"),
+        ("a x^3", "x", "increasing", "a > 0", "proved"),
+        ("a x^3", "x", "increasing", r"a \geq 0", "undecided"),
         ("a x", "x", "nondecreasing", r"a \geq 0", "proved"),
         # it falls back at each of its poles
         (r"\tan\theta", r"\theta", "increasing", "", "undecided"),
