@@ -9,7 +9,7 @@ from gainproof.verify.judge.choice import admitted
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.contradiction import other_tasks, under_other_convention
 from gainproof.verify.judge.definition_use import defined_token
-from gainproof.verify.judge.repair.definition import DefinitionTask, definition_tasks
+from gainproof.verify.judge.repair.definition import DefinitionTask, definition_task
 from gainproof.verify.judge.repair.offer import (
     explains,
     repair_tasks,
@@ -53,8 +53,7 @@ def with_repairs(stages: Iterable[Stage], done: Done) -> list[Stage]:
     of each claim.
     """
     stages = list(stages)
-    tasks = [task for stage in stages for task in _definition_tasks(stage)]
-    tokens = {task.claim.id: task.token for task in tasks}
+    suspected = {stage.setting.name: _definition_task(stage) for stage in stages}
     single = done(
         [
             task
@@ -64,23 +63,30 @@ def with_repairs(stages: Iterable[Stage], done: Done) -> list[Stage]:
             )
         ]
     )
-    better = {n: t for n, t in done(tasks).items() if t.repair and explains(t.repair, single)}
-    explained = {name for trial in better.values() for name in (trial.repair or {})["claims"]}
+    blamed = done([task for task in suspected.values() if task is not None])
     found = []
     for stage in stages:
-        mine = {v.id for v in stage.verdicts}
+        task = suspected[stage.setting.name]
+        repair = None if task is None else blamed[task.claim.id].repair
+        if repair is None or not explains(repair, single):
+            repair = {}
         verdicts = [
-            with_repair(v, single[v.id]) if v.id in single and v.id not in explained else v
+            with_repair(v, single[v.id])
+            if v.id in single and v.id not in repair.get("claims", ())
+            else v
             for v in stage.verdicts
         ]
-        here = {name: trial for name, trial in better.items() if name in mine}
-        found.append(replace(stage, verdicts=tuple(with_definition_repair(verdicts, here, tokens))))
+        if repair:
+            verdicts = with_definition_repair(verdicts, repair, _printed_in(stage, repair["token"]))
+        found.append(replace(stage, verdicts=tuple(verdicts)))
     return found
 
 
-def _definition_tasks(stage: Stage) -> list[DefinitionTask]:
+def _definition_task(stage: Stage) -> DefinitionTask | None:
     verdicts = {verdict.id: verdict.verdict for verdict in stage.verdicts}
-    printed = {t: c for c in stage.claims if (t := defined_token(c, stage.setting)) is not None}
-    return definition_tasks(
-        stage.setting, stage.decidable, verdicts, admitted(stage.tried), printed
-    )
+    return definition_task(stage.setting, stage.decidable, verdicts, admitted(stage.tried))
+
+
+def _printed_in(stage: Stage, token: str) -> str | None:
+    """The claim that prints the definition of a symbol."""
+    return next((c.id for c in stage.claims if defined_token(c, stage.setting) == token), None)

@@ -1,4 +1,4 @@
-"""Slips in a printed condition: a comparison that should be strict or turned, a bound one off."""
+"""Slips in a printed condition: a comparison strict or not, a bound one off."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from dataclasses import replace
 from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.repair.edit import PLAIN, SLIGHT
 from gainproof.verify.judge.repair.printed import Printed
-from gainproof.verify.judge.repair.whole import COMPARISONS, Change, Step
+from gainproof.verify.judge.repair.whole import Change, Step
+
+STRICT_OR_NOT = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 
 
 def changed_conditions(formula: Printed) -> Iterator[Change]:
@@ -16,14 +18,16 @@ def changed_conditions(formula: Printed) -> Iterator[Change]:
     if formula.connective != "if":
         return
     for n, link in enumerate(formula.conditions):
-        if link.operator not in COMPARISONS:
+        operator = STRICT_OR_NOT.get(link.operator)
+        if operator is None:
             continue
-        for operator in COMPARISONS:
-            if operator != link.operator:
-                turned = replace(link, operator=operator)
-                conditions = (*formula.conditions[:n], turned, *formula.conditions[n + 1 :])
-                step = Step(f"the condition's sign {link.operator} that is {operator}")
-                yield Change(replace(formula, conditions=conditions), SLIGHT, (step,))
+        conditions = (
+            *formula.conditions[:n],
+            replace(link, operator=operator),
+            *formula.conditions[n + 1 :],
+        )
+        step = Step(f"the condition's sign {link.operator} that is {operator}")
+        yield Change(replace(formula, conditions=conditions), SLIGHT, (step,))
         for side in (link.left, link.right):
             before = formula.sides[side]
             if before.kind != "number" or before.fraction.denominator != 1:

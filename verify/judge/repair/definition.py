@@ -11,13 +11,16 @@ from typing import Any
 
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
+from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.points import Point, generic_points
 from gainproof.verify.judge.repair.printed import Printed, printed
-from gainproof.verify.judge.repair.proof import is_proved, reread
+from gainproof.verify.judge.repair.proof import is_proved, reread, standing
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
 from gainproof.verify.judge.repair.values import Values, truth
@@ -29,30 +32,38 @@ from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
 
 BY_VALUES = ("identity", "inequality")
-LEAST = 2
-"""So many claims must be explained: one claim is as likely to be misprinted itself."""
+MOST_TRIED = 4_000
+"""So many changed definitions are looked at, whatever the machine's speed."""
 POINTS = 2
 Errors = (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError)
 
 
 @dataclass(frozen=True)
+class Suspect:
+    """A defined symbol, the claims using it that are not true and those that are."""
+
+    token: str
+    wrong: tuple[Claim, ...]
+    right: tuple[Claim, ...]
+
+
+@dataclass(frozen=True)
 class DefinitionTask:
-    """The definition of `token`, the claims using it that are not true and those that are; `claim`
-    is the one under whose id the answer is kept.
+    """The definitions that may explain why claims of a setting are not true; `claim` is one of
+    these, under whose id the answer is kept.
     """
 
     claim: Claim
     setting: Setting
-    token: str
-    wrong: tuple[Claim, ...]
-    right: tuple[Claim, ...]
+    suspects: tuple[Suspect, ...]
     conventions: tuple[str, ...]
     seconds: float = SECONDS
     most: float = SECONDS + OVERTIME
 
     def run(self, models: Models, solved: Solved) -> Trial:
-        """A trial whose `repair` holds the changed definition, "changes" in words with their
-        "weight" and the "claims" that it makes true, if there is one.
+        """A trial whose `repair` holds the lightest changed definition, "changes" in words with
+        their "weight", the "token", the "claims" that it makes true and their "verdict": true
+        everywhere, or wherever they have a value. None if there is none.
         """
         start = time.perf_counter()
         found: dict[str, Any] | None = None
@@ -63,57 +74,112 @@ class DefinitionTask:
         return Trial(self.claim, {}, (), False, time.perf_counter() - start, repair=found)
 
     def _searched(self, convention: Convention, deadline: float) -> dict[str, Any] | None:
-        survivors = []
-        points = {c.id: _points(c, convention) for c in (*self.wrong, *self.right)}
-        for change in self._changes(convention.setting):
+        survivors: list[tuple[Suspect, Change]] = []
+        tried = 0
+        scope = Scope(convention.setting, convention.environment)
+        bodies = _bodies(convention.setting)
+        for suspect in self.suspects:
+            users = (*suspect.wrong, *suspect.right)
+            points = {c.id: _points(c, convention) for c in users}
+            for change in _changes(suspect, convention.setting):
+                tried += 1
+                if tried > MOST_TRIED or time.perf_counter() > deadline:
+                    break
+                body = change.printed.sides[change.printed.links[0].right]
+                if _agrees(suspect, body, points, scope, bodies):
+                    survivors.append((suspect, change))
+        survivors.sort(key=lambda pair: (pair[1].weight, -len(pair[0].wrong), _size(pair[1])))
+        for suspect, change in survivors:
             if time.perf_counter() > deadline:
                 break
-            if self._agrees(change.printed, convention, points):
-                survivors.append(change)
-        for change in sorted(survivors, key=lambda c: (c.weight, _size(c))):
-            formula = reread(change.printed, convention.setting.symbols)
-            if formula is None or time.perf_counter() > deadline:
-                continue
-            setting = changed_definition(convention.setting, self.token, formula)
-            if all(
-                is_proved(claim, setting, convention.environment)
-                for claim in (*self.wrong, *self.right)
-            ):
-                names = [claim.id for claim in self.wrong]
-                return {
-                    "latex": formula.latex,
-                    "changes": in_words(change),
-                    "weight": change.weight,
-                    "claims": names,
-                }
+            found = _borne_out(suspect, change, convention)
+            if found is not None:
+                return found
         return None
 
-    def _changes(self, setting: Setting) -> Iterator[Change]:
-        definition = setting.symbols[self.token].definition
-        assert definition is not None
-        formula = printed(definition.readings[0])
-        left = formula.sides[formula.links[0].left]
-        table = table_of(setting, formula, (*self.wrong, *self.right))
-        for change in changes(formula, table, sample_numbers(setting)):
-            circular = any(node[1:2] == [self.token] for node in _nodes(change.printed))
-            if change.printed.sides[formula.links[0].left] == left and not circular:
-                yield change
 
-    def _agrees(
-        self, formula: Printed, convention: Convention, points: Mapping[str, Sequence[Point]]
-    ) -> bool:
-        """Whether every claim is seen to hold at its points with the changed definition."""
-        entry = Formula("", (formula.reading(),))
-        setting = changed_definition(convention.setting, self.token, entry)
-        for claim in (*self.wrong, *self.right):
-            if claim.kind not in BY_VALUES or claim.formula is None:
+def _borne_out(suspect: Suspect, change: Change, convention: Convention) -> dict[str, Any] | None:
+    """The answer if with the change all claims stand."""
+    formula = reread(change.printed, convention.setting.symbols)
+    if formula is None:
+        return None
+    setting = changed_definition(convention.setting, suspect.token, formula)
+    found = []
+    for claim in suspect.wrong:
+        found.append(standing(claim, setting, convention.environment))
+        if found[-1] is None:
+            return None
+    if not all(is_proved(claim, setting, convention.environment) for claim in suspect.right):
+        return None
+    return {
+        "token": suspect.token,
+        "latex": formula.latex,
+        "changes": in_words(change),
+        "weight": change.weight,
+        "claims": [claim.id for claim in suspect.wrong],
+        "verdict": "conditional" if "conditional" in found else "proved",
+    }
+
+
+def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
+    definition = setting.symbols[suspect.token].definition
+    assert definition is not None
+    formula = printed(definition.readings[0])
+    left = formula.sides[formula.links[0].left]
+    table = table_of(setting, formula, (*suspect.wrong, *suspect.right))
+    for change in changes(formula, table, sample_numbers(setting)):
+        circular = any(node[1:2] == [suspect.token] for node in _nodes(change.printed))
+        if change.printed.sides[formula.links[0].left] == left and not circular:
+            yield change
+
+
+class _Chained(Values):
+    """Values of defined symbols by their printed definitions, one of which may be changed."""
+
+    def __init__(self, scope: Scope, point: Point, bodies: Mapping[str, Expr]) -> None:
+        super().__init__(scope, point, {})
+        self._bodies = bodies
+
+    def symbol(self, name: str) -> Ball | None:
+        if name in self._bodies and name not in self._symbols:
+            self._symbols[name] = None  # while it is open: a definition in terms of itself
+            self._symbols[name] = self._ball(self._bodies[name])
+        return super().symbol(name)
+
+
+def _bodies(setting: Setting) -> dict[str, Expr]:
+    """Printed definitions by symbol."""
+    found = {}
+    for token, entry in setting.symbols.items():
+        if entry.definition is not None and not entry.arguments:
+            try:
+                found[token] = read_graph(entry.definition.readings[0].relations[0].right)
+            except Malformed:
                 continue
-            for point in points[claim.id]:
-                scope = Scope(setting, convention.environment)
-                told = printed(claim.formula.readings[0])
-                if truth(Values(scope, point, {}), told) is False:
-                    return False
-        return True
+    return found
+
+
+def _agrees(
+    suspect: Suspect,
+    body: Expr,
+    points: Mapping[str, Sequence[Point]],
+    scope: Scope,
+    bodies: Mapping[str, Expr],
+) -> bool:
+    """Whether every claim is seen to hold at its points with the changed definition, one at least
+    having a value there.
+    """
+    seen = False
+    for claim in (*suspect.wrong, *suspect.right):
+        if claim.kind not in BY_VALUES or claim.formula is None:
+            continue
+        told = printed(claim.formula.readings[0])
+        for point in points[claim.id]:
+            found = truth(_Chained(scope, point, {**bodies, suspect.token: body}), told)
+            if found is False:
+                return False
+            seen = seen or found is True
+    return seen
 
 
 def _nodes(formula: Printed) -> list[list[Any]]:
@@ -143,26 +209,22 @@ def changed_definition(setting: Setting, token: str, formula: Formula) -> Settin
     return replace(setting, symbols={**setting.symbols, token: entry})
 
 
-def definition_tasks(
+def definition_task(
     setting: Setting,
     claims: Sequence[Claim],
     verdicts: Mapping[str, str],
     conventions: Sequence[str],
-    carriers: Mapping[str, Claim],
-) -> list[DefinitionTask]:
-    """One for each definition that at least two claims use which are not true. `carriers` are the
-    claims that print the definitions.
-    """
-    found: list[DefinitionTask] = []
-    taken: set[str] = set()
+) -> DefinitionTask | None:
+    """The task for a setting, if claims are not true that use definitions."""
+    suspects: list[Suspect] = []
     for token, entry in setting.symbols.items():
         if entry.role != "definition" or entry.arguments:
             continue
         users = [c for c in claims if token in reached(c, setting)]
         wrong = tuple(c for c in users if verdicts.get(c.id) in ("refuted", "conditional"))
         right = tuple(c for c in users if verdicts.get(c.id) == "proved")
-        carrier = carriers.get(token, wrong[0] if wrong else None)
-        if len(wrong) >= LEAST and carrier is not None and carrier.id not in taken:
-            taken.add(carrier.id)
-            found.append(DefinitionTask(carrier, setting, token, wrong, right, tuple(conventions)))
-    return found
+        if wrong:
+            suspects.append(Suspect(token, wrong, right))
+    if not suspects:
+        return None
+    return DefinitionTask(suspects[0].wrong[0], setting, tuple(suspects), tuple(conventions))

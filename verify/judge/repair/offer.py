@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.repair.edit import SLIGHT
 from gainproof.verify.judge.repair.task import RepairTask
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict
@@ -57,39 +58,36 @@ def with_repair(verdict: ClaimVerdict, trial: Trial) -> ClaimVerdict:
 
 def explains(definition: Mapping[str, Any], single: Mapping[str, Trial]) -> bool:
     """Whether a changed definition is the better explanation of its claims: one of them has no
-    repair of its own, or none has a lighter one.
+    repair of its own, or none has a lighter one. One claim alone blames a definition only for the
+    slightest slip.
     """
-    weights = []
-    for name in definition["claims"]:
-        offers = (single[name].repair or {}).get("offers") if name in single else None
-        if not offers:
-            return True
-        weights.append(offers[0]["weight"])
-    return bool(definition["weight"] <= min(weights))
+    names = definition["claims"]
+    offers = [(single[n].repair or {}).get("offers") if n in single else None for n in names]
+    if len(names) == 1:
+        return bool(not offers[0] and definition["weight"] == SLIGHT)
+    lightest = min((found[0]["weight"] for found in offers if found), default=0)
+    return bool(not all(offers) or definition["weight"] <= lightest)
 
 
 def with_definition_repair(
-    verdicts: Sequence[ClaimVerdict], trials: Mapping[str, Trial], tokens: Mapping[str, str]
+    verdicts: Sequence[ClaimVerdict], repair: Mapping[str, Any], printed_in: str | None
 ) -> list[ClaimVerdict]:
-    """Verdicts in which a changed definition is named that makes several claims true. `trials` are
-    those of definition tasks, `tokens` the symbols they are about, both by id of a claim.
+    """Verdicts in which a changed definition is named that makes claims true; the claim
+    `printed_in`, if there is one, prints the definition and gets it as its repair.
     """
-    found = {verdict.id: verdict for verdict in verdicts}
-    for name, trial in trials.items():
-        if trial.repair is None:
-            continue
-        latex, explained = trial.repair["latex"], list(trial.repair["claims"])
-        told = f"{', '.join(explained)} would be proved with {tokens[name]} defined as {latex}"
-        for one in dict.fromkeys([*explained, name]):
-            verdict = found[one]
-            certificate = {**verdict.certificate, "repair of a definition": dict(trial.repair)}
-            repair = verdict.repair
-            if one == name and one not in explained:
-                repair = {"latex": latex, "verdict": "proved"}
-            found[one] = replace(
+    latex, explained, token = repair["latex"], list(repair["claims"]), repair["token"]
+    wherever = "" if repair["verdict"] == "proved" else " wherever they have a value"
+    told = f"{', '.join(explained)} would be proved{wherever} with {token} defined as {latex}"
+    found = []
+    for verdict in verdicts:
+        if verdict.id in (*explained, printed_in):
+            certificate = {**verdict.certificate, "repair of a definition": dict(repair)}
+            own = {"latex": latex, "verdict": repair["verdict"]}
+            verdict = replace(
                 verdict,
                 reason=f"{verdict.reason}; {told}",
                 certificate=certificate,
-                repair=repair,
+                repair=own if verdict.id == printed_in else verdict.repair,
             )
-    return [found[verdict.id] for verdict in verdicts]
+        found.append(verdict)
+    return found

@@ -43,3 +43,14 @@ def with_formula(claim: Claim, formula: Formula) -> Claim:
 def is_proved(claim: Claim, setting: Setting, environment: Environment) -> bool:
     """Whether the judge proves the claim on its whole domain."""
     return judge_claim(claim, setting, environment).verdict == "proved"
+
+
+def standing(claim: Claim, setting: Setting, environment: Environment) -> str | None:
+    """`proved`, or `conditional` for a claim that fails only where a side has no value."""
+    finding = judge_claim(claim, setting, environment)
+    witness = finding.witness
+    if finding.verdict == "proved":
+        return "proved"
+    if finding.verdict != "conditional" or witness is None:
+        return None
+    return "conditional" if witness.left.undefined or witness.right.undefined else None

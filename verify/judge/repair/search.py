@@ -115,8 +115,9 @@ class Search:
             # a bound with something put in is true of many formulas
             most = LARGE if self.is_equation else PLAIN
             edited = changes(self.formula, self.table, self.numbers, most)
-            # conditions decide where values are taken, so that values cannot decide between them
-            narrowed = self._proved(list(changed_conditions(self.formula)))
+            # only where the formula itself is right well inside its domain is its edge at fault
+            inside = self.by_values and self.agrees(self.formula)
+            narrowed = self._proved(list(changed_conditions(self.formula))) if inside else []
             found = [*self._first(edited), *narrowed]
             least = min((offer.change.weight for offer in found), default=0)
             return [offer for offer in found if offer.change.weight == least]

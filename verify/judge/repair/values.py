@@ -157,7 +157,8 @@ def _compared(operator: str, a: Ball, b: Ball) -> bool | None:
             return operator == "!="
         less = bool(a < b)
         return {"<": less, "<=": less, ">": not less, ">=": not less}.get(operator)
-    gap, size = (a - b).abs_upper(), max(a.abs_upper(), b.abs_upper())
+    # beside zero there is no relative measure; proof decides about what passes
+    gap, size = (a - b).abs_upper(), max(a.abs_upper(), b.abs_upper(), flint.arb(1))
     if gap * 2**AGREED_BITS > size:
         return None
     return operator in ("=", "<=", ">=")

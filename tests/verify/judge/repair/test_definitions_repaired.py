@@ -46,3 +46,26 @@ def test_a_claim_that_is_true_keeps_its_definition() -> None:
     assert [v.verdict for v in contrary] == ["refuted", "refuted", "proved"]
     assert all("would be proved with w" not in v.reason for v in contrary)
     assert all(v.repair is not None for v in contrary[:2])
+
+
+CARDANO = algebra(
+    "'\\lambda' = { unit = '1', domain = '0 < \\lambda', meaning = 'tracking index' }\n"
+    "'b' = { definition = '\\frac{\\lambda}{2} - 3', meaning = 'of the cubic' }\n"
+    "'c' = { definition = '\\frac{\\lambda}{2} + 3', meaning = 'of the cubic' }\n"
+    "'d' = { definition = '-1', meaning = 'of the cubic' }\n"
+    "'p' = { definition = 'c - \\frac{b^2}{3}', meaning = 'of the reduced cubic' }\n"
+    "'q' = { definition = '\\frac{2 b^3}{27} - \\frac{bc}{3} + d', meaning = 'of the other' }\n"
+    "'v' = { definition = '\\sqrt{q^2 + \\frac{4 p^3}{27}}', meaning = 'root' }\n"
+    "'z' = { definition = '-\\sqrt[3]{q + \\frac{v}{2}}', meaning = 'cube root, misprinted' }\n"
+    "'s' = { definition = 'z - \\frac{p}{3z} - \\frac{b}{3}', meaning = 'root of the cubic' }\n"
+)
+
+
+def test_the_slightest_slip_in_a_chain_of_definitions() -> None:
+    (verdict,) = judged(CARDANO, ("identity", "s^3 + b s^2 + c s + d = 0"))
+    assert verdict.verdict == "refuted"
+    told = verdict.certificate["repair of a definition"]
+    assert told["latex"] == r"z = -\sqrt[3]{\frac{q + v}{2}}"
+    # where the cubic has three real roots, the right formula has no real value either
+    assert told["verdict"] == "conditional"
+    assert "wherever they have a value" in verdict.reason
