@@ -20,6 +20,7 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.freed.half_tangent import half_tangent
 from gainproof.verify.judge.freed.monomials import (
     UNIT,
     Monomial,
@@ -120,7 +121,10 @@ class Atoms:
     def half_angle(self, monomial: Monomial) -> tuple[Expr, int]:
         """The variable for tan(m/(2d)), and d."""
         key: Key = ("angle", number(1), monomial)
-        return self._named(key, self._any(monomial_expr(monomial))), self.divisors[key]
+        angle, divisor = monomial_expr(monomial), self.divisors[key]
+        known = self.boxes.get(angle.name) if angle.kind == "symbol" else None
+        box = None if known is None else half_tangent(known, divisor)
+        return self._named(key, box or self._any(angle)), divisor
 
     @property
     def has_angles(self) -> bool:

@@ -57,6 +57,8 @@ def test_false(latex: str) -> None:
         ("latex = '1 - e^{-x} > 0'\ndomain = 'x > 0'", "proved"),
         ("latex = 'c^n < 1'\ndomain = '0 < c < 1, n \\geq 1'", "proved"),
         (r"\cos\theta \leq 1", "proved"),
+        ("latex = '\\cos\\theta \\geq \\frac{1}{2}'\ndomain = '-1 < \\theta < 1'", "proved"),
+        ("latex = '\\cos\\theta \\geq \\frac{3}{5}'\ndomain = '-1 < \\theta < 1'", "refuted"),
         # the one angle that the half tangent misses: equality holds only there
         (r"\cos\theta > -1", None),
         ("e^x > 1", "refuted"),
