@@ -11,19 +11,16 @@ from typing import Any
 
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
-from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.repair.catalogue import changes
+from gainproof.verify.judge.repair.chained import agrees_chained, printed_bodies
 from gainproof.verify.judge.repair.points import Point, generic_points
 from gainproof.verify.judge.repair.printed import Printed, printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
-from gainproof.verify.judge.repair.values import Values, truth
 from gainproof.verify.judge.repair.whole import Change
 from gainproof.verify.judge.repair.words import in_words
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
@@ -31,7 +28,6 @@ from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
 
-BY_VALUES = ("identity", "inequality")
 MOST_TRIED = 4_000
 """So many changed definitions are looked at, whatever the machine's speed."""
 POINTS = 2
@@ -40,11 +36,14 @@ Errors = (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError
 
 @dataclass(frozen=True)
 class Suspect:
-    """A defined symbol, the claims using it that are not true and those that are."""
+    """A defined symbol, the claims using it that are not true and those that are; `partly` are ids
+    of claims that are true on a part of their domain, which is no gain to them.
+    """
 
     token: str
     wrong: tuple[Claim, ...]
     right: tuple[Claim, ...]
+    partly: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -77,7 +76,7 @@ class DefinitionTask:
         survivors: list[tuple[Suspect, Change]] = []
         tried = 0
         scope = Scope(convention.setting, convention.environment)
-        bodies = _bodies(convention.setting)
+        bodies = printed_bodies(convention.setting)
         for suspect in self.suspects:
             users = (*suspect.wrong, *suspect.right)
             points = {c.id: _points(c, convention) for c in users}
@@ -86,7 +85,7 @@ class DefinitionTask:
                 if tried > MOST_TRIED or time.perf_counter() > deadline:
                     break
                 body = change.printed.sides[change.printed.links[0].right]
-                if _agrees(suspect, body, points, scope, bodies):
+                if agrees_chained(suspect.token, body, users, points, scope, bodies):
                     survivors.append((suspect, change))
         survivors.sort(key=lambda pair: (pair[1].weight, -len(pair[0].wrong), _size(pair[1])))
         for suspect, change in survivors:
@@ -107,7 +106,7 @@ def _borne_out(suspect: Suspect, change: Change, convention: Convention) -> dict
     found = []
     for claim in suspect.wrong:
         found.append(standing(claim, setting, convention.environment))
-        if found[-1] is None:
+        if found[-1] is None or (found[-1] == "conditional" and claim.id in suspect.partly):
             return None
     if not all(is_proved(claim, setting, convention.environment) for claim in suspect.right):
         return None
@@ -131,55 +130,6 @@ def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
         circular = any(node[1:2] == [suspect.token] for node in _nodes(change.printed))
         if change.printed.sides[formula.links[0].left] == left and not circular:
             yield change
-
-
-class _Chained(Values):
-    """Values of defined symbols by their printed definitions, one of which may be changed."""
-
-    def __init__(self, scope: Scope, point: Point, bodies: Mapping[str, Expr]) -> None:
-        super().__init__(scope, point, {})
-        self._bodies = bodies
-
-    def symbol(self, name: str) -> Ball | None:
-        if name in self._bodies and name not in self._symbols:
-            self._symbols[name] = None  # while it is open: a definition in terms of itself
-            self._symbols[name] = self._ball(self._bodies[name])
-        return super().symbol(name)
-
-
-def _bodies(setting: Setting) -> dict[str, Expr]:
-    """Printed definitions by symbol."""
-    found = {}
-    for token, entry in setting.symbols.items():
-        if entry.definition is not None and not entry.arguments:
-            try:
-                found[token] = read_graph(entry.definition.readings[0].relations[0].right)
-            except Malformed:
-                continue
-    return found
-
-
-def _agrees(
-    suspect: Suspect,
-    body: Expr,
-    points: Mapping[str, Sequence[Point]],
-    scope: Scope,
-    bodies: Mapping[str, Expr],
-) -> bool:
-    """Whether every claim is seen to hold at its points with the changed definition, one at least
-    having a value there.
-    """
-    seen = False
-    for claim in (*suspect.wrong, *suspect.right):
-        if claim.kind not in BY_VALUES or claim.formula is None:
-            continue
-        told = printed(claim.formula.readings[0])
-        for point in points[claim.id]:
-            found = truth(_Chained(scope, point, {**bodies, suspect.token: body}), told)
-            if found is False:
-                return False
-            seen = seen or found is True
-    return seen
 
 
 def _nodes(formula: Printed) -> list[list[Any]]:
@@ -224,7 +174,8 @@ def definition_task(
         wrong = tuple(c for c in users if verdicts.get(c.id) in ("refuted", "conditional"))
         right = tuple(c for c in users if verdicts.get(c.id) == "proved")
         if wrong:
-            suspects.append(Suspect(token, wrong, right))
+            partly = frozenset(c.id for c in wrong if verdicts[c.id] == "conditional")
+            suspects.append(Suspect(token, wrong, right, partly))
     if not suspects:
         return None
     return DefinitionTask(suspects[0].wrong[0], setting, tuple(suspects), tuple(conventions))
