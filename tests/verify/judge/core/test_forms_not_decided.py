@@ -37,7 +37,6 @@ setting = "algebra"
     ("kind", "latex"),
     [
         ("identity", r"v = (b_1, \cdots, b_3)"),
-        ("identity", r"b_1 + \cdots + b_3 = 3 b_k"),
         ("identity", r"A = \begin{bmatrix} A & A \\ A & A \end{bmatrix}"),
         ("identity", r"A = A \otimes A"),
         ("identity", r"A + x = A"),
@@ -60,3 +59,9 @@ def test_undecided_with_a_reason(kind: str, latex: str) -> None:
     (found,) = judge_file(read_claim_text(text, "trial.toml"), [])
     assert found.verdict == "undecided", (found.verdict, found.reason)
     assert found.reason
+
+
+def test_terms_of_a_sequence_are_not_all_one_number() -> None:
+    text = f"{HEAD}kind = \"identity\"\nlatex = 'b_1 + \\cdots + b_3 = 3 b_k'\n"
+    (found,) = judge_file(read_claim_text(text, "trial.toml"), [])
+    assert found.verdict == "refuted", (found.verdict, found.reason)
