@@ -101,7 +101,9 @@ def read_claim_text(
     text = text.replace("\r\n", "\n")
     _refuse_characters(text, path)
     file_text = FileText(path, text)
-    document = Fields(file_text, "file", _parse(text, path), TABLES)
+    parsed = _parse(text, path)
+    _refuse_escapes(parsed, path)
+    document = Fields(file_text, "file", parsed, TABLES)
     version = document.required_text("format")
     if version != FORMAT:
         raise document.fail("format", f"wanted {FORMAT!r}, but it is {version[:80]!r}")
@@ -122,12 +124,34 @@ def _refuse_characters(text: str, path: str) -> None:
         if line.count(".") > MOST_DOTS:
             raise ClaimFileError(path, "", f"more than {MOST_DOTS} dots in a line", number)
         for column, character in enumerate(line, start=1):
-            if character.isascii() and (character.isprintable() or character == "\t"):
-                continue
-            if unicodedata.category(character) in ("Cc", "Cf", "Cn", "Co", "Cs", "Zl", "Zp"):
-                name = unicodedata.name(character, "no name")
-                problem = f"the invisible character U+{ord(character):04X} ({name})"
+            problem = _invisible(character)
+            if problem is not None:
                 raise ClaimFileError(path, "", problem, number, column)
+
+
+def _refuse_escapes(value: object, path: str) -> None:
+    """The same characters as escapes of TOML: they would reach a terminal as they are."""
+    if isinstance(value, str):
+        problem = next((p for c in value if c != "\n" and (p := _invisible(c))), None)
+        if problem is not None:
+            raise ClaimFileError(path, "", f"{problem}, written as an escape")
+    elif isinstance(value, Mapping):
+        for key, inner in value.items():
+            _refuse_escapes(key, path)
+            _refuse_escapes(inner, path)
+    elif isinstance(value, list):
+        for inner in value:
+            _refuse_escapes(inner, path)
+
+
+def _invisible(character: str) -> str | None:
+    """What is wrong with a character, if it cannot be seen."""
+    if character.isascii() and (character.isprintable() or character == "\t"):
+        return None
+    if unicodedata.category(character) not in ("Cc", "Cf", "Cn", "Co", "Cs", "Zl", "Zp"):
+        return None
+    name = unicodedata.name(character, "no name")
+    return f"the invisible character U+{ord(character):04X} ({name})"
 
 
 def _parse(text: str, path: str) -> Mapping[str, Any]:
