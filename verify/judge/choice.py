@@ -49,8 +49,9 @@ def _chosen(
         return verdict_of(claim, Finding("undecided", reason), None, trial.seconds)
     if len(findings) == 1 and not trial.is_open:
         return verdict_of(claim, next(iter(findings.values())), None, trial.seconds)
-    if mine and common:
-        best = [n for n in common if n in mine]
+    if mine and (common or len(mine) == len(findings)):
+        # what holds under every convention is true, whatever other claims contradict one another
+        best = [n for n in common or findings if n in mine]
         others = _others(findings, best)
         return verdict_of(claim, findings[best[0]], _named(trial, best), trial.seconds, others)
     if mine:

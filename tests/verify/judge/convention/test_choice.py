@@ -38,6 +38,8 @@ def chosen(*verdicts: tuple[str, str]) -> list[str]:
         ([(P, R), (R, P), (U, U)], [C, C, U]),
         ([(P, R), (R, P), (R, R)], [C, C, R]),
         ([(P, P), (R, P)], [P, P]),
+        # what holds under both is true whatever the others say
+        ([(P, R), (R, P), (P, P)], [C, C, P]),
         ([(R, R)], [R]),
         ([(C, R)], [C]),
         ([(U, R)], [U]),
