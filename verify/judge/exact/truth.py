@@ -56,7 +56,13 @@ def truth(question: Question, local: Local) -> tuple[str, Rel | None]:
                 return FALSE, rel
         return TRUE, None
     if local.undefined(*statement.exprs()) is not None:
-        return NO_VALUE, statement.relations[0]
+        one_sided = any(
+            local.undefined(*(e for r in rels for e in (r.left, r.right))) is None
+            and all(_holds(question, local, rel, everywhere=False) for rel in rels)
+            for rels in (statement.relations, statement.conditions)
+        )
+        # one side is true and the other has no value: that is no equivalence, whatever was stated
+        return FALSE if one_sided else NO_VALUE, statement.relations[0]
     first = all(_holds(question, local, rel, everywhere=False) for rel in statement.relations)
     second = all(_holds(question, local, rel, everywhere=False) for rel in statement.conditions)
     good = first == second if statement.connective == "iff" else (second or not first)

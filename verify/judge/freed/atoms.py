@@ -126,6 +126,10 @@ class Atoms:
         box = None if known is None else half_tangent(known, divisor)
         return self._named(key, box or self._any(angle)), divisor
 
+    def box_of(self, key: Key) -> Box:
+        """Where the variable of a key lies."""
+        return self.made[self.names[key]]
+
     @property
     def has_angles(self) -> bool:
         """Whether an angle is among them."""

@@ -55,6 +55,7 @@ def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive)
     moved = statement.mapped(changed)
     if atoms.has_angles:
         _refuse_open_relations(statement)
+        _refuse_divisors(statement, atoms)
     return Freed(moved, {**boxes, **atoms.made}, atoms.labels(), tuple(atoms.exclusions.values()))
 
 
@@ -79,6 +80,16 @@ def _refuse_open_relations(statement: Statement) -> None:
     sides = [side for r in statement.conditions for side in (r.left, r.right)]
     if any(node.kind == "call" for node in walk(*sides)):
         raise Undecided("a condition on function values is not covered")
+
+
+def _refuse_divisors(statement: Statement, atoms: Atoms) -> None:
+    """At the angle that is missed a divisor may be zero; where a domain was stated that counts."""
+    for node in walk(*statement.exprs()):
+        if node.kind == "div" or (node.kind == "pow" and node.fraction < 0):
+            calls = [n for n in walk(node.parts[-1]) if n.kind == "call"]
+            boxes = [atoms.box_of(key) for n in calls for key, _ in angle_terms(n)]
+            if any(box.stated and None in (box.lower, box.upper) for box in boxes):
+                raise Undecided("a divisor with an angle in it, which may be zero")
 
 
 def _free(node: Expr, atoms: Atoms) -> Expr:

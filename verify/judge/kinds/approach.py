@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
@@ -20,13 +19,11 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Graph, Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame
 from gainproof.verify.judge.meaning.domains import is_whole
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.series.of_expression import expanded
-from gainproof.verify.judge.series.series import leading
 from gainproof.verify.judge.setting.environment import INDEX
 
 SMALL = "distance to the limit"
@@ -123,7 +120,9 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
         name = variable.name
         if not isinstance(point, str) and name in symbols_of(point):
             raise Undecided("a variable that tends to something that holds it")
-        return Approach(name, point, frame.boxes[name], frame.labels.get(name, name))
+        approach = Approach(name, point, frame.boxes[name], frame.labels.get(name, name))
+        _refuse_outside(approach, frame)
+        return approach
     names = symbols_of(variable)
     if len(names) != 1 or not (isinstance(point, str) or not symbols_of(point)):
         raise Undecided("a limit in a quantity that depends on several variables")
@@ -146,76 +145,19 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
     raise Undecided("a limit in a quantity that does not tend to its point at an end")
 
 
-def others_frame(frame: Frame, approach: Approach) -> tuple[Frame, bool]:
-    """The frame without the variable of the limit; whether a condition on it was left out that does
-    not just say from which side it comes.
-    """
-    on_it = [c for c in frame.conditions if approach.name in symbols_of(c.left, c.right)]
-    kept = tuple(c for c in frame.conditions if c not in on_it)
-    boxes: Mapping[str, Box] = {n: b for n, b in frame.boxes.items() if n != approach.name}
-    around = replace(frame, boxes=boxes, conditions=kept)
-    return around, any(None in _near(c, approach, around).values() for c in on_it)
+def _refuse_outside(approach: Approach, frame: Frame) -> None:
+    """Raises Undecided unless the variable can tend to its point inside its domain."""
+    point, box = approach.point, approach.box
+    if isinstance(point, str):
+        inside = (box.lower if point.startswith("-") else box.upper) is None
+    elif constant_value(point) is None:
+        bounds = [Rel(op, point, number(b)) for op, b in _bounds(box) if b is not None]
+        inside = not box.integer and all(frame.holds(rel) for rel in bounds)
+    else:
+        inside = not box.integer
+    if not inside:
+        raise Undecided(f"{approach.label} cannot tend to {approach.text[3:]} in its domain")
 
 
-def open_sides(approach: Approach, frame: Frame, around: Frame) -> list[int]:
-    """The sides on which no condition excludes points close to the limit. Raises Undecided."""
-    on_it = [c for c in frame.conditions if approach.name in symbols_of(c.left, c.right)]
-    shut = {s for c in on_it for s, holds in _near(c, approach, around).items() if holds is False}
-    sides = [side for side in approach.sides() if side not in shut]
-    if not sides:
-        raise Undecided("the conditions hold nowhere close to the limit")
-    return sides
-
-
-def _near(rel: Rel, approach: Approach, around: Frame) -> dict[int, bool | None]:
-    """For each side whether a condition holds close to the limit; None where that is not known."""
-    oracle = Coefficients(around)
-    found: dict[int, bool | None] = {}
-    for side in approach.sides():
-        try:
-            difference = approach.moved(rel.left - rel.right, side)
-            first = leading(expanded(difference, SMALL, oracle, Fraction(4)), oracle)
-        except Undecided:
-            first = None
-        found[side] = None
-        for sign, operators in ((1, (">", ">=", "!=")), (-1, ("<", "<=", "!="))):
-            if first is not None and oracle.is_positive(first[1] if sign > 0 else -first[1]):
-                found[side] = rel.operator in operators
-    return found
-
-
-class Coefficients:
-    """What a frame knows of coefficients: the oracle of expansions."""
-
-    def __init__(self, frame: Frame) -> None:
-        self._frame = frame
-        self._known: dict[tuple[str, Expr], bool] = {}
-
-    def is_zero(self, coefficient: Expr) -> bool:
-        """Zero always, or never. Raises Undecided."""
-        value = constant_value(coefficient)
-        if value is not None:
-            return value == 0
-        if self._holds("=", coefficient):
-            return True
-        if self._holds("!=", coefficient):
-            return False
-        raise Undecided(
-            "a coefficient of the expansion may be zero for some values of the other symbols"
-        )
-
-    def is_positive(self, coefficient: Expr) -> bool:
-        """Positive always; False also where that is not known."""
-        value = constant_value(coefficient)
-        return self._holds(">", coefficient) if value is None else value > 0
-
-    def _holds(self, operator: str, coefficient: Expr) -> bool:
-        key = (operator, coefficient)
-        if key not in self._known:
-            self._known[key] = self._frame.holds(Rel(operator, coefficient, number(0)))
-        return self._known[key]
-
-
-def equal(left: Expr, right: Expr) -> Statement:
-    """That two expressions are equal."""
-    return Statement((Rel("=", left, right),))
+def _bounds(box: Box) -> tuple[tuple[str, Fraction | None], ...]:
+    return ((">=", box.lower), ("<=", box.upper))

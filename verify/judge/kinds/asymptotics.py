@@ -14,18 +14,21 @@ from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.approach import (
     SMALL,
     Approach,
-    Coefficients,
     approach_of,
     arrow_of,
     end_of,
-    equal,
-    open_sides,
-    others_frame,
     refuse_real_powers,
 )
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.limit import DEPTHS
+from gainproof.verify.judge.kinds.near_limit import (
+    Coefficients,
+    equal,
+    open_sides,
+    others_frame,
+    refuse_without_value,
+)
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.of_expression import expanded
@@ -64,6 +67,7 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
             return finding
     if finding is None:
         raise Undecided("the point is not in the domain")
+    refuse_without_value(approach, around, rest, left, right)
     return replace(finding, domain=f"as {approach.label} {approach.text}")
 
 

@@ -8,7 +8,7 @@ from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.framing import Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
@@ -31,7 +31,9 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
         if len(statement.symbols()) == 1 and not frame.conditions:
             raise
     findings = [
-        finding_of(frame.decide(Statement(conclusion, hypothesis, "if", statement.needed)))
+        finding_of(
+            strictly(frame).decide(Statement(conclusion, hypothesis, "if", statement.needed))
+        )
         for hypothesis, conclusion in (
             (statement.relations, statement.conditions),
             (statement.conditions, statement.relations),

@@ -52,6 +52,11 @@ class Frame:
             return False
 
 
+def strictly(frame: Frame) -> Frame:
+    """The frame in which a conclusion without value counts as false where its premise holds."""
+    return replace(frame, boxes={n: replace(b, stated=True) for n, b in frame.boxes.items()})
+
+
 def only_plain(relations: Iterable[Rel]) -> None:
     """Raises Undecided for relations that are neither equations nor orders."""
     for rel in relations:

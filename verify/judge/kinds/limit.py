@@ -17,18 +17,21 @@ from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.approach import (
     SMALL,
     Approach,
-    Coefficients,
     End,
     approach_of,
     arrow_of,
     end_of,
-    equal,
-    open_sides,
-    others_frame,
     refuse_real_powers,
 )
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.near_limit import (
+    Coefficients,
+    equal,
+    open_sides,
+    others_frame,
+    refuse_without_value,
+)
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import Series, leading
@@ -96,6 +99,7 @@ def _by_expansion(expr: Expr, approach: Approach, claimed: End, frame: Frame) ->
             return finding
     if finding is None:
         raise Undecided("the point is not in the domain")
+    refuse_without_value(approach, around, expr)
     return finding
 
 

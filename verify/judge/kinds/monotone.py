@@ -43,13 +43,9 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     if variable.kind != "symbol" and not _one_way(variable, names, frame):
         raise Undecided(f"{claim.about[1]} is not strictly monotone itself")
     # defined everywhere, hence continuous; where it has corners its slope is not asked for
-    boxes = {n: replace(b, stated=b.stated or n in names) for n, b in frame.boxes.items()}
-    defined = replace(frame, boxes=boxes).decide(Statement((Rel("=", subject, subject),)))
-    if defined.verdict == "held":
-        raise Undecided("it may have no value somewhere between the ends of the domain")
-    if defined.verdict != "proved":
-        reason = f"no value everywhere between the ends of the domain: {defined.reason}"
-        return replace(finding_of(defined), reason=reason)
+    without = _without_value(subject, names, frame)
+    if without is not None:
+        return without
     within = {n: _opened(b) if n in names else b for n, b in frame.boxes.items()}
     inside = replace(frame, boxes=within)
     _refuse_unknown_slopes(slope, inside)
@@ -58,6 +54,18 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         weak = inside.decide(Statement((Rel(f"{operator}=", slope, number(0)),)))
         finding = finding_of(weak)
     return replace(finding, method=f"sign of the derivative; {finding.method}")
+
+
+def _without_value(subject: Expr, names: set[str], frame: Frame) -> Finding | None:
+    """The finding where the subject lacks a value between the ends of the domain, else None."""
+    boxes = {n: replace(b, stated=b.stated or n in names) for n, b in frame.boxes.items()}
+    defined = replace(frame, boxes=boxes).decide(Statement((Rel("=", subject, subject),)))
+    if defined.verdict == "held":
+        raise Undecided("it may have no value somewhere between the ends of the domain")
+    if defined.verdict == "proved":
+        return None
+    reason = f"no value everywhere between the ends of the domain: {defined.reason}"
+    return replace(finding_of(defined), reason=reason)
 
 
 def _refuse_unknown_slopes(slope: Expr, inside: Frame) -> None:
@@ -118,6 +126,10 @@ def _from_sample_to_sample(
     stated: tuple[Rel, ...],
 ) -> Finding:
     frame = framed(claim, scope, stated)
+    _refuse_gaps(frame, {variable.name})
+    without = _without_value(subject, {variable.name}, frame)
+    if without is not None:
+        return without
     box = frame.boxes[variable.name]
     if box.upper is not None:
         frame = replace(

@@ -8,6 +8,7 @@ from fractions import Fraction
 import flint
 
 from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure
@@ -79,7 +80,8 @@ def _by_ball(
 ) -> Finding | None:
     """The finding where a ball lies inside the interval of the digits shown, or outside of it."""
     used = {n: v for n, v in point.items() if n in symbols_of(exact)}
-    outside = [n for n, v in used.items() if n in frame.boxes and not frame.boxes[n].holds(v)]
+    # a hypothesis that no value satisfies proves nothing, be it of another symbol
+    outside = [n for n, v in point.items() if n in frame.boxes and not _lies(v, frame.boxes[n])]
     if outside or len(point) != len(frame.conditions):
         return None
     try:
@@ -103,6 +105,10 @@ def _by_ball(
             "refuted", f"fails {witness.text()}", "nowhere", "a ball round the value", witness
         )
     return None
+
+
+def _lies(value: Fraction, box: Box) -> bool:
+    return box.holds(value) and (value.denominator == 1 or not box.integer)
 
 
 def _text(where: Mapping[str, str]) -> str:

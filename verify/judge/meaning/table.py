@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
@@ -21,7 +21,7 @@ from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
 from gainproof.verify.judge.meaning.reach import names_in
-from gainproof.verify.judge.meaning.sequences import indexed
+from gainproof.verify.judge.meaning.sequences import indexed, is_term
 from gainproof.verify.judge.meaning.sums import INFINITE, range_of, sum_of
 from gainproof.verify.judge.meaning.symbols import Symbols
 from gainproof.verify.judge.meaning.value import (
@@ -72,6 +72,8 @@ class Table(Symbols):
         self.opened.append(name)
         try:
             body = self.defining(name, entry.definition).right
+            for token in entry.arguments:
+                self.refuse_free_index(read_tree(body), token)
             found = self.under(body, bindings.having(inner))
         finally:
             self.opened.pop()
@@ -101,6 +103,8 @@ class Table(Symbols):
     ) -> Value:
         """A sum, a product or an integral of `body` over the bound name `token`."""
         first, last = number_of(low), number_of(high)
+        if first == INFINITE:
+            raise Undecided(f"{kind} from infinity")
         fresh = self._fresh(token)
         inner = {token: fresh, **self._terms(body, token, fresh)}
         lower, upper = constant_value(first), constant_value(last)
@@ -145,6 +149,10 @@ class Table(Symbols):
         """
         target = number_of(self.symbol(token, bindings), "the variable of a derivative")
         environment = self.environment
+        own = indexed(token)
+        terms = [n for e in entries(value) for n in walk(e) if is_term(n)]
+        if own and any(n == own.term(*n.parts) for n in terms):
+            raise Undecided(f"a derivative with respect to {token}, a term of a sequence")
         if target.kind == "symbol" and environment.moves_with(target.name):
             raise Undecided(f"a derivative with respect to {token}, with which the index changes")
         if token == environment.intensity and token not in bindings.names:
