@@ -30,7 +30,6 @@ class Step:
 class Derivation:
     """The steps of one subject, in order, with the keys of the works they rest on."""
 
-    title: str
     opening: str
     steps: tuple[Step, ...]
     sources: tuple[str, ...]

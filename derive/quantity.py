@@ -1,4 +1,4 @@
-"""Quantities: a symbol with its meaning, its unit and its domain."""
+"""Quantities: a symbol with its meaning and its unit."""
 
 from __future__ import annotations
 
@@ -33,24 +33,22 @@ class Unit:
         return " ".join(parts) or "1"
 
 
-ONE = Unit()
 METRE = Unit(metre=Fraction(1))
 SECOND = Unit(second=Fraction(1))
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """A named real quantity.
+    """A named positive quantity.
 
-    `domain` is text for people ("> 0"); positivity is deliberately not declared to SymPy, which
-    would fold a condition such as `t > 0` to `True` so that it could no longer be shown or dropped.
+    Positivity is deliberately not declared to SymPy, which would fold a condition such as `t > 0`
+    to `True` so that it could no longer be shown or dropped.
     """
 
     name: str
     latex: str
     meaning: str
     unit: Unit
-    domain: str = "> 0"
 
     @property
     def symbol(self) -> sp.Symbol:
@@ -62,10 +60,3 @@ SAMPLING_INTERVAL = Quantity("sampling_interval", "T", "time between two measure
 MEASUREMENT_DEVIATION = Quantity(
     "measurement_deviation", r"\sigma_v", "standard deviation of the measured position", METRE
 )
-TRACKING_INDEX = Quantity(
-    "tracking_index",
-    r"\Lambda",
-    "square root of the process noise over the measurement noise, both dimensionless",
-    ONE,
-)
-SAMPLE_NUMBER = Quantity("k", "k", "number of the newest sample, counted from 0", ONE, ">= 0")

@@ -57,7 +57,6 @@ def _build(degree: int) -> Subject:
         for kernel, graph in graphs.items()
     ]
     derivation = Derivation(
-        title,
         OPENING,
         (
             *steps.batch_steps(f),

@@ -64,19 +64,17 @@ def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
 
 
 def _input(given: Input) -> Iterator[str]:
-    unit = "" if given.unit == "1" else f" [{given.unit}]"
-    yield from _wrap(f"{given.name}: {given.meaning}{unit}; {wanted_text(given)}.", "    ")
+    yield from _wrap(f"{given.name}: {given.meaning}; {wanted_text(given)}.", "    ")
 
 
 def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator[str]:
     output = kernel.outputs[row]
-    unit = "" if output.unit == "1" else f" [{output.unit}]"
     scale = "Relative error" if output.relative_to is None else f"Error over {output.relative_to}"
     found = [(bound.format, bound.outputs[row]) for bound in bounds]
     sizes = ", ".join(
         f"{_decimal(each)} * 2^{1 - form.digits} ({form.name})" for form, each in found
     )
-    text = f"{output.name}: {output.meaning}{unit}. {scale} at most {sizes}, proved for "
+    text = f"{output.name}: {output.meaning}. {scale} at most {sizes}, proved for "
     places = [
         f"{number_text(each.lowest, form)} <= {kernel.inputs[0].name} <= "
         f"{number_text(each.highest, form)} ({form.name})"

@@ -16,9 +16,9 @@ Limit = int | Fraction | str | Graph
 class Input:
     """A real argument of a kernel.
 
-    `meaning` is a phrase for the docstring, `unit` its unit ("1": dimensionless). The domain
-    reaches from `lower` to `upper` (None: every finite float), an open end excluded. `integer`:
-    only whole numbers.
+    `meaning` is a phrase for the docstring; every argument is dimensionless. The domain reaches
+    from `lower` to `upper` (None: every finite float), an open end excluded. `integer`: only whole
+    numbers.
     """
 
     name: str
@@ -28,12 +28,11 @@ class Input:
     lower_open: bool = True
     upper_open: bool = True
     integer: bool = False
-    unit: str = "1"
 
 
 @dataclass(frozen=True)
 class Output:
-    """One field of a kernel's result.
+    """One field of a kernel's result, dimensionless.
 
     The error bound is relative to the true value itself, or to the true value of the graph's output
     `relative_to` (which need not be an `Output`), e.g. the modulus of a pole whose real part may
@@ -42,7 +41,6 @@ class Output:
 
     name: str
     meaning: str
-    unit: str = "1"
     relative_to: str | None = None
 
 

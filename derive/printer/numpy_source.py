@@ -170,8 +170,7 @@ def _result(kernel: Kernel) -> Iterator[str]:
     yield ""
     for output in kernel.outputs:
         yield f"    {output.name}: Real"
-        unit = "" if output.unit == "1" else f" [{output.unit}]"
-        text = f'"""{output.meaning[:1].upper()}{output.meaning[1:]}{unit}."""'
+        text = f'"""{output.meaning[:1].upper()}{output.meaning[1:]}."""'
         yield from (f"    {line}" for line in textwrap.wrap(text, WIDTH - 4))
 
 

@@ -29,11 +29,6 @@ BELOW, ABOVE = real("below"), real("above")
 SIDE = 1 + X**2
 
 
-def turning_index(e: Fraction) -> sp.Expr:
-    """L0 = 4/sqrt(1 - e), where the mean of the poles changes sign, over `turning_root`."""
-    return sp.Integer(4) if e == 0 else 4 * turning_root(e) / (1 - rational(e))
-
-
 def turning_root(e: Fraction) -> sp.Expr:
     """sqrt(1 - e) over a generator of the tower."""
     return surd(1 - e)[0]

@@ -9,7 +9,6 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from gainproof.derive.expression import real
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.names import ALPHA, BETA, INDEX
 from gainproof.derive.steady_state.spectrum import index_equation
@@ -81,11 +80,3 @@ def _root(relation: sp.Expr, unknown: sp.Symbol, known: sp.Symbol) -> sp.Expr:
     candidates = sp.solve(relation, unknown)
     positive = [root for root in candidates if float(sp.re(root.subs(point))) > 0]
     return min(positive, key=lambda root: float(root.subs(point)))
-
-
-def textbook_symbol(kernel: str) -> sp.Symbol:
-    """The argument of a kernel."""
-    for gain in ("alpha", "beta"):
-        if kernel.endswith(f"from_{gain}"):
-            return real(gain)
-    return INDEX

@@ -63,7 +63,7 @@ def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
         name=model.name,
         title=model.title,
         model=c.model,
-        derivation=Derivation(model.title, OPENING, steps, sources, latex),
+        derivation=Derivation(OPENING, steps, sources, latex),
         towers={tower.name: tower for tower in towers},
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),

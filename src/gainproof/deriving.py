@@ -29,7 +29,7 @@ def _overview(subject: Subject) -> dict[str, Any]:
     derivation = subject.derivation
     return {
         "name": subject.name,
-        "title": derivation.title or subject.title,
+        "title": subject.title,
         "model": subject.model_data,
         "sources": [_source(key) for key in derivation.sources],
         "kernels": _kernels(subject),
@@ -64,7 +64,7 @@ def plain_subject(subject: Subject) -> Derived:
     derivation = subject.derivation
     return Derived(
         name=subject.name,
-        title=derivation.title or subject.title,
+        title=subject.title,
         opening=derivation.opening,
         model=subject.model_data,
         steps=tuple(

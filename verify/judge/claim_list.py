@@ -77,6 +77,7 @@ def _claim(fields: Fields, settings: Mapping[str, Setting]) -> Claim:
     kind = fields.choice("kind", CLAIM_KINDS)
     setting = _setting(fields, settings)
     domain = fields.text_or_none("domain")
+    fields.text_or_none("quoted")  # for readers of the file; only its form is checked
     words = fields.text_or_none("text")
     latex, plain, formula = _formula(fields, kind, setting)
     if formula is None and words is None and kind in ("determines", "remark"):
@@ -90,14 +91,12 @@ def _claim(fields: Fields, settings: Mapping[str, Setting]) -> Claim:
         plain=plain,
         formula=formula,
         domain=conditions_of(fields, "domain", domain, setting.symbols),
-        domain_text=domain,
         given=tuple(
             formula_of(fields, "given", given, setting.symbols)
             for given in fields.texts("given", MOST_GIVEN)
         ),
         text=words,
         note=fields.text_or_none("note"),
-        quoted=fields.text_or_none("quoted"),
         line=fields.line or 1,
     )
     _check_domain(fields, claim, setting)

@@ -117,7 +117,6 @@ class Claim:
     """One claim in the order of the source.
 
     `formula` is None for a claim in words, which `text` paraphrases (`latex` is then empty).
-    `quoted` is the excerpt as seen, where the formula had to be transcribed from it (from code).
     `plain` is the formula as typed where it was not given in LaTeX; `latex` is then printed from
     it. `domain` holds the relations of the field `domain` (conditions printed in the formula itself
     stay with the readings). `given` are relations taken as hypotheses. `line` is the line of the
@@ -136,14 +135,12 @@ class Claim:
     latex: str
     formula: Formula | None
     domain: tuple[Relation, ...] = ()
-    domain_text: str | None = None
     given: tuple[Formula, ...] = ()
     about: tuple[str, ...] = ()
     text: str | None = None
     note: str | None = None
     line: int = 1
     plain: str | None = None
-    quoted: str | None = None
     subject: Graph | None = None
     trend: str | None = None
     order: int | None = None

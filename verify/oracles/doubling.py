@@ -41,18 +41,10 @@ LONGEST_RUN = 1 << 13
 
 @dataclass(frozen=True)
 class Doubled:
-    """A steady state in multiprecision floats and the evidence for its digits.
-
-    ``disagreement`` is the largest relative difference, over all entries, between the run with
-    ``bits`` and the one with two thirds of them; ``correction`` is the largest relative Newton
-    correction of the predicted covariance; ``doublings`` counts the steps.
-    """
+    """A steady state in multiprecision floats of so many bits."""
 
     state: SteadyState
     bits: int
-    doublings: int
-    disagreement: float
-    correction: float
 
 
 def steady_state(model: StateSpace, digits: int = 40) -> Doubled:
@@ -64,15 +56,15 @@ def steady_state(model: StateSpace, digits: int = 40) -> Doubled:
     """
     wanted = math.ldexp(1.0, -bits_for(digits))
     bits = 64 + bits_for(digits) + _spread(model)
-    coarse, _ = _run(model, bits)
+    coarse = _run(model, bits)
     disagreement = correction = math.inf
     while bits <= LARGEST_PRECISION:
         bits += bits // 2
-        fine, doublings = _run(model, bits)
+        fine = _run(model, bits)
         disagreement = _difference(coarse, fine)
         correction = _newton_correction(model, fine, bits)
         if disagreement <= wanted and correction <= wanted:
-            return Doubled(fine, bits, doublings, disagreement, correction)
+            return Doubled(fine, bits)
         coarse = fine
     raise NotConverged(
         f"doubling: no {digits} digits with {bits} bits "
@@ -90,7 +82,7 @@ def _spread(model: StateSpace) -> int:
     return abs(int(ratio.numerator.bit_length()) - int(ratio.denominator.bit_length()))
 
 
-def _run(model: StateSpace, bits: int) -> tuple[SteadyState, int]:
+def _run(model: StateSpace, bits: int) -> SteadyState:
     own = context(bits)
     numbers = in_numbers(model, number_in(own))
     one = own.mpf(1)
@@ -103,7 +95,7 @@ def _run(model: StateSpace, bits: int) -> tuple[SteadyState, int]:
     # the step after it changes less than the precision.
     enough = own.ldexp(one, -(bits // 2))
     last = False
-    for doublings in range(1, LONGEST_RUN):
+    for _ in range(1, LONGEST_RUN):
         w = add(unit, product(g, m))
         both = solve(w, tuple(x + y for x, y in zip(a, g, strict=True)))
         wa = tuple(row[: model.size] for row in both)
@@ -113,7 +105,7 @@ def _run(model: StateSpace, bits: int) -> tuple[SteadyState, int]:
         a = product(a, wa)
         m = add(m, step)
         if last:
-            return update(numbers, m), doublings
+            return update(numbers, m)
         last = largest_ratio(step, m) <= enough
     raise NotConverged(f"doubling: still changing after 2^{LONGEST_RUN} samples")
 

@@ -21,16 +21,14 @@ from gainproof.verify.oracles.state_space import NotConverged, StateSpace, Stead
 
 @dataclass(frozen=True)
 class Solved:
-    """A steady state in float64, the Newton steps taken, and how far SciPy's own answer was.
+    """A steady state in float64 and the Newton steps taken.
 
-    ``condition`` is the condition number (2-norm) of the last Lyapunov equation;
-    ``first_change`` the largest relative change that the first Newton step made.
+    ``condition`` is the condition number (2-norm) of the last Lyapunov equation.
     """
 
     state: SteadyState
     steps: int
     condition: float
-    first_change: float
 
 
 def steady_state(model: StateSpace, most_steps: int = 30) -> Solved:
@@ -63,7 +61,7 @@ def steady_state(model: StateSpace, most_steps: int = 30) -> Solved:
         return linalg.solve(innovation, h @ predicted, assume_a="pos").T, innovation
 
     predicted = linalg.solve_discrete_are(f.T, h.T, q, r)
-    change, first_change = np.inf, np.nan
+    change = np.inf
     for step in range(1, most_steps + 1):
         gain, _ = gain_of(predicted)
         kept = unit - gain @ h
@@ -73,7 +71,6 @@ def steady_state(model: StateSpace, most_steps: int = 30) -> Solved:
         new = linalg.solve(left, right.reshape(-1)).reshape(f.shape)
         new = (new + new.T) / 2
         previous, change = change, float(np.max(np.abs(new - predicted) / np.abs(new)))
-        first_change = change if step == 1 else first_change
         predicted = new
         # Newton steps shrink until rounding is all that moves; then they stop shrinking.
         if change == 0 or (step > 2 and change >= previous):
@@ -86,4 +83,4 @@ def steady_state(model: StateSpace, most_steps: int = 30) -> Solved:
     state = SteadyState(
         *(matrix(x.tolist()) for x in (predicted, (updated + updated.T) / 2, gain, innovation))
     )
-    return Solved(state, step, float(np.linalg.cond(left)), first_change)
+    return Solved(state, step, float(np.linalg.cond(left)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from gainproof.verify.judge.claim_record import Claim, Setting, SymbolEntry
 from gainproof.verify.judge.exact.expression import symbols_of
@@ -49,8 +49,3 @@ def sample_numbers(setting: Setting) -> frozenset[str]:
         for token, entry in setting.symbols.items()
         if entry.quantity == "sample_number" or (entry.role == "free" and entry.integer)
     )
-
-
-def other_claims(claims: Sequence[Claim], claim: Claim) -> tuple[Claim, ...]:
-    """The other claims of the same setting."""
-    return tuple(c for c in claims if c.setting == claim.setting and c.id != claim.id)

@@ -33,7 +33,6 @@ from gainproof.verify.judge.setting.matrix import Exprs, times, transposed
 from gainproof.verify.judge.setting.steady_state import solve
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
-GAIN_FORMS = ("filter", "predictor")
 
 
 def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environment:
