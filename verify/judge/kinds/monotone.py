@@ -8,6 +8,7 @@ from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
+from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.truth import NO_VALUE
@@ -17,6 +18,7 @@ from gainproof.verify.judge.kinds.identity import judge_identity, resolved
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.setting.environment import DEVIATION, SAMPLE
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 SIGNS = {"increasing": ">", "decreasing": "<", "nondecreasing": ">=", "nonincreasing": "<="}
@@ -29,6 +31,7 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     if reading.relations and (said := judge_identity(claim, reading, scope)).verdict != "proved":
         return said
     stated = resolved(reading.conditions, scope)
+    scope.refuse_free_index(read_tree(claim.subject), claim.about[1])
     subject = scope.expression(claim.subject)
     variable = number_of(scope.symbol(claim.about[1]))
     operator = SIGNS[claim.trend]
@@ -117,6 +120,13 @@ def _nearly(operator: str, slope: Expr, names: set[str], frame: Frame) -> bool:
     raise Undecided("a slope that may be zero on an interval for some values of the other symbols")
 
 
+def _refuse_other_samples(subject: Expr, variable: str) -> None:
+    """Raises Undecided if something else changes from each sample to the next."""
+    moving = [n for n in symbols_of(subject) if n.startswith(("measurement", "previous_state"))]
+    if variable == SAMPLE and any(n != DEVIATION for n in moving):
+        raise Undecided("a trend of something that depends on measurements")
+
+
 def _from_sample_to_sample(
     claim: Claim,
     subject: Expr,
@@ -126,15 +136,18 @@ def _from_sample_to_sample(
     stated: tuple[Rel, ...],
 ) -> Finding:
     frame = framed(claim, scope, stated)
-    _refuse_gaps(frame, {variable.name})
-    without = _without_value(subject, {variable.name}, frame)
+    name = variable.name
+    _refuse_gaps(frame, {name})
+    _refuse_other_samples(subject, name)
+    without = _without_value(subject, {name}, frame)
     if without is not None:
         return without
-    box = frame.boxes[variable.name]
+    box = frame.boxes[name]
     if box.upper is not None:
-        frame = replace(
-            frame, boxes={**frame.boxes, variable.name: replace(box, upper=box.upper - 1)}
-        )
-    following = substituted(subject, {variable.name: symbol(variable.name) + 1})
+        frame = replace(frame, boxes={**frame.boxes, name: replace(box, upper=box.upper - 1)})
+    later = {name: symbol(name) + 1}
+    following = substituted(subject, later)
+    both = Statement((), frame.conditions).mapped(lambda e: substituted(e, later)).conditions
+    frame = replace(frame, conditions=tuple(dict.fromkeys((*frame.conditions, *both))))
     outcome = frame.decide(Statement((Rel(operator, following, subject),)))
     return replace(finding_of(outcome), method="from each sample to the next")
