@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
@@ -11,7 +11,6 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.expression import (
     Expr,
-    neg,
     number,
     power,
     symbol,
@@ -20,7 +19,7 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.freed.half_tangent import half_tangent
+from gainproof.verify.judge.freed.bases import bases_of
 from gainproof.verify.judge.freed.monomials import (
     UNIT,
     Monomial,
@@ -28,28 +27,35 @@ from gainproof.verify.judge.freed.monomials import (
     monomials,
     terms_expr,
 )
+from gainproof.verify.judge.freed.ranges import EULER, HALF, Positive, Ranges
 from gainproof.verify.judge.meaning.domains import is_whole
 from gainproof.verify.judge.meaning.sequences import is_term
 
-EULER = symbol("e")
-"""Base of exponentials; no base variable is called like that."""
 ANGLES = ("sin", "cos", "tan")
-MOST_FACTORS = 1_000_000
 
-Positive = Callable[[Expr], bool]
 Key = tuple[str, Expr, Monomial]
 
 
 @dataclass
 class Atoms:
-    """The variables made so far. `divisors` holds the common denominator of each exponent."""
+    """The variables made so far. `divisors` holds the common denominator of each exponent.
+
+    `turned` are the angles whose variable is the tangent of half of the angle plus half a turn: it
+    reaches the angle that the other misses.
+    """
 
     boxes: Mapping[str, Box]
     is_positive: Positive
+    turned: frozenset[Key] = frozenset()
     divisors: dict[Key, int] = field(default_factory=dict)
     made: dict[str, Box] = field(default_factory=dict)
     names: dict[Key, str] = field(default_factory=dict)
     exclusions: dict[Expr, str] = field(default_factory=dict)
+
+    @property
+    def ranges(self) -> Ranges:
+        """Where the variables live."""
+        return Ranges(self.boxes, self.is_positive)
 
     def collect(self, *roots: Expr) -> None:
         """Notes every power, exponential and angle below the roots."""
@@ -67,7 +73,7 @@ class Atoms:
         if node.name == "exp":
             bases, exponent = {EULER: 1}, monomials(node.parts[0])
         elif node.name == "power":
-            bases, exponent = _bases(node.parts[0]), monomials(node.parts[1])
+            bases, exponent = bases_of(node.parts[0]), monomials(node.parts[1])
         else:
             return []
         found = []
@@ -89,7 +95,7 @@ class Atoms:
         if monomial == UNIT and base != EULER and divisor == 1:
             return base, 1
         positive = base == EULER or self.is_positive(base)
-        return self._named(key, self._range(base, monomial, positive)), divisor
+        return self._named(key, self.ranges.power(base, monomial, positive)), divisor
 
     def _refuse_zero(self, base: Expr, monomial: Monomial, c: Fraction) -> None:
         """Raises Undecided if zero may be raised to a negative number.
@@ -104,31 +110,20 @@ class Atoms:
         if not unstated:
             raise Undecided("a power that may have base zero and a negative exponent")
 
-    def _range(self, base: Expr, monomial: Monomial, positive: bool) -> Box:
-        """Above 1, between 0 and 1, positive, or anything."""
-        if not positive:
-            return self._any(base, monomial_expr(monomial))
-        grows = base == EULER or self.is_positive(base - 1)
-        falls = not grows and self.is_positive(1 - base)
-        exponent = monomial_expr(monomial)
-        up, down = self.is_positive(exponent), self.is_positive(neg(exponent))
-        if (grows and up) or (falls and down):
-            return Box(lower=Fraction(1))
-        if (grows and down) or (falls and up):
-            return Box(lower=Fraction(0), upper=Fraction(1))
-        return Box(lower=Fraction(0))
-
     def half_angle(self, monomial: Monomial) -> tuple[Expr, int]:
         """The variable for tan(m/(2d)), and d."""
         key: Key = ("angle", number(1), monomial)
-        angle, divisor = monomial_expr(monomial), self.divisors[key]
-        known = self.boxes.get(angle.name) if angle.kind == "symbol" else None
-        box = None if known is None else half_tangent(known, divisor)
-        return self._named(key, box or self._any(angle)), divisor
+        box = self.ranges.tangent(monomial, self.divisors[key], turned=key in self.turned)
+        return self._named(key, box), self.divisors[key]
 
-    def box_of(self, key: Key) -> Box:
-        """Where the variable of a key lies."""
-        return self.made[self.names[key]]
+    def whole_turns(self) -> list[Key]:
+        """The angles over a stated domain that may be half a turn, where there is no tangent."""
+        return [
+            key
+            for key, name in self.names.items()
+            if key[0] == "angle" and self.made[name].stated
+            if not self.ranges.within(HALF, key[2], self.divisors[key])
+        ]
 
     @property
     def has_angles(self) -> bool:
@@ -155,18 +150,15 @@ class Atoms:
         """
         if is_term(node):
             index = terms_expr(monomials(node.parts[0]))
-            return self._named(("value", Expr("call", node.name, (index,)), UNIT), self._any(index))
+            return self._named(
+                ("value", Expr("call", node.name, (index,)), UNIT), Box(stated=False)
+            )
         if node.name == "log" and not self.is_positive(node.parts[0]):
             raise Undecided("a logarithm of something that is not known to be positive")
         if node.name not in ("log", "atan", "sum") or (_nested(node) and node.name != "sum"):
             raise Undecided(f"the function {node.name} of this argument is not covered")
         key: Key = ("value", _with_plain_index(node), UNIT)
-        return self._named(key, self._any(node))
-
-    def _any(self, *exprs: Expr) -> Box:
-        """Any number; stated, so that no divisor may vanish, where a domain behind it is stated."""
-        stated = any(self.boxes[n].stated for n in symbols_of(*exprs) if n in self.boxes)
-        return Box(stated=stated)
+        return self._named(key, self.ranges.value(node))
 
     def _named(self, key: Key, box: Box) -> Expr:
         if key not in self.names:
@@ -205,33 +197,3 @@ def _with_plain_index(expr: Expr) -> Expr:
         return Expr("call", "sum", tuple(substituted(p, plain) for p in parts))
 
     return rebuilt(expr, change)
-
-
-def _bases(base: Expr) -> dict[Expr, int]:
-    """A product of powers as base -> exponent, numbers as their primes; else the whole base."""
-    terms = monomials(base)
-    if len(terms) != 1:
-        return {terms_expr(terms): 1}
-    ((monomial, c),) = terms.items()
-    found = {terms_expr(monomials(each)): n for each, n in monomial}
-    for value, sign in ((abs(c.numerator), 1), (c.denominator, -1)):
-        for prime, n in _primes(value).items():
-            found[number(prime)] = found.get(number(prime), 0) + sign * n
-    if c < 0:
-        found[number(-1)] = 1
-    return found
-
-
-def _primes(value: int) -> dict[int, int]:
-    if value > MOST_FACTORS:
-        return {value: 1}
-    found: dict[int, int] = {}
-    prime = 2
-    while value > 1:
-        if prime * prime > value:
-            prime = value
-        while value % prime == 0:
-            found[prime] = found.get(prime, 0) + 1
-            value //= prime
-        prime += 1
-    return found

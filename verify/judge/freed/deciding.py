@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
+from itertools import combinations
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import rebuilt, substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.freed.induction import induction, open_sums
-from gainproof.verify.judge.freed.rewriting import freed, has_functions
+from gainproof.verify.judge.freed.numbers import at_number, first_numbers
+from gainproof.verify.judge.freed.rewriting import Freed, freed, has_functions
 from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.meaning.evaluation import general_power
-from gainproof.verify.judge.meaning.sequences import is_term, with_variables
-from gainproof.verify.judge.meaning.sums import sum_of
+from gainproof.verify.judge.meaning.sequences import is_term
 
 FREED = "function values as free variables"
-TRIED = 5
+MOST_ANGLES = 3
 
 
 def decided(
@@ -60,17 +59,72 @@ def _is_total(summand: Expr) -> bool:
 def _freely(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> Outcome:
-    def is_positive(expr: Expr) -> bool:
-        return _holds(Rel(">", expr, number(0)), statement, boxes, parameter)
-
-    opened = freed(statement, boxes, is_positive)
-    outcome = settle(opened.statement, opened.boxes, parameter, {**labels, **opened.labels})
-    if outcome.verdict != "proved":
-        raise Undecided(f"not true of {FREED}, which refutes nothing")
-    domain = ", ".join([_domain_text(statement, boxes, labels), *opened.exclusions])
+    opened, outcome = _settled(statement, boxes, parameter, labels, stated=False)
+    exclusions = opened.exclusions
+    if not all(box.stated for box in opened.boxes.values()):
+        everywhere = {n: replace(boxes.get(n, Box()), stated=True) for n in statement.symbols()}
+        try:
+            _settled(statement, everywhere, parameter, labels, stated=True)
+        except Undecided:
+            _refuse_without_value(statement, boxes, parameter, labels)
+            exclusions = (*exclusions, "where every part has a value")
+    domain = ", ".join([_domain_text(statement, boxes, labels), *exclusions])
     return replace(
         outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")
     )
+
+
+def _settled(
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+    *,
+    stated: bool,
+) -> tuple[Freed, Outcome]:
+    """The freed statement, which must be proved; with `stated` no divisor at all may vanish. Raises
+    Undecided.
+    """
+
+    def is_positive(expr: Expr) -> bool:
+        return _holds(Rel(">", expr, number(0)), statement, boxes, parameter)
+
+    def proved(opened: Freed) -> Outcome:
+        where = {n: replace(b, stated=stated or b.stated) for n, b in opened.boxes.items()}
+        found = settle(opened.statement, where, parameter, {**labels, **opened.labels})
+        if found.verdict != "proved":
+            raise Undecided(f"not true of {FREED}, which refutes nothing")
+        return found
+
+    opened = freed(statement, boxes, is_positive)
+    outcome = proved(opened)
+    if len(opened.whole_turns) > MOST_ANGLES:
+        raise Undecided(f"more than {MOST_ANGLES} angles that may be half a turn")
+    for count in range(1, len(opened.whole_turns) + 1):
+        for turned in combinations(opened.whole_turns, count):
+            proved(freed(statement, boxes, is_positive, frozenset(turned)))
+    return opened, outcome
+
+
+def _refuse_without_value(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> None:
+    """Raises Undecided unless the statement is seen to have a value at a point: function values
+    that were freed may cancel in a divisor everywhere.
+    """
+    for name, value in [("", 0), *first_numbers(statement, boxes)]:
+        part = at_number(statement, name, value)
+        try:
+            found = (
+                try_points(part, boxes, labels)
+                if has_functions(part)
+                else settle(part, boxes, parameter, labels)
+            )
+        except Undecided:
+            continue
+        if found is not None and found.verdict != "refuted":
+            return
+    raise Undecided("the formula may have no value anywhere")
 
 
 def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: str | None) -> bool:
@@ -100,9 +154,8 @@ def _for_numbers(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> Outcome:
     """The statement for the first whole numbers that a symbol may be: one that fails refutes it."""
-    for name, value in _first_numbers(statement, boxes):
-        put_in = {name: number(value)}
-        part = statement.mapped(lambda e, p=put_in: _written_out(substituted(e, p)))  # type: ignore[misc]
+    for name, value in first_numbers(statement, boxes):
+        part = at_number(statement, name, value)
         if has_functions(part):
             continue
         try:
@@ -115,28 +168,6 @@ def _for_numbers(
             reason = f"fails {witness.text()}; where it may hold is not determined"
             return replace(found, verdict="refuted", domain="", reason=reason, witness=witness)
     raise Undecided("")
-
-
-def _first_numbers(statement: Statement, boxes: Mapping[str, Box]) -> Iterator[tuple[str, int]]:
-    bound = {s.parts[1].name for s in open_sums(statement)}
-    for name in sorted(statement.symbols() - bound):
-        box = boxes.get(name, Box())
-        if box.integer:
-            start = 0 if box.lower is None else int(box.lower.__ceil__())
-            numbers = (n for n in range(start, start + 2 * TRIED) if box.holds(number(n).fraction))
-            yield from ((name, n) for n, _ in zip(numbers, range(TRIED), strict=False))
-
-
-def _written_out(expr: Expr) -> Expr:
-    def sums(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
-        if node.kind == "call" and node.name == "sum":
-            return sum_of(parts[0], parts[1].name, parts[2], parts[3])[0]
-        return None
-
-    def powers(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
-        return general_power(*parts) if node.kind == "call" and node.name == "power" else None
-
-    return with_variables(rebuilt(rebuilt(expr, sums), powers))
 
 
 def _domain_text(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]) -> str:

@@ -9,8 +9,8 @@ from fractions import Fraction
 
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number
-from gainproof.verify.judge.freed.atoms import Positive
 from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials
+from gainproof.verify.judge.freed.ranges import Positive
 from gainproof.verify.judge.meaning.evaluation import general_power
 
 

@@ -25,12 +25,14 @@ def half_tangent(angle: Box, divisor: int) -> Box | None:
     low, high = angle.lower / (2 * divisor), angle.upper / (2 * divisor)
     if max(-low, high) > LARGEST:
         return None
-    # the tangent rises; bounds are rounded outwards
+    # the tangent rises; bounds are rounded outwards, but zero stays where it is
     first, last = _scaled(low), _scaled(high)
     if first is None or last is None:
         return None
-    lower, upper = Fraction(first - 1, SCALE), Fraction(last + 2, SCALE)
-    return Box(lower=lower, upper=upper, lower_open=False, upper_open=False)
+    lower = Fraction(first - 1, SCALE) if low else Fraction(0)
+    upper = Fraction(last + 2, SCALE) if high else Fraction(0)
+    lower_open, upper_open = not low and angle.lower_open, not high and angle.upper_open
+    return Box(lower=lower, upper=upper, lower_open=lower_open, upper_open=upper_open)
 
 
 def _scaled(half: Fraction) -> int | None:

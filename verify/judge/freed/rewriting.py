@@ -10,8 +10,9 @@ from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
-from gainproof.verify.judge.freed.atoms import Atoms, Positive, angle_terms, is_opaque
+from gainproof.verify.judge.freed.atoms import Atoms, Key, angle_terms, is_opaque
 from gainproof.verify.judge.freed.flattening import flattened
+from gainproof.verify.judge.freed.ranges import Positive
 
 MOST_MULTIPLE = 12
 
@@ -21,13 +22,15 @@ Pair = tuple[Expr, Expr]
 @dataclass(frozen=True)
 class Freed:
     """An algebraic statement that implies the given one; `boxes` hold those of the new variables
-    too, `labels` say what these were, `exclusions` where nothing is said.
+    too, `labels` say what these were, `exclusions` where nothing is said. `whole_turns` are the
+    angles for which it says nothing of half a turn, although their domain is stated.
     """
 
     statement: Statement
     boxes: Mapping[str, Box]
     labels: Mapping[str, str]
     exclusions: tuple[str, ...] = ()
+    whole_turns: tuple[Key, ...] = ()
 
 
 def has_functions(statement: Statement) -> bool:
@@ -35,13 +38,20 @@ def has_functions(statement: Statement) -> bool:
     return any(node.kind == "call" for node in walk(*statement.exprs()))
 
 
-def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive) -> Freed:
-    """The statement with every function value a variable. Raises Undecided."""
+def freed(
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    is_positive: Positive,
+    turned: frozenset[Key] = frozenset(),
+) -> Freed:
+    """The statement with every function value a variable; `turned` angles begin half a turn
+    further. Raises Undecided.
+    """
     if statement.connective != "if":
         raise Undecided("an equivalence between function values is not covered")
     statement = replace(statement, needed=(*statement.needed, *_arguments(statement)))
     statement = statement.mapped(lambda e: flattened(e, is_positive))
-    atoms = Atoms(boxes, is_positive)
+    atoms = Atoms(boxes, is_positive, turned)
     atoms.collect(*statement.exprs())
 
     bound = bound_names(statement)
@@ -55,8 +65,8 @@ def freed(statement: Statement, boxes: Mapping[str, Box], is_positive: Positive)
     moved = statement.mapped(changed)
     if atoms.has_angles:
         _refuse_open_relations(statement)
-        _refuse_divisors(statement, atoms)
-    return Freed(moved, {**boxes, **atoms.made}, atoms.labels(), tuple(atoms.exclusions.values()))
+    exclusions, turns = tuple(atoms.exclusions.values()), tuple(atoms.whole_turns())
+    return Freed(moved, {**boxes, **atoms.made}, atoms.labels(), exclusions, turns)
 
 
 def bound_names(statement: Statement) -> set[str]:
@@ -82,16 +92,6 @@ def _refuse_open_relations(statement: Statement) -> None:
         raise Undecided("a condition on function values is not covered")
 
 
-def _refuse_divisors(statement: Statement, atoms: Atoms) -> None:
-    """At the angle that is missed a divisor may be zero; where a domain was stated that counts."""
-    for node in walk(*statement.exprs()):
-        if node.kind == "div" or (node.kind == "pow" and node.fraction < 0):
-            calls = [n for n in walk(node.parts[-1]) if n.kind == "call"]
-            boxes = [atoms.box_of(key) for n in calls for key, _ in angle_terms(n)]
-            if any(box.stated and None in (box.lower, box.upper) for box in boxes):
-                raise Undecided("a divisor with an angle in it, which may be zero")
-
-
 def _free(node: Expr, atoms: Atoms) -> Expr:
     if is_opaque(node):
         return atoms.whole(node)
@@ -103,7 +103,10 @@ def _free(node: Expr, atoms: Atoms) -> Expr:
         multiple = c * divisor
         if abs(multiple) > MOST_MULTIPLE:
             raise Undecided(f"a multiple of an angle beyond {MOST_MULTIPLE}")
-        cosine, sine = _together((cosine, sine), _multiple(_unit(t), int(multiple)))
+        unit = _unit(t)
+        if key in atoms.turned:
+            unit = (-unit[0], -unit[1])
+        cosine, sine = _together((cosine, sine), _multiple(unit, int(multiple)))
     return {"sin": sine, "cos": cosine}.get(node.name) or sine / cosine
 
 

@@ -1,0 +1,95 @@
+"""Where the variables live that stand for function values.
+
+A variable is stated, so that no divisor may vanish, where a domain behind it is stated or where it
+is a constant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import rebuilt
+from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of, walk
+from gainproof.verify.judge.freed.half_tangent import half_tangent
+from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr
+from gainproof.verify.judge.meaning.sequences import is_term
+
+EULER = symbol("e")
+"""Base of exponentials; no base variable is called like that."""
+QUARTER, HALF = Fraction(157, 100), Fraction(314, 100)
+"""A little less than a quarter of a turn and half a turn."""
+
+Positive = Callable[[Expr], bool]
+
+
+@dataclass(frozen=True)
+class Ranges:
+    """Answers from the domains of the base variables; `is_positive` is known to be true, or not
+    known.
+    """
+
+    boxes: Mapping[str, Box]
+    is_positive: Positive
+
+    def power(self, base: Expr, monomial: Monomial, positive: bool) -> Box:
+        """Of base^monomial: above 1, between 0 and 1, positive, or anything."""
+        exponent = monomial_expr(monomial)
+        if not positive:
+            return self._any(base, exponent)
+        grows = base == EULER or self.is_positive(base - 1)
+        falls = not grows and self.is_positive(1 - base)
+        up, down = self.is_positive(exponent), self.is_positive(neg(exponent))
+        if (grows and up) or (falls and down):
+            return Box(lower=Fraction(1))
+        if (grows and down) or (falls and up):
+            return Box(lower=Fraction(0), upper=Fraction(1))
+        return Box(lower=Fraction(0))
+
+    def tangent(self, monomial: Monomial, divisor: int, *, turned: bool) -> Box:
+        """Of tan(monomial/(2 divisor)): between -1 and 1 less than a quarter of a turn from 0."""
+        angle = monomial_expr(monomial)
+        box = self._any(angle)
+        if turned or not box.stated:
+            return box
+        known = self.boxes.get(angle.name) if angle.kind == "symbol" else None
+        found = None if known is None else half_tangent(known, divisor)
+        if found is None and self.within(QUARTER, monomial, divisor):
+            return Box(lower=Fraction(-1), upper=Fraction(1))
+        return found or box
+
+    def within(self, bound: Fraction, monomial: Monomial, divisor: int) -> bool:
+        """Whether the angle monomial/divisor is known to lie between -bound and bound."""
+        angle, most = monomial_expr(monomial), number(bound * divisor)
+        return self.is_positive(most - angle) and self.is_positive(most + angle)
+
+    def value(self, node: Expr) -> Box:
+        """A logarithm is positive above 1, the angle of a tangent above 0."""
+        box = Box(stated=False) if self._is_open(node) else self._any(node)
+        if node.name == "sum" or not box.stated:
+            return box
+        over = node.parts[0] - (1 if node.name == "log" else 0)
+        if self.is_positive(over):
+            return Box(lower=Fraction(0))
+        return Box(upper=Fraction(0)) if self.is_positive(neg(over)) else box
+
+    def _any(self, *exprs: Expr) -> Box:
+        known = [self.boxes[n].stated for n in symbols_of(*exprs) if n in self.boxes]
+        return Box(stated=any(known) or not symbols_of(*exprs))
+
+    def _is_open(self, node: Expr) -> bool:
+        """Whether a sum of one term of a sequence or more, whatever its bounds: the term with the
+        greatest index is in it once, and of that one nothing is stated.
+        """
+        if node.name != "sum":
+            return False
+        summand, index, low, high = node.parts
+        bare = rebuilt(summand, lambda n, _: number(1) if is_term(n) else None)
+        return (
+            not symbols_of(bare)
+            and symbols_of(summand) == {index.name}
+            and any(is_term(n) for n in walk(summand))
+            and self.is_positive(high - low + 1)
+        )
