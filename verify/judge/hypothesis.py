@@ -13,6 +13,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of
+from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
@@ -35,6 +36,7 @@ def settle(
     """Decides with the first symbol that can play the one real parameter, then over cells of all
     symbols, then at points. Raises Undecided with the last reason.
     """
+    labels = with_tokens(labels, statement.symbols())
     last = Undecided("no variable")
     for choice in candidates(statement, parameter):
         try:

@@ -12,6 +12,7 @@ from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.graph import read_graph, read_values
 from gainproof.verify.judge.exact.grid import Grid
 from gainproof.verify.judge.exact.limit import decide_limit
@@ -116,9 +117,8 @@ def _entries(graph: Graph) -> list[Expr]:
 
 
 def _settled(where: Surroundings, statement: Statement, free: Sequence[str]) -> Finding:
-    boxes = {**where.boxes, **{f"free {name}": Box(stated=False) for name in free}}
-    labels = {f"free {name}": name for name in free}
-    return finding_of(settle(statement, boxes, where.parameter, labels))
+    boxes = {**where.boxes, **{free_name(name): Box(stated=False) for name in free}}
+    return finding_of(settle(statement, boxes, where.parameter, {}))
 
 
 def _related(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.free_names import token_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Graph, Relation
@@ -81,7 +82,7 @@ class Scope(Table):
 
     def labels(self) -> dict[str, str]:
         """Base variables in the source's own symbols, as far as it has them."""
-        found = {name: name.removeprefix("free ") for name in self.boxes()}
+        found = {name: token_of(name) for name in self.boxes()}
         found |= {name: name.split()[1] for name in self.bound_domains}
         for token, entry in self.setting.symbols.items():
             if entry.role == "quantity" and entry.quantity in found:

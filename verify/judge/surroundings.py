@@ -26,6 +26,7 @@ from gainproof.verify.judge.exact.expression import (
     symbol,
     symbols_of,
 )
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.graph import rational
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
@@ -76,7 +77,7 @@ class Surroundings:
             match node.kind:
                 case "symbol":
                     return (
-                        symbol(f"free {node.name}") if node.name in free else self.value(node.name)
+                        symbol(free_name(node.name)) if node.name in free else self.value(node.name)
                     )
                 case "derivative":
                     needed.append(parts[0])

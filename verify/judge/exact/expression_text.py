@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.free_names import token_of
 
 LONG = 60
 
@@ -52,7 +53,7 @@ def _text(node: Expr, texts: dict[bytes, tuple[str, int]]) -> tuple[str, int]:
             whole = node.fraction.denominator == 1 and node.fraction >= 0
             return str(node.fraction), 4 if whole else 1
         case "symbol":
-            return node.name.removeprefix("free "), 4
+            return token_of(node.name), 4
         case "add":
             joined = " + ".join(part(k, 1) for k in count).replace("+ -", "- ")
             return joined, 1

@@ -8,6 +8,7 @@ from itertools import combinations
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
+from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
@@ -29,6 +30,7 @@ def decided(
     With functions in it: proved if it holds for whatever values these take, or by induction;
     refuted by balls at an exact point, or by the algebraic statement for one whole number.
     """
+    labels = with_tokens(labels, statement.symbols())
     if not has_functions(statement):
         return settle(statement, boxes, parameter, labels)
     reasons: list[str] = []

@@ -7,6 +7,7 @@ from math import comb
 from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power, symbols_of
+from gainproof.verify.judge.exact.free_names import is_free
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.formula import Graph, Reading
@@ -44,8 +45,7 @@ def judge_location(claim: Claim, reading: Reading, scope: Scope) -> Finding:
 
 def _is_name(left: Expr, used: list[Expr]) -> bool:
     """Whether the left side only names a root: a free symbol that nothing else speaks of."""
-    is_free = left.kind == "symbol" and left.name.startswith("free ")
-    return is_free and left.name not in symbols_of(*used)
+    return is_free(left) and left.name not in symbols_of(*used)
 
 
 def _coefficients(polynomial: Graph, token: str, scope: Scope) -> list[Expr]:

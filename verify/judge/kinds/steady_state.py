@@ -7,12 +7,12 @@ from dataclasses import replace
 from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.formula import Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
-from gainproof.verify.judge.meaning.domains import free_name
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of

@@ -8,13 +8,9 @@ from fractions import Fraction
 from gainproof.verify.judge.claim_record import Setting
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.setting.environment import Environment
-
-
-def free_name(token: str) -> str:
-    """The name of the variable that a free symbol stands for; no quantity is named like that."""
-    return f"free {token}"
 
 
 def entry_names(token: str, shape: tuple[int, int]) -> list[list[str]]:

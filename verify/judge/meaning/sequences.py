@@ -12,8 +12,8 @@ from gainproof.verify.judge.claim_record import SymbolEntry
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.meaning.domains import free_name
 
 TERM = "term "
 """Begins the name of calls that stand for terms of sequences."""

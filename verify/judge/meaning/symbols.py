@@ -9,11 +9,12 @@ from dataclasses import dataclass, field
 from gainproof.verify.judge.claim_record import Setting, SymbolEntry
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbol
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.domains import entry_names, free_name
+from gainproof.verify.judge.meaning.domains import entry_names
 from gainproof.verify.judge.meaning.reach import Reach
 from gainproof.verify.judge.meaning.value import (
     Value,

@@ -11,12 +11,12 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.domains import free_name
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of

@@ -25,10 +25,10 @@ from gainproof.verify.judge.exact.expression import (
     symbol,
     symbols_of,
 )
+from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials
-from gainproof.verify.judge.meaning.domains import free_name
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
 from gainproof.verify.judge.setting.quantities import steady_state
@@ -146,9 +146,7 @@ def _noise(r: Expr) -> dict[str, Expr]:
 
 def _token(base: Expr) -> str:
     """The source's symbol that a free variable stands for, else nothing."""
-    if base.kind != "symbol" or not base.name.startswith("free "):
-        return ""
-    return base.name.removeprefix("free ")
+    return token_of(base.name) if is_free(base) else ""
 
 
 def _number(expr: Expr, name: str) -> Fraction:

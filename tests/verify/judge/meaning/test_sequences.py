@@ -55,3 +55,14 @@ def test_what_is_no_plain_sequence_is_left_open(latex: str, why: str) -> None:
     found = judged("identity", latex, SYMBOLS)
     check(found, "undecided")
     assert why in found.reason
+
+
+@pytest.mark.parametrize(
+    "latex", [r"\sum_{i=1}^{3} x_i = 3", r"\sum_{i=1}^{k} x_i = 3", r"\sum_{i=3}^{4} x_i^2 > 0"]
+)
+def test_terms_that_a_sum_makes_are_shown_as_the_source_writes_them(latex: str) -> None:
+    """No symbol x_3 is declared: the variable for it is made when the sum is written out."""
+    found = judged("inequality" if ">" in latex else "identity", latex, SYMBOLS)
+    assert found.witness is not None
+    assert {"x_1", "x_3"} & set(found.witness["point"])
+    assert "free " not in f"{found.reason} {found.domain} {found.witness}"
