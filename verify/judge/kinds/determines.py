@@ -18,7 +18,7 @@ from gainproof.verify.judge.verdict import Finding, finding_of
 
 def judge_determines(claim: Claim, reading: Reading, scope: Scope) -> Finding:  # noqa: ARG001  # the signature of all kinds
     """Each of the quantities fixes the others: each is strictly monotone in the one parameter of
-    the setting.
+    the setting, for any given values of the other symbols.
     """
     parameter = scope.environment.parameter
     if parameter is None:
