@@ -10,6 +10,10 @@ from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of, wa
 from gainproof.verify.judge.exact.free_names import token_of
 
 LONG = 60
+TERM = "term "
+"""Begins the name of calls that stand for terms of sequences."""
+HOLE = "*"
+"""Stands for the index in the name of a term."""
 
 
 def written(*exprs: Expr, names: Mapping[Expr, str] | None = None) -> tuple[list[str], list[str]]:
@@ -68,6 +72,20 @@ def _text(node: Expr, texts: dict[bytes, tuple[str, int]]) -> tuple[str, int]:
                 return f"sqrt({texts[node.parts[0].key][0]})", 4
             exponent = str(node.value)
             return f"{part(0, 4)}^{exponent if exponent.isdigit() else f'({exponent})'}", 3
+        case "call":
+            return _call(node.name, [texts[p.key][0] for p in node.parts]), 4
         case _:
             inner = ", ".join(texts[p.key][0] for p in node.parts)
             return f"{node.kind} {node.value}({inner})", 4
+
+
+def _call(name: str, inner: list[str]) -> str:
+    """A function as one writes it: sums with their index, terms of a sequence with theirs."""
+    if name == "sum":
+        summand, index, first, last = inner
+        return f"sum({summand}, {index} = {first}..{last})"
+    if name.startswith(TERM):
+        (index,) = inner
+        plain = index.isalnum()
+        return name.removeprefix(TERM).replace(HOLE, index if plain else "{" + index + "}")
+    return f"{name}({', '.join(inner)})"

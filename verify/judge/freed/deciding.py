@@ -173,6 +173,7 @@ def _for_numbers(
 
 
 def _domain_text(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]) -> str:
-    named = sorted(n for n in symbols_of(*statement.exprs()) if n in boxes)
+    over = {s.parts[1].name for s in open_sums(statement)}
+    named = sorted(n for n in symbols_of(*statement.exprs()) - over if n in boxes)
     bounded = [n for n in named if boxes[n].lower is not None or boxes[n].upper is not None]
     return ", ".join(boxes[n].text(labels.get(n, n)) for n in bounded) or "everywhere"

@@ -12,12 +12,9 @@ from gainproof.verify.judge.claim_record import SymbolEntry
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
+from gainproof.verify.judge.exact.expression_text import HOLE, TERM
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
-
-TERM = "term "
-"""Begins the name of calls that stand for terms of sequences."""
-HOLE = "*"
 
 
 @dataclass(frozen=True)

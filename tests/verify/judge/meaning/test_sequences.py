@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from small_claims import check, judged
 
+from gainproof.verify.judge.explain import sections
+
 NUMBER = "{ unit = '1', meaning = 'a term' }"
 SYMBOLS = {
     **dict.fromkeys(("x_i", "x_k", "x_{k-1}", "x_1", "x_2"), NUMBER),
@@ -66,3 +68,13 @@ def test_terms_that_a_sum_makes_are_shown_as_the_source_writes_them(latex: str) 
     assert found.witness is not None
     assert {"x_1", "x_3"} & set(found.witness["point"])
     assert "free " not in f"{found.reason} {found.domain} {found.witness}"
+
+
+def test_a_proof_speaks_of_sums_and_terms_as_the_source_does() -> None:
+    """The index of a sum is no variable of the claim, so its domain is none of the claim's."""
+    latex = r"\frac{\sum_{i=1}^{k} x_i}{x_k} = \frac{\sum_{i=1}^{k-1} x_i}{x_k} + 1"
+    found = judged("identity", latex, SYMBOLS)
+    assert found.domain == "k >= 2, k an integer, where every part has a value"
+    shown = " ".join(line for section in sections(found.certificate) for line in section.lines)
+    assert "call" not in shown
+    assert "/ x_k" in shown
