@@ -61,11 +61,13 @@ def reason(claim: Claim) -> str:
 
 
 def solutions(claim: Claim) -> list[str]:
-    """Undefined symbols whose meaning the other claims fix."""
+    """Undefined symbols whose meaning the other claims fix; a solution that no claim bears out is
+    told by the reason.
+    """
     return [
-        f"{entry['symbol']} = {entry['solution']}, fixed by {_ids(entry['consumed'])}"
+        f"{entry['solution']}, fixed by {_ids(entry['consumed'])}"
         for entry in claim["undefined"]
-        if entry["solution"] is not None
+        if entry["consumed"]
     ]
 
 

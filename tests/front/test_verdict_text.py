@@ -107,11 +107,19 @@ def test_reasons_without_a_witness_are_said(verdict: str) -> None:
 def test_a_condition_and_a_solution_are_said() -> None:
     conditional = claim("a", "conditional", domain="for r > 1", witness=WITNESS)
     solved = claim(
-        "b", "undefined", undefined=[{"symbol": "c", "solution": "2", "consumed": ["a"]}]
+        "b", "undefined", undefined=[{"symbol": "c", "solution": "c = 2", "consumed": ["a"]}]
     )
     text = table(conditional, solved)
     assert "true for r > 1; not everywhere" in text
     assert "c = 2, fixed by a" in text
+
+
+def test_a_solution_that_nothing_bears_out_is_told_by_the_reason() -> None:
+    reason = "c is never defined: solving b gives c = 2, but no other claim uses c"
+    open_symbol = [{"symbol": "c", "solution": "c = 2", "consumed": []}]
+    text = table(claim("b", "undefined", reason=reason, undefined=open_symbol))
+    assert reason in " ".join(text.split())
+    assert "fixed by" not in text
 
 
 @pytest.mark.parametrize("columns", [60, 80, 120])
