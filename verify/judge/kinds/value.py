@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 import flint
@@ -61,7 +62,27 @@ def _within(exact: Expr, shown: Fraction, half: Fraction, frame: Frame) -> Findi
         if found is not None:
             return found
     low, high = number(shown - half), number(shown + half)
-    return finding_of(frame.decide(Statement((Rel("<=", low, exact), Rel("<=", exact, high)))))
+    found = finding_of(frame.decide(Statement((Rel("<=", low, exact), Rel("<=", exact, high)))))
+    return _against_printed(found, shown, half)
+
+
+def _against_printed(found: Finding, shown: Fraction, half: Fraction) -> Finding:
+    """The finding with its witness told of the number as printed, not of an end of its interval."""
+    witness = found.witness
+    if witness is None or witness.left.undefined or witness.right.undefined:
+        return found
+    # what fails is low <= value or value <= high: the left side is below the number in the first
+    value = witness.right if Fraction(witness.left.midpoint) < shown else witness.left
+    told = replace(witness, operator="approx", left=value, right=_printed(shown, half))
+    return replace(found, witness=replace(told, note=_digits(shown, half)))
+
+
+def _printed(shown: Fraction, half: Fraction) -> Enclosure:
+    return Enclosure(str(float(shown)), str(float(half)))
+
+
+def _digits(shown: Fraction, half: Fraction) -> str:
+    return f"the digits stand for {shown - half} to {shown + half}"
 
 
 def _point(conditions: Iterable[Rel]) -> dict[str, Fraction]:
@@ -93,14 +114,14 @@ def _by_ball(
         below = flint.arb(rational(shown + half)) - ball
     value = enclosure(ball, 15)
     where = {frame.labels.get(n, n): str(v) for n, v in used.items()}
-    interval = f"{shown - half} to {shown + half}"
     if above > 0 and below > 0:
+        interval = f"{shown - half} to {shown + half}"
         certificate = {"point": where, "value": value.to_json(), "interval": interval}
         reason = f"the exact value {value.midpoint} lies in the interval of the digits shown"
         return Finding("proved", reason, _text(where), "a ball round the value", None, certificate)
     if above < 0 or below < 0:
-        printed = Enclosure(str(float(shown)), str(float(half)))
-        witness = Witness(where, "approx", value, printed, note=f"the digits stand for {interval}")
+        printed = _printed(shown, half)
+        witness = Witness(where, "approx", value, printed, note=_digits(shown, half))
         return Finding(
             "refuted", f"fails {witness.text()}", "nowhere", "a ball round the value", witness
         )

@@ -31,3 +31,12 @@ ROOT = "\ngiven = ['x^2 = 3x - 1']\ndomain = '0 < x < "
 )
 def test_value(fields: str, wanted: str) -> None:
     check(judged("value", fields), wanted)
+
+
+@pytest.mark.parametrize("shown", ["0.3821", "0.3818"])
+def test_a_witness_shows_the_exact_value_and_the_number_printed(shown: str) -> None:
+    found = judged("value", rf"latex = 'x \approx {shown}'{ROOT}1'")
+    check(found, "refuted")
+    assert found.witness is not None
+    assert found.witness["left"]["midpoint"].startswith("0.38196")
+    assert found.witness["right"]["midpoint"] == shown
