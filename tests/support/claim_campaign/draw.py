@@ -108,7 +108,8 @@ def _at_place(domain: Domain, place: Place, free: Mapping[str, Any]) -> Point:
     subject = domain.subject
     match subject.setting.kind:
         case "steady_state":
-            assert subject.model is not None
+            if subject.model is None:
+                raise NotCovered("a model with symbols")
             known = quantities.steady(subject.model, place, subject.chosen)
         case "growing_memory":
             known = quantities.memory(subject.setting.degree or 0, place, subject.chosen)

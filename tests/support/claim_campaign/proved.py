@@ -5,18 +5,24 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from mutation.tree import to_tree
+
 import gainproof.verify
+from claim_campaign.draw import fraction
+from claim_campaign.point import NotCovered, Point
 from claim_campaign.subject import Subject
 from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim_file import read_claim_file
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim_record import Claim, OwnModel, Setting
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
 from gainproof.verify.judge.convention_effect import Chosen, choices
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import Finding
@@ -124,6 +130,21 @@ def subjects(
     return found
 
 
+def own_model(model: OwnModel) -> Mapping[str, Any] | None:
+    """A source's own model as data, if all its entries are numbers."""
+    try:
+        return {
+            one.name: [[str(_number(entry)) for entry in row] for row in getattr(model, one.name)]
+            for one in fields(model)
+        }
+    except NotCovered:
+        return None
+
+
+def _number(entry: Graph) -> Fraction:
+    return fraction(Point({}).value(to_tree(entry))).limit_denominator(10**9)
+
+
 def _subject(
     label: str,
     claim: Claim,
@@ -136,4 +157,6 @@ def _subject(
     chosen = max(fitting, key=lambda one: len(one.in_words()), default=Chosen())
     bare = name.removesuffix(chosen.in_words())
     model = next((m for m in models if bare == f"process noise {m['name']}"), None)
+    if printed.own_model is not None:
+        model = own_model(printed.own_model)
     return Subject(label, claim, convention.setting, printed, convention.name, chosen, model)

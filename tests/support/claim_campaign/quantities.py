@@ -53,6 +53,8 @@ def steady(model: Mapping[str, Any], place: Place, chosen: Chosen) -> dict[str, 
         for i, (m, g) in enumerate(zip(moved, gain, strict=True))
     ]
     states = {"previous": before, "predicted": moved, "updated": updated_state}
+    if _numbers(model["transition"]) != _numbers(least_squares.taylor(size - 1)):
+        states = {}  # they move otherwise
     forward = product(_numbers(model["transition"]), [[g] for g in gain])
     found["measurement"] = measured
     return _finished(
