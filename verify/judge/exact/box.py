@@ -45,6 +45,8 @@ class Box:
 
     def holds(self, value: Fraction) -> bool:
         """Whether the number lies in it."""
+        if self.integer and value.denominator != 1:
+            return False
         if self.lower is not None and (
             value < self.lower or (value == self.lower and self.lower_open)
         ):

@@ -49,7 +49,7 @@ def decide_limit(
     Undecided.
     """
     found = None
-    for side in _sides(box, point):
+    for side in sides_of(box, point, label):
         moved, where = toward_infinity(expr, parameter, box, point, side)
         found = limit_to_infinity(moved, parameter, where)
         wrong = _wrong(found, claimed)
@@ -81,14 +81,23 @@ def decide_limit(
     )
 
 
-def _sides(box: Box, point: Fraction | str) -> tuple[int, ...]:
+def sides_of(box: Box, point: Fraction | str, label: str) -> tuple[int, ...]:
+    """From where a variable can come: 1 for from above (and to an infinity), -1 for from below.
+
+    Raises Undecided for a point that it does not come near in its domain.
+    """
     if isinstance(point, str):
+        end = box.lower if point[0] == "-" else box.upper
+        if end is not None:
+            raise Undecided(f"{label} does not tend to {point} in its domain, which ends at {end}")
         return (1,)
+    if box.integer:
+        raise Undecided(f"{label}, a whole number, does not come close to {point}")
     below = box.lower is None or box.lower < point
     above = box.upper is None or box.upper > point
     sides = (*((1,) if above else ()), *((-1,) if below else ()))
     if not sides or (not (above and below) and point not in (box.lower, box.upper)):
-        raise Undecided(f"{point} is not in the domain")
+        raise Undecided(f"{point} is not in the domain of {label}")
     return sides
 
 

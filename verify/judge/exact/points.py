@@ -85,6 +85,8 @@ def _at(
         try:
             if not all(_holds(rel, point, precision) for rel in statement.domain):
                 return 0
+            for needed in statement.needed:
+                enclosed(needed, point, precision)
             for rel in statement.relations:
                 a, b = (enclosed(side, point, precision) for side in (rel.left, rel.right))
                 if not _holds(rel, point, precision):

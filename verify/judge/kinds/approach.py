@@ -17,7 +17,7 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
     walk,
 )
-from gainproof.verify.judge.exact.limit import decide_limit
+from gainproof.verify.judge.exact.limit import decide_limit, sides_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Graph, Reading, Relation
@@ -48,16 +48,12 @@ class Approach:
 
     def sides(self) -> tuple[int, ...]:
         """1 for from above, -1 for from below. Raises Undecided for a point outside the domain."""
-        if isinstance(self.point, str):
-            return (1,)
-        value = constant_value(self.point)
-        if value is None:
-            return (1, -1)
-        below = self.box.lower is None or self.box.lower < value
-        above = self.box.upper is None or self.box.upper > value
-        if not (above and below) and value not in (self.box.lower, self.box.upper):
-            raise Undecided(f"{value} is not in the domain of {self.label}")
-        return (*((1,) if above else ()), *((-1,) if below else ()))
+        value = self.point if isinstance(self.point, str) else constant_value(self.point)
+        if value is not None:
+            return sides_of(self.box, value, self.label)
+        if self.box.integer:
+            raise Undecided(f"{self.label}, a whole number, does not come close to a point")
+        return (1, -1)
 
     def moved(self, expr: Expr, side: int) -> Expr:
         """The expression in the small positive distance to the point."""
@@ -120,9 +116,7 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
         name = variable.name
         if not isinstance(point, str) and name in symbols_of(point):
             raise Undecided("a variable that tends to something that holds it")
-        approach = Approach(name, point, frame.boxes[name], frame.labels.get(name, name))
-        _refuse_outside(approach, frame)
-        return approach
+        return Approach(name, point, frame.boxes[name], frame.labels.get(name, name))
     names = symbols_of(variable)
     if len(names) != 1 or not (isinstance(point, str) or not symbols_of(point)):
         raise Undecided("a limit in a quantity that depends on several variables")
@@ -143,21 +137,3 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
         if found.verdict == "proved":
             return Approach(name, end if isinstance(end, str) else number(end), box, label)
     raise Undecided("a limit in a quantity that does not tend to its point at an end")
-
-
-def _refuse_outside(approach: Approach, frame: Frame) -> None:
-    """Raises Undecided unless the variable can tend to its point inside its domain."""
-    point, box = approach.point, approach.box
-    if isinstance(point, str):
-        inside = (box.lower if point.startswith("-") else box.upper) is None
-    elif constant_value(point) is None:
-        bounds = [Rel(op, point, number(b)) for op, b in _bounds(box) if b is not None]
-        inside = not box.integer and all(frame.holds(rel) for rel in bounds)
-    else:
-        inside = not box.integer
-    if not inside:
-        raise Undecided(f"{approach.label} cannot tend to {approach.text[3:]} in its domain")
-
-
-def _bounds(box: Box) -> tuple[tuple[str, Fraction | None], ...]:
-    return ((">=", box.lower), ("<=", box.upper))

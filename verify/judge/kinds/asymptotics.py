@@ -9,7 +9,7 @@ from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, mul, neg, number, power, symbol, walk
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Enclosure, Witness
+from gainproof.verify.judge.exact.statement import Enclosure, Rel, Witness
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.approach import (
     SMALL,
@@ -24,10 +24,10 @@ from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.limit import DEPTHS
 from gainproof.verify.judge.kinds.near_limit import (
     Coefficients,
-    equal,
+    constant_parts,
     open_sides,
     others_frame,
-    refuse_without_value,
+    with_values,
 )
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
@@ -67,8 +67,11 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
             return finding
     if finding is None:
         raise Undecided("the point is not in the domain")
-    refuse_without_value(approach, around, rest, left, right)
-    return replace(finding, domain=f"as {approach.label} {approach.text}")
+    values = around.decide(with_values(constant_parts(approach.name, left, right, *errors)))
+    domain = f"as {approach.label} {approach.text}, {values.domain}".removesuffix(", everywhere")
+    if values.verdict != "proved":
+        return replace(finding_of(values), domain=domain)
+    return replace(finding, domain=domain)
 
 
 def _distance(variable: Expr, approach: Approach) -> Expr:
@@ -103,7 +106,7 @@ def _agree(rest: Expr, errors: list[Expr], approach: Approach, side: int, around
     for exponent in series.exponents():
         if exponent >= order:
             break
-        outcome = around.decide(equal(series.terms[exponent], number(0)))
+        outcome = around.decide(with_values((), Rel("=", series.terms[exponent], number(0))))
         if outcome.verdict == "proved":
             continue
         finding = finding_of(outcome)
@@ -154,7 +157,7 @@ def _equivalent(left: Expr, right: Expr, approach: Approach, side: int, around: 
         reason = f"the sides are of different orders, {e} and {f}, in the distance to the limit"
         witness = Witness(where, "sim", shown[0], shown[1], exact=True, note=reason)
         return Finding("refuted", reason, "nowhere", METHOD, witness)
-    outcome = around.decide(equal(c, d))
+    outcome = around.decide(with_values((), Rel("=", c, d)))
     finding = finding_of(outcome)
     if outcome.verdict == "proved":
         return replace(finding, reason="both sides have the same leading term", method=METHOD)

@@ -92,6 +92,10 @@ def framed(
         boxes[SAMPLE] = replace(boxes[SAMPLE], lower=max(lower or Fraction(0), Fraction(1)))
     boxes, rest = bounded({**boxes, **scope.bound_domains}, stated)
     refuse_fractions(scope.whole, boxes)
+    empty = [n for n, box in boxes.items() if box.is_empty and n not in scope.bound_domains]
+    if empty:
+        # also of a symbol that the formula does not hold: a hypothesis fails everywhere
+        raise Undecided(f"the domain of {scope.labels().get(empty[0], empty[0])} is empty")
     environment = scope.environment
     frame = Frame(boxes, rest, environment.parameter, scope.labels(), environment)
     if scope.environment.assigned:

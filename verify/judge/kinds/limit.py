@@ -12,7 +12,7 @@ from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, wa
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limit_value import NoValueNear
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Witness
+from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Witness
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.approach import (
     SMALL,
@@ -27,10 +27,10 @@ from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.near_limit import (
     Coefficients,
-    equal,
+    constant_parts,
     open_sides,
     others_frame,
-    refuse_without_value,
+    with_values,
 )
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.of_expression import expanded
@@ -89,17 +89,17 @@ def _algebraic(expr: Expr, approach: Approach, claimed: End) -> Outcome:
 def _by_expansion(expr: Expr, approach: Approach, claimed: End, frame: Frame) -> Finding:
     refuse_real_powers(expr, frame)
     around, dropped = others_frame(frame, approach)
+    needed = constant_parts(approach.name, expr)
     finding: Finding | None = None
     for side in open_sides(approach, frame, around):
         found = limit_by_expansion(approach.moved(expr, side), around)
-        finding = _compared(found, claimed, approach, around)
+        finding = _compared(found, claimed, needed, approach, around)
         if finding.verdict != "proved":
             if dropped:
                 raise Undecided("a limit under conditions on its variable that fails without them")
             return finding
     if finding is None:
         raise Undecided("the point is not in the domain")
-    refuse_without_value(approach, around, expr)
     return finding
 
 
@@ -121,30 +121,38 @@ def limit_by_expansion(expr: Expr, around: Frame) -> End:
     raise Undecided("an expansion that cancels to the order reached")
 
 
-def _compared(found: End, claimed: End, approach: Approach, around: Frame) -> Finding:
+def _compared(
+    found: End, claimed: End, needed: tuple[Expr, ...], approach: Approach, around: Frame
+) -> Finding:
     where = {approach.label: approach.text}
     method = "expansion near the limit"
     if isinstance(found, str) or isinstance(claimed, str):
         if found == claimed:
-            reason = "the limit is the claimed one"
-            return Finding("proved", reason, f"as {approach.label} {approach.text}", method)
+            return _said(around.decide(with_values(needed)), approach, method)
         left, right = (_shown(end) for end in (found, claimed))
         witness = Witness(
             where, "->", left, right, exact=True, note=f"the limit is {left.undefined}"
         )
         return Finding("refuted", witness.note, "nowhere", method, witness)
-    outcome = around.decide(equal(found, claimed))
+    outcome = around.decide(with_values(needed, Rel("=", found, claimed)))
+    return _said(outcome, approach, f"{method}; {outcome.method}")
+
+
+def _said(outcome: Outcome, approach: Approach, method: str) -> Finding:
+    where = {approach.label: approach.text}
     if outcome.verdict == "proved":
         domain = f"as {approach.label} {approach.text}, {outcome.domain}"
         return replace(
             finding_of(outcome),
             reason="the limit is the claimed one",
             domain=domain.removesuffix(", everywhere"),
-            method=f"{method}; {outcome.method}",
+            method=method,
         )
     if outcome.witness is not None:
         witness = replace(outcome.witness, point={**where, **outcome.witness.point}, operator="->")
         outcome = replace(outcome, witness=witness)
+    if outcome.verdict != "refuted":
+        return finding_of(outcome)
     return replace(finding_of(outcome), reason=f"the limit is another: {outcome.reason}")
 
 

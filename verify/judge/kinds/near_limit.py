@@ -1,12 +1,14 @@
-"""What is known close to a limit: on which sides conditions hold, which coefficients are zero."""
+"""What holds close to a limit, and what its other symbols must be for it to mean something."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from itertools import islice, product
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
@@ -14,60 +16,135 @@ from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.kinds.approach import SMALL, Approach
 from gainproof.verify.judge.kinds.framing import Frame
 from gainproof.verify.judge.series.of_expression import expanded
-from gainproof.verify.judge.series.series import leading
+from gainproof.verify.judge.series.series import leading, neat
 
-
-def refuse_without_value(approach: Approach, around: Frame, *exprs: Expr) -> None:
-    """Raises Undecided unless the parts in which the variable does not occur have a value for all
-    others: coefficients may cancel what has none.
-    """
-    waiting = list(exprs)
-    while waiting:
-        part = waiting.pop()
-        if approach.name in symbols_of(part):
-            waiting += part.parts
-        elif not around.holds(Rel("=", part, part)):
-            raise Undecided("a part without value for some values of the other symbols")
+SIGNS: Mapping[str, tuple[int, ...]] = {
+    ">": (1,),
+    ">=": (1, 0),
+    "=": (0,),
+    "<=": (-1, 0),
+    "<": (-1,),
+    "!=": (1, -1),
+}
+"""For each relation the signs that the difference of its sides may have."""
+TRIED = tuple(Fraction(n) for n in ("1", "2", "-1", "1/2", "0", "-1/2", "3", "-2"))
+MOST_TRIED = 100
 
 
 def others_frame(frame: Frame, approach: Approach) -> tuple[Frame, bool]:
-    """The frame without the variable of the limit; whether a condition on it was left out that does
-    not just say from which side it comes.
+    """The frame without the variable of the limit; whether what was left out of it does more than
+    to say from which side the variable comes, so that nothing is refuted.
     """
-    on_it = [c for c in frame.conditions if approach.name in symbols_of(c.left, c.right)]
-    if any(c.operator == "=" for c in on_it):
-        raise Undecided("an equation among the conditions ties the variable of the limit")
+    on_it = _on_it(frame, approach)
     kept = tuple(c for c in frame.conditions if c not in on_it)
     boxes: Mapping[str, Box] = {n: b for n, b in frame.boxes.items() if n != approach.name}
     around = replace(frame, boxes=boxes, conditions=kept)
-    return around, any(None in _near(c, approach, around).values() for c in on_it)
+    unclear = any(None in _near(c, approach, around).values() for c in on_it)
+    inside = _inside(approach, (">", "<"))
+    return around, unclear or (bool(inside) and not around.holds(*inside))
 
 
 def open_sides(approach: Approach, frame: Frame, around: Frame) -> list[int]:
     """The sides on which no condition excludes points close to the limit. Raises Undecided."""
-    on_it = [c for c in frame.conditions if approach.name in symbols_of(c.left, c.right)]
-    shut = {s for c in on_it for s, holds in _near(c, approach, around).items() if holds is False}
+    inside = _inside(approach, (">=", "<="))
+    if inside and not around.holds(*inside):
+        raise Undecided(f"the point may lie outside of the domain of {approach.label}")
+    near = [_near(c, approach, around) for c in _on_it(frame, approach)]
+    shut = {side for known in near for side, holds in known.items() if holds is False}
     sides = [side for side in approach.sides() if side not in shut]
     if not sides:
         raise Undecided("the conditions hold nowhere close to the limit")
+    unclear = any(known[side] is None for known in near for side in sides)
+    if unclear and not any(_is_met(approach, frame, side) for side in sides):
+        raise Undecided(
+            "the conditions tie the variable of the limit to other symbols: no values of these "
+            "are known for which they hold close to the limit"
+        )
     return sides
+
+
+def constant_parts(name: str, *exprs: Expr) -> tuple[Expr, ...]:
+    """The largest parts without the variable of a limit: an expansion may cancel them, and yet the
+    expressions have a value only where these have one.
+    """
+    found: dict[bytes, Expr] = {}
+    seen: set[bytes] = set()
+    pending = list(exprs)
+    while pending:
+        node = pending.pop()
+        if node.key in seen:
+            continue
+        seen.add(node.key)
+        if name in symbols_of(node):
+            pending += node.parts
+        elif node.parts:
+            found[node.key] = node
+    return tuple(found.values())
+
+
+def with_values(needed: tuple[Expr, ...], *relations: Rel) -> Statement:
+    """That relations hold, and nothing else than that these have values if there is none."""
+    zero = number(0)
+    return Statement(relations or (Rel("=", zero, zero),), needed=needed)
+
+
+def _on_it(frame: Frame, approach: Approach) -> list[Rel]:
+    return [c for c in frame.conditions if approach.name in symbols_of(c.left, c.right)]
+
+
+def _inside(approach: Approach, orders: tuple[str, str]) -> list[Rel]:
+    """That a point which is no number lies in the domain of the variable."""
+    point, box = approach.point, approach.box
+    if isinstance(point, str) or constant_value(point) is not None:
+        return []
+    ends = zip(orders, (box.lower, box.upper), strict=True)
+    return [Rel(operator, point, number(end)) for operator, end in ends if end is not None]
 
 
 def _near(rel: Rel, approach: Approach, around: Frame) -> dict[int, bool | None]:
     """For each side whether a condition holds close to the limit; None where that is not known."""
+    return {side: _holds(rel, approach, side, around) for side in approach.sides()}
+
+
+def _holds(rel: Rel, approach: Approach, side: int, around: Frame) -> bool | None:
+    difference = neat(approach.moved(rel.left - rel.right, side))
+    if difference == number(0):
+        return 0 in SIGNS[rel.operator]
     oracle = Coefficients(around)
-    found: dict[int, bool | None] = {}
-    for side in approach.sides():
-        try:
-            difference = approach.moved(rel.left - rel.right, side)
-            first = leading(expanded(difference, SMALL, oracle, Fraction(4)), oracle)
-        except Undecided:
-            first = None
-        found[side] = None
-        for sign, operators in ((1, (">", ">=", "!=")), (-1, ("<", "<=", "!="))):
-            if first is not None and oracle.is_positive(first[1] if sign > 0 else -first[1]):
-                found[side] = rel.operator in operators
-    return found
+    try:
+        first = leading(expanded(difference, SMALL, oracle, Fraction(4)), oracle)
+    except Undecided:
+        return None
+    for sign in (1, -1):
+        if first is not None and oracle.is_positive(first[1] if sign > 0 else -first[1]):
+            return sign in SIGNS[rel.operator]
+    return None
+
+
+def _is_met(approach: Approach, frame: Frame, side: int) -> bool:
+    """Whether for some values of the other symbols all conditions hold close to the limit."""
+    bare = replace(frame, boxes={}, conditions=())
+    for values in _samples(approach, frame):
+        there = approach
+        if not isinstance(approach.point, str):
+            there = replace(approach, point=substituted(approach.point, values))
+        put_in = (
+            Rel(c.operator, substituted(c.left, values), substituted(c.right, values))
+            for c in frame.conditions
+        )
+        if all(_holds(c, there, side, bare) for c in put_in):
+            return True
+    return False
+
+
+def _samples(approach: Approach, frame: Frame) -> Iterator[dict[str, Expr]]:
+    sides = [side for c in frame.conditions for side in (c.left, c.right)]
+    point = () if isinstance(approach.point, str) else (approach.point,)
+    names = sorted(symbols_of(*sides, *point) - {approach.name})
+    boxes = [frame.boxes.get(name, Box()) for name in names]
+    tried = [[number(v) for v in TRIED if box.holds(v)] for box in boxes]
+    for values in islice(product(*tried), MOST_TRIED):
+        yield dict(zip(names, values, strict=True))
 
 
 class Coefficients:
@@ -100,8 +177,3 @@ class Coefficients:
         if key not in self._known:
             self._known[key] = self._frame.holds(Rel(operator, coefficient, number(0)))
         return self._known[key]
-
-
-def equal(left: Expr, right: Expr) -> Statement:
-    """That two expressions are equal."""
-    return Statement((Rel("=", left, right),))

@@ -53,6 +53,8 @@ def _node(node: Expr, parts: list[Series], oracle: Oracle, depth: Fraction) -> S
         case "div":
             return times(parts[0], powered(parts[1], Fraction(-1), oracle, depth))
         case "pow":
+            if _vanishes(parts[0]) and node.fraction > 0 and _is_positive(node.parts[0]):
+                return parts[0]
             return powered(parts[0], node.fraction, oracle, depth)
         case "call" if node.name == "exp":
             return _exponential(parts[0], oracle, depth)
@@ -64,6 +66,22 @@ def _node(node: Expr, parts: list[Series], oracle: Oracle, depth: Fraction) -> S
             return _power(parts[0], parts[1], oracle, depth)
         case _:
             raise Undecided(f"the expansion of {node.value or node.kind} is not covered")
+
+
+def _vanishes(s: Series) -> bool:
+    """Whether it is zero or smaller than every power."""
+    return not s.terms and s.order == EXACT
+
+
+def _is_positive(expr: Expr) -> bool:
+    """Whether it is positive, at a glance: products, powers of exponentials."""
+    match expr.kind:
+        case "call":
+            return expr.name == "exp"
+        case "mul" | "div" | "pow":
+            return all(_is_positive(p) for p in expr.parts)
+        case _:
+            return expr.kind == "number" and expr.fraction > 0
 
 
 def _apart(s: Series) -> tuple[Expr, Series]:

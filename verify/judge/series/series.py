@@ -113,7 +113,8 @@ def powered(s: Series, exponent: Fraction, oracle: Oracle, depth: Fraction) -> S
         for _ in range(int(exponent)):
             result = times(result, s)
         return result
-    if not s.terms and s.order == EXACT and exponent > 0:
+    if not s.terms and s.order == EXACT and exponent > 0 and exponent.denominator % 2:
+        # zero, or smaller than every power: then an even root asks for a sign that is not known
         return s
     e, c, rest = split(s, oracle)
     if exponent.denominator % 2 == 0 and not oracle.is_positive(c):
