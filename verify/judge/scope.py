@@ -11,7 +11,7 @@ from gainproof.verify.judge.formula import Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.domains import domains, is_whole
 from gainproof.verify.judge.meaning.evaluation import number_of
-from gainproof.verify.judge.meaning.sequences import terms_of, with_variables
+from gainproof.verify.judge.meaning.sequences import is_term, terms_of, with_variables
 from gainproof.verify.judge.meaning.symbols import UndefinedSymbol
 from gainproof.verify.judge.meaning.table import Table
 from gainproof.verify.judge.meaning.value import (
@@ -44,8 +44,13 @@ class Scope(Table):
         return found
 
     def expression(self, graph: Graph, bindings: Bindings | None = None) -> Expr:
-        """A graph that stands for a number."""
-        return number_of(self.value(graph, bindings))
+        """A graph that stands for a number. Raises Undecided for terms of a sequence, of which only
+        `relations` knows which symbols they are.
+        """
+        found = number_of(self.value(graph, bindings))
+        if self.sequences and any(is_term(node) for node in walk(found)):
+            raise Undecided("a sum over terms of a sequence is covered in relations only")
+        return found
 
     def relation(self, relation: Relation) -> Rel:
         """A relation between numbers with both sides resolved."""

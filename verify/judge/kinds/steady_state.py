@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from gainproof.verify.judge.claim_record import Claim
@@ -10,7 +11,7 @@ from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.formula import Reading, Relation
+from gainproof.verify.judge.formula import Formula, Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.meaning.evaluation import number_of
@@ -18,6 +19,7 @@ from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 BEFORE = "the value before"
+ACCENT = re.compile(r"\\(bar|hat|tilde|overline|widehat|widetilde|dot|check|mathrm|mathbf) *\{?")
 
 
 def judge_steady_state(claim: Claim, reading: Reading, scope: Scope) -> Finding:
@@ -26,14 +28,12 @@ def judge_steady_state(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """
     if claim.recursion is None or claim.previous is None or len(reading.relations) != 1:
         raise Undecided("a steady state needs one formula, a recursion and the symbol before it")
-    if len(claim.recursion.readings) != 1:
-        raise Undecided("a recursion with several readings")
+    rule = _rule(claim.recursion, reading.relations[0], claim.previous)
     before = symbol(BEFORE)
-    rule = claim.recursion.readings[0].relations[0].right
-    following = scope.expression(rule, scope.root.having({claim.previous: before}))
+    following = scope.expression(rule.right, scope.root.having({claim.previous: before}))
     conditions = list(resolved(reading.conditions, scope))
     value = _value(reading.relations[0], conditions, scope)
-    within = _domain(claim, reading.relations[0], value, scope)
+    within = _domain((_token(reading.relations[0]), _token(rule), claim.previous), value, scope)
     frame = framed(claim, scope, conditions)
     fixed = Rel("=", substituted(following, {BEFORE: value}), value)
     finding = finding_of(frame.decide(Statement((fixed, *within))))
@@ -41,6 +41,28 @@ def judge_steady_state(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         return finding
     slope = substituted(differentiated(following, BEFORE), {BEFORE: value})
     return _with_attraction(finding, slope, frame)
+
+
+def _rule(recursion: Formula, relation: Relation, previous: str) -> Relation:
+    """The equation of a recursion of the formula's own symbol. Raises Undecided for others."""
+    if len(recursion.readings) != 1:
+        raise Undecided("a recursion with several readings")
+    (reading,) = recursion.readings
+    if reading.conditions or len(reading.relations) != 1:
+        raise Undecided("a recursion that holds under conditions only")
+    (rule,) = reading.relations
+    following, own = _token(rule), _token(relation)
+    if following is None:
+        raise Undecided("the recursion must have the next value, one symbol, on its left")
+    if own is not None and _letters(own) not in (_letters(following), _letters(previous)):
+        raise Undecided(f"the formula is of {own}, the recursion of {following}")
+    return rule
+
+
+def _letters(token: str) -> str:
+    """A symbol without its indices and accents: p of `\\bar{p}`, of `p_{k-1}` and of `p^*`."""
+    bare = token.partition("_")[0].partition("^")[0].replace("'", "")
+    return ACCENT.sub("", bare).strip("{} ")
 
 
 def _value(relation: Relation, conditions: list[Rel], scope: Scope) -> Expr:
@@ -65,10 +87,10 @@ def _token(relation: Relation) -> str | None:
     return str(nodes[0][1]) if len(nodes) == 1 and nodes[0][0] == "symbol" else None
 
 
-def _domain(claim: Claim, relation: Relation, value: Expr, scope: Scope) -> list[Rel]:
-    """What the domains of the symbol and of the one before it say of the value."""
+def _domain(tokens: tuple[str | None, ...], value: Expr, scope: Scope) -> list[Rel]:
+    """What the domains of the symbol, of the next one and of the one before say of the value."""
     found = []
-    for token in dict.fromkeys((_token(relation), claim.previous)):
+    for token in dict.fromkeys(tokens):
         if token is None:
             continue
         inner = scope.root.having({token: value})

@@ -55,6 +55,9 @@ class Names(Protocol):
     def refuse_free_index(self, body: Expr, token: str) -> None:
         """Raises Undecided if a free symbol has the token as its index."""
 
+    def refuse_own_terms(self, value: Value, token: str) -> None:
+        """Raises Undecided if the token is a term of a sequence in the value."""
+
     def bound(
         self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
     ) -> Value:
@@ -130,6 +133,7 @@ def _power(base: Value, node: Expr) -> Value:
 
 def _at(value: Value, token: str, place: Value, names: Names, bindings: Bindings) -> Value:
     target = names.symbol(token, bindings)
+    names.refuse_own_terms(value, token)
     if not isinstance(target, Expr) or target.kind != "symbol" or names.is_shared(target.name):
         raise Undecided(f"substitution for {token}, which is no free symbol")
     put_in = {target.name: number_of(place)}

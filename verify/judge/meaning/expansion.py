@@ -58,6 +58,8 @@ def _combined(node: Expr, parts: list[Polynomial], wanted: int) -> Polynomial | 
         case "div" if set(parts[1]) <= {0}:
             bottom = node.parts[1]
             return {k: div(c, bottom) for k, c in parts[0].items()}
+        case "pow" if node.fraction == 0 and not _always_defined(node.parts[0]):
+            return None  # the number 1 would hide where the base has no value
         case "pow" if node.fraction.denominator == 1 and 0 <= node.fraction <= MOST_DEGREE:
             product = {0: number(1)}
             for _ in range(int(node.fraction)):
@@ -65,6 +67,10 @@ def _combined(node: Expr, parts: list[Polynomial], wanted: int) -> Polynomial | 
             return product
         case _:
             return None
+
+
+def _always_defined(expr: Expr) -> bool:
+    return all(n.kind in ("number", "symbol", "add", "mul", "neg") for n in walk(expr))
 
 
 def _plus(a: Polynomial, b: Polynomial) -> Polynomial:

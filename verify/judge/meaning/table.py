@@ -21,7 +21,7 @@ from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
 from gainproof.verify.judge.meaning.reach import names_in
-from gainproof.verify.judge.meaning.sequences import indexed, is_term
+from gainproof.verify.judge.meaning.sequences import indexed
 from gainproof.verify.judge.meaning.sums import INFINITE, range_of, sum_of
 from gainproof.verify.judge.meaning.symbols import Symbols
 from gainproof.verify.judge.meaning.value import (
@@ -69,14 +69,16 @@ class Table(Symbols):
             else:
                 inner[token] = value
         marks = len(self.needed), len(self.required), len(self.whole)
+        body = self.defining(name, entry.definition).right
+        for token in entry.arguments:
+            self.reach.refuse_free_index(read_tree(body), token)
         self.opened.append(name)
         try:
-            body = self.defining(name, entry.definition).right
-            for token in entry.arguments:
-                self.refuse_free_index(read_tree(body), token)
             found = self.under(body, bindings.having(inner))
         finally:
             self.opened.pop()
+        for token in entry.arguments:
+            self.refuse_own_terms(found, token)
         self._put_in(given, marks)
         return mapped(found, lambda entry: substituted(entry, given))
 
@@ -98,6 +100,17 @@ class Table(Symbols):
         """Raises Undecided if a free symbol below has the token, a whole number, as its index."""
         self.reach.refuse_free_index(body, token)
 
+    def refuse_own_terms(self, value: Value, token: str) -> None:
+        """Raises Undecided if a symbol that changes or is replaced is a term of a sequence in the
+        value, where it stands as a term and not as the symbol.
+        """
+        parsed = indexed(token)
+        if parsed is None:
+            return
+        own = parsed.term(number(0)).name
+        if any(node.kind == "call" and node.name == own for node in walk(*entries(value))):
+            raise Undecided(f"{token} is a term of a sequence that is summed here")
+
     def bound(
         self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
     ) -> Value:
@@ -115,6 +128,7 @@ class Table(Symbols):
         value = evaluated(body, self, bindings.having(inner))
         if any(fresh.name in symbols_of(e) for e in self.needed[mark:]):
             raise Undecided(f"a {kind} of derivatives over {token}")
+        self.refuse_own_terms(value, token)
         if kind == "product":
             factors = [put_in(value, {fresh.name: n}) for n in range_of(first, last)]
             return multiplied(factors) if factors else number(1)
@@ -148,11 +162,8 @@ class Table(Symbols):
         derivatives.
         """
         target = number_of(self.symbol(token, bindings), "the variable of a derivative")
+        self.refuse_own_terms(value, token)
         environment = self.environment
-        own = indexed(token)
-        terms = [n for e in entries(value) for n in walk(e) if is_term(n)]
-        if own and any(n == own.term(*n.parts) for n in terms):
-            raise Undecided(f"a derivative with respect to {token}, a term of a sequence")
         if target.kind == "symbol" and environment.moves_with(target.name):
             raise Undecided(f"a derivative with respect to {token}, with which the index changes")
         if token == environment.intensity and token not in bindings.names:
