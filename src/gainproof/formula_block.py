@@ -64,13 +64,14 @@ def _pieces(text: str) -> list[list[str]]:
         before = text[position : match.start()].strip()
         if before:
             pieces += [[word] for word in re.split(r"(?<= =) ", before)]
-        pieces.append(_block([row.split(ENTRY) for row in match[1].split(ROW)]))
+        pieces.append(matrix_rows([row.split(ENTRY) for row in match[1].split(ROW)]))
         position = match.end()
     after = text[position:].strip()
     return [*pieces, [after]] if after else pieces
 
 
-def _block(rows: list[list[str]]) -> list[str]:
+def matrix_rows(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Rows of a matrix of texts, columns aligned."""
     widths = [max(len(row[j]) for row in rows) for j in range(len(rows[0]))]
     return [
         "[ " + "  ".join(f"{e:>{w}}" for e, w in zip(row, widths, strict=True)) + " ]"

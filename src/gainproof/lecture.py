@@ -9,11 +9,11 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from gainproof.derived import Derived, DerivedStep
-from gainproof.formula_block import marked_matrix, set_formula
+from gainproof.formula_block import marked_matrix, matrix_rows, set_formula
 from gainproof.formula_text import formula_text, plain_name
-from gainproof.relation_text import Writer, matrix_rows, relation_lines
+from gainproof.page import WIDTH
+from gainproof.relation_text import Writer, relation_lines
 
-WIDTH = 92
 INDENT = "     "
 
 
@@ -46,7 +46,7 @@ def paragraph(text: str, indent: str = "") -> str:
     return textwrap.fill(text, WIDTH, initial_indent=indent, subsequent_indent=indent)
 
 
-def model_text(model: Mapping[str, object]) -> str:
+def model_text(model: Mapping[str, Any]) -> str:
     """The matrices of a scaled model side by side with their names."""
     lines = ["In units T = 1 and sigma_v = 1, with process noise q Q0 and q = Lambda^2:", ""]
     for label, field in (

@@ -41,15 +41,6 @@ def relation_lines(kind: str, claim: Claim, writer: Writer) -> list[str]:
     return _KINDS.get(kind, _unknown(kind))(claim, writer)
 
 
-def matrix_rows(rows: Any) -> list[str]:
-    """Rows of a matrix of number texts, columns aligned."""
-    widths = [max(len(row[j]) for row in rows) for j in range(len(rows[0]))]
-    return [
-        "[ " + "  ".join(f"{entry:>{w}}" for entry, w in zip(row, widths, strict=True)) + " ]"
-        for row in rows
-    ]
-
-
 def _equal(claim: Claim, w: Writer) -> list[str]:
     left, right = claim["left"], claim["right"]
     pairs = [(w.value(a), w.value(b)) for a, b in _entries(left, right)]
