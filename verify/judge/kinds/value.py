@@ -9,7 +9,6 @@ from fractions import Fraction
 import flint
 
 from gainproof.verify.judge.claim_record import Claim
-from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure
@@ -102,7 +101,7 @@ def _by_ball(
     """The finding where a ball lies inside the interval of the digits shown, or outside of it."""
     used = {n: v for n, v in point.items() if n in symbols_of(exact)}
     # a hypothesis that no value satisfies proves nothing, be it of another symbol
-    outside = [n for n, v in point.items() if n in frame.boxes and not _lies(v, frame.boxes[n])]
+    outside = [n for n, v in point.items() if n in frame.boxes and not frame.boxes[n].holds(v)]
     if outside or len(point) != len(frame.conditions):
         return None
     try:
@@ -126,10 +125,6 @@ def _by_ball(
             "refuted", f"fails {witness.text()}", "nowhere", "a ball round the value", witness
         )
     return None
-
-
-def _lies(value: Fraction, box: Box) -> bool:
-    return box.holds(value) and (value.denominator == 1 or not box.integer)
 
 
 def _text(where: Mapping[str, str]) -> str:
