@@ -15,7 +15,6 @@ from __future__ import annotations
 import argparse
 import hashlib
 import json
-import os
 import sys
 import time
 from pathlib import Path
@@ -25,6 +24,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from claim_campaign.proved import claim_paths, names_proved_before, subjects
 from claim_campaign.run import accepted, processors, report, run
+from saved_state import save
 
 import gainproof.verify.judge
 from gainproof.derive.catalogue import CATALOGUE
@@ -81,14 +81,6 @@ def load(path: Path, key: str) -> dict[str, Any]:
             return state
         sys.stderr.write(f"{path} is about another judge, claims or options: starting anew\n")
     return {"key": key, "records": {}}
-
-
-def save(path: Path, state: dict[str, Any]) -> None:
-    """Written beside and moved, so that an interrupt leaves the old state whole."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_suffix(".part")
-    beside.write_text(json.dumps(state), encoding="utf-8")
-    os.replace(beside, path)
 
 
 if __name__ == "__main__":

@@ -26,6 +26,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from fuzz_tally import Tally
 from reader_campaign import CLAIMS, fuzz_files, fuzz_formulas, fuzz_made
+from saved_state import save
 
 import gainproof.verify.judge
 
@@ -120,14 +121,6 @@ def load(path: Path) -> dict[str, Any]:
             return state
         sys.stderr.write(f"{path} is about another reader: starting anew\n")
     return {"reader": reader, "done": {kind: [] for kind in KINDS}, "tally": {}}
-
-
-def save(path: Path, state: dict[str, Any]) -> None:
-    """Written beside and moved, so that an interrupt leaves the old state whole."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_suffix(".part")
-    beside.write_text(json.dumps(state), encoding="utf-8")
-    os.replace(beside, path)
 
 
 if __name__ == "__main__":

@@ -27,6 +27,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from kernel_errors import Worst, log_uniform, measure, near_supremum
 from printed_kernels import DTYPES, common_domain, groups, printed_kernels
+from saved_state import save
 
 import gainproof.generated
 
@@ -103,14 +104,6 @@ def digest() -> str:
         for file in sorted(Path(folder).glob("*.py")):
             found.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
     return found.hexdigest()
-
-
-def save(path: Path, state: dict[str, Any]) -> None:
-    """Written beside and moved, so that an interrupt leaves the old state whole."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_suffix(".part")
-    beside.write_text(json.dumps(state), encoding="utf-8")
-    os.replace(beside, path)
 
 
 def note(state: dict[str, Any], task: Task, found: dict[str, tuple[float, float, int]]) -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import random
 
-from auto_declared import Declared
+from declared import Declared
 
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.errors import ReaderError

@@ -13,8 +13,6 @@ from typing import Any
 
 Tree = tuple[Any, ...]
 
-LEAVES = ("number", "symbol")
-
 
 def to_tree(graph: Mapping[str, Any]) -> Tree:
     """The output "value" of a graph."""

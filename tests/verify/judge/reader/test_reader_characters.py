@@ -6,7 +6,7 @@ import sys
 import unicodedata
 
 import pytest
-from auto_declared import Declared
+from declared import Declared
 
 from gainproof.verify.judge.reader.characters import SIGNS, meant_character
 from gainproof.verify.judge.reader.errors import ReaderError

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import pytest
-from auto_declared import Declared
+from declared import Declared
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 

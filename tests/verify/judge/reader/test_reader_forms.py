@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import pytest
-from auto_declared import Declared
+from declared import Declared
 
 from gainproof.verify.judge.formula import INFINITY, Relation
 from gainproof.verify.judge.reader.errors import ReaderError

@@ -8,7 +8,7 @@ import random
 from string import ascii_letters
 
 import pytest
-from auto_declared import Declared
+from declared import Declared
 from reader_fuzz import check_input, random_text, read_or_refuse
 
 from gainproof.verify.judge.reader.errors import ReaderError

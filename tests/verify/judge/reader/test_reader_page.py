@@ -7,7 +7,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from auto_declared import Declared
+from declared import Declared
 
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.latex import reading_to_latex
