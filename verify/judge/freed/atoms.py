@@ -116,12 +116,14 @@ class Atoms:
         box = self.ranges.tangent(monomial, self.divisors[key], turned=key in self.turned)
         return self._named(key, box), self.divisors[key]
 
-    def whole_turns(self) -> list[Key]:
-        """The angles over a stated domain that may be half a turn, where there is no tangent."""
+    def whole_turns(self, *, unstated: bool) -> list[Key]:
+        """The angles that may be half a turn, where there is no tangent; those over no stated
+        domain only if asked for.
+        """
         return [
             key
             for key, name in self.names.items()
-            if key[0] == "angle" and self.made[name].stated
+            if key[0] == "angle" and (unstated or self.made[name].stated)
             if not self.ranges.within(HALF, key[2], self.divisors[key])
         ]
 

@@ -7,7 +7,7 @@ is a constant.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
@@ -52,13 +52,13 @@ class Ranges:
         """Of tan(monomial/(2 divisor)): between -1 and 1 less than a quarter of a turn from 0."""
         angle = monomial_expr(monomial)
         box = self._any(angle)
-        if turned or not box.stated:
+        if turned:
             return box
         known = self.boxes.get(angle.name) if angle.kind == "symbol" else None
         found = None if known is None else half_tangent(known, divisor)
         if found is None and self.within(QUARTER, monomial, divisor):
-            return Box(lower=Fraction(-1), upper=Fraction(1))
-        return found or box
+            found = Box(lower=Fraction(-1), upper=Fraction(1))
+        return replace(found or box, stated=box.stated)
 
     def within(self, bound: Fraction, monomial: Monomial, divisor: int) -> bool:
         """Whether the angle monomial/divisor is known to lie between -bound and bound."""

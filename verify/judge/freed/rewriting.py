@@ -15,6 +15,7 @@ from gainproof.verify.judge.freed.flattening import flattened
 from gainproof.verify.judge.freed.ranges import Positive
 
 MOST_MULTIPLE = 12
+MOST_STRICT = 2
 
 Pair = tuple[Expr, Expr]
 
@@ -23,7 +24,7 @@ Pair = tuple[Expr, Expr]
 class Freed:
     """An algebraic statement that implies the given one; `boxes` hold those of the new variables
     too, `labels` say what these were, `exclusions` where nothing is said. `whole_turns` are the
-    angles for which it says nothing of half a turn, although their domain is stated.
+    angles for which it says nothing of half a turn, although that matters.
     """
 
     statement: Statement
@@ -64,8 +65,12 @@ def freed(
 
     moved = statement.mapped(changed)
     if atoms.has_angles:
-        _refuse_open_relations(statement)
-    exclusions, turns = tuple(atoms.exclusions.values()), tuple(atoms.whole_turns())
+        _refuse_conditions(statement)
+    # what holds at all other angles holds at this one by continuity, but for strict relations
+    strict = any(r.operator in ("<", ">", "!=") for r in statement.relations)
+    exclusions, turns = tuple(atoms.exclusions.values()), tuple(atoms.whole_turns(unstated=strict))
+    if strict and len(turns) > MOST_STRICT:
+        raise Undecided(f"a strict relation between more than {MOST_STRICT} angles is not covered")
     return Freed(moved, {**boxes, **atoms.made}, atoms.labels(), exclusions, turns)
 
 
@@ -83,10 +88,7 @@ def _arguments(statement: Statement) -> list[Expr]:
     return [part for part in found if not symbols_of(part) & bound]
 
 
-def _refuse_open_relations(statement: Statement) -> None:
-    """The tangent of the half angle misses one angle, which only continuity reaches."""
-    if any(r.operator in ("<", ">", "!=") for r in statement.relations):
-        raise Undecided("a strict relation between angles is not covered")
+def _refuse_conditions(statement: Statement) -> None:
     sides = [side for r in statement.conditions for side in (r.left, r.right)]
     if any(node.kind == "call" for node in walk(*sides)):
         raise Undecided("a condition on function values is not covered")

@@ -52,10 +52,11 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     within = {n: _opened(b) if n in names else b for n, b in frame.boxes.items()}
     inside = replace(frame, boxes=within)
     _refuse_unknown_slopes(slope, inside)
-    finding = finding_of(inside.decide(Statement((Rel(operator, slope, number(0)),))))
+    rises = Statement((Rel(operator, slope, number(0)),), needed=(subject,))
+    finding = finding_of(inside.decide(rises))
     if finding.verdict != "proved" and operator in "<>" and _nearly(operator, slope, names, inside):
-        weak = inside.decide(Statement((Rel(f"{operator}=", slope, number(0)),)))
-        finding = finding_of(weak)
+        weak = Rel(f"{operator}=", slope, number(0))
+        finding = finding_of(inside.decide(replace(rises, relations=(weak,))))
     return replace(finding, method=f"sign of the derivative; {finding.method}")
 
 

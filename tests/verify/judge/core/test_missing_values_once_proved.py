@@ -30,6 +30,8 @@ TRUE_TRENDS = [
     (r"-\frac{1}{n}", "n", "increasing", r"n \geq 1"),
     ("x (y^2 + 1)", "x", "increasing", ""),
     ("x + e^x", "x", "increasing", ""),
+    (r"\sin x", "x", "increasing", "-1 < x < 1"),
+    (r"x + \sin x", "x", "increasing", ""),
     # the following number has to be in the domain too
     (r"-\left|n - j\right|", "n", "increasing", r"n \leq j"),
 ]

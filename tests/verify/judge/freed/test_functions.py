@@ -59,6 +59,9 @@ def test_false(latex: str) -> None:
         (r"\cos\theta \leq 1", "proved"),
         ("latex = '\\cos\\theta \\geq \\frac{1}{2}'\ndomain = '-1 < \\theta < 1'", "proved"),
         ("latex = '\\cos\\theta \\geq \\frac{3}{5}'\ndomain = '-1 < \\theta < 1'", "refuted"),
+        ("latex = '\\cos\\theta > \\frac{1}{2}'\ndomain = '-1 < \\theta < 1'", "proved"),
+        (r"\cos\theta + \sin\phi < 3", "proved"),
+        (r"(\cos\theta + 2)^2 \neq 0", "proved"),
         # the one angle that the half tangent misses: equality holds only there
         (r"\cos\theta > -1", None),
         ("e^x > 1", "refuted"),
