@@ -46,6 +46,8 @@ IDENTITIES = [
     (r"\frac{\log x}{\log x} = 1", "x > 0"),
     (r"(\frac{x}{x})^n = 1", "-1 < x < 1"),
     (r"e^{x/x - 1} = 1", "-1 < x < 1"),
+    # a sum without terms
+    (r"\frac{\sum_{i=1}^k x_i}{\sum_{i=1}^k x_i} = 1", r"k \geq 0"),
     # no value anywhere
     (r"\frac{\log 1}{\log 1} = 1", ""),
     (r"\frac{\arctan x + \arctan(-x)}{\arctan x + \arctan(-x)} = 1", ""),
@@ -59,6 +61,7 @@ TRUE_IDENTITIES = [
     (r"\frac{\log x}{\log x} = 1", "x > 1", ""),
     (r"\frac{\arctan x}{\arctan x} = 1", "x > 0", ""),
     (r"\frac{x^n}{x^n} = 1", r"0 < x < 1, n \geq 1", ""),
+    (r"\frac{x \arctan 1}{\arctan 1} = x", "", ""),
     (r"\frac{\sum_{i=0}^k x_i}{2 \sum_{i=0}^k x_i} = \frac{1}{2}", r"k \geq 0", "every part"),
     (r"\tan x = \frac{\sin x}{\cos x}", "", "where every part has a value"),
 ]
@@ -74,6 +77,16 @@ def _trend(subject: str, variable: str, trend: str, domain: str) -> str:
 @pytest.mark.parametrize(("subject", "variable", "trend", "domain"), TRENDS)
 def test_trend_is_not_proved(subject: str, variable: str, trend: str, domain: str) -> None:
     assert _trend(subject, variable, trend, domain) != "proved"
+
+
+def test_what_rests_on_measurements_has_no_trend() -> None:
+    symbols = {
+        "k": "{ quantity = 'sample_number', meaning = 'number of the sample' }",
+        "s": "{ quantity = 'previous_state.1', meaning = 'position before' }",
+    }
+    about = "about = ['k + s', 'k']\ntrend = 'increasing'\ntext = 'in words'"
+    setting = "kind = 'growing_memory'\ndegree = 1\ngain = 'filter'"
+    assert judged("monotone", about, symbols, setting).verdict != "proved"
 
 
 @pytest.mark.parametrize(("subject", "variable", "trend", "domain"), TRUE_TRENDS)
