@@ -8,39 +8,45 @@ from typing import Any
 
 from gainproof import derivations, places
 from gainproof.bad_input import BadInputError, unknown_name
-from gainproof.page import filled
+from gainproof.page import WIDTH, filled
 from gainproof.verify.judge.claim_file import ClaimFile, ClaimFileError, read_claim_file
 from gainproof.workshop import Workshop
 
 Subject = Mapping[str, Any]
 
 
-def listing(shop: Workshop) -> str:
-    """Derivations with their kernels, works, claim files with their claims."""
+def listing(shop: Workshop, columns: int = WIDTH) -> str:
+    """Derivations with their kernels, works, claim files with their claims, in lines of at most
+    `columns`.
+    """
     subjects = derivations.overview(shop)
     parts = ["Derivations (gainproof derive NAME --steps) and their kernels", ""]
     for subject in subjects:
         parts.append(f"  {subject['name']}: {subject['title']}")
         modules = sorted({kernel["module"] for kernel in subject["kernels"]})
         parts.append(f"      gainproof.generated.{', '.join(modules)}")
-        parts += filled(", ".join(kernel["name"] for kernel in subject["kernels"]), "      ")
+        parts += filled(
+            ", ".join(kernel["name"] for kernel in subject["kernels"]), "      ", columns=columns
+        )
     parts += ["", "Works (gainproof cite NAME)", ""]
     for key, record in sorted(_works(subjects).items()):
-        parts += filled(f"{key}: {record['text']}", "  ")
+        parts += filled(f"{key}: {record['text']}", "  ", columns=columns)
     parts += ["", "Claim files (gainproof check FILE)", ""]
     for file in _claim_files():
-        parts += filled(f"{file.source.key}: {_authors(file)}: {file.source.title}", "  ")
+        parts += filled(
+            f"{file.source.key}: {_authors(file)}: {file.source.title}", "  ", columns=columns
+        )
         parts.append(f"      {_number_of_claims(file)} in {places.shown(file.path)}")
-        parts += filled(", ".join(claim.id for claim in file.claims), "      ")
+        parts += filled(", ".join(claim.id for claim in file.claims), "      ", columns=columns)
     return "\n".join(parts) + "\n"
 
 
-def citation(name: str, shop: Workshop) -> str:
+def citation(name: str, shop: Workshop, columns: int = WIDTH) -> str:
     """What `name` rests on; a name that ends in .toml or has a folder before it is a claim file.
-    Raises BadInputError with the nearest names.
+    Lines are of at most `columns`. Raises BadInputError with the nearest names.
     """
     if name.endswith(".toml") or Path(name).name != name:
-        return _file_citation(_claim_file(Path(name)))
+        return _file_citation(_claim_file(Path(name)), columns)
     subjects = derivations.overview(shop)
     works, files = _works(subjects), {file.source.key: file for file in _claim_files()}
     resting = {subject["name"]: [subject] for subject in subjects}
@@ -50,9 +56,9 @@ def citation(name: str, shop: Workshop) -> str:
             resting[full] = [subject]
             resting.setdefault(kernel["name"], []).append(subject)
     if name in resting:
-        return "\n".join(_subject_citation(subject) for subject in resting[name])
-    found = [_work_citation(works[name], subjects)] if name in works else []
-    found += [_file_citation(files[name])] if name in files else []
+        return "\n".join(_subject_citation(subject, columns) for subject in resting[name])
+    found = [_work_citation(works[name], subjects, columns)] if name in works else []
+    found += [_file_citation(files[name], columns)] if name in files else []
     if not found:
         raise unknown_name(
             "derivation, kernel, work or claim file", name, [*resting, *works, *files]
@@ -60,34 +66,43 @@ def citation(name: str, shop: Workshop) -> str:
     return "\n".join(found)
 
 
-def _subject_citation(subject: Subject) -> str:
+def _subject_citation(subject: Subject, columns: int) -> str:
     lines = [f"{subject['name']}: {subject['title']}", ""]
     if not subject["sources"]:
         lines.append("  rests on no published work")
     for source in subject["sources"]:
-        lines += filled(source["text"], "  ")
-        lines += filled(f"for: {source['rests_on']}", "      ")
+        lines += filled(source["text"], "  ", columns=columns)
+        lines += filled(f"for: {source['rests_on']}", "      ", columns=columns)
     if subject["cited"]:
         lines += ["", "  Used and not proved here:"]
         for theorem in subject["cited"]:
-            lines += filled(f"{theorem['theorem']} ({theorem['reference']})", "      ")
+            lines += filled(
+                f"{theorem['theorem']} ({theorem['reference']})", "      ", columns=columns
+            )
     return "\n".join(lines) + "\n"
 
 
-def _work_citation(record: Mapping[str, str], subjects: Iterable[Subject]) -> str:
+def _work_citation(record: Mapping[str, str], subjects: Iterable[Subject], columns: int) -> str:
     users = [d["name"] for d in subjects if any(s["key"] == record["key"] for s in d["sources"])]
-    lines = [*filled(record["text"], ""), *filled(f"for: {record['rests_on']}", "  ")]
-    return "\n".join([*lines, *filled(f"used by: {', '.join(users)}", "  ")]) + "\n"
+    lines = [
+        *filled(record["text"], "", columns=columns),
+        *filled(f"for: {record['rests_on']}", "  ", columns=columns),
+    ]
+    return (
+        "\n".join([*lines, *filled(f"used by: {', '.join(users)}", "  ", columns=columns)]) + "\n"
+    )
 
 
-def _file_citation(file: ClaimFile) -> str:
+def _file_citation(file: ClaimFile, columns: int) -> str:
     source = file.source
     year = f", {source.year}" if source.year else ""
-    lines = filled(f"{_authors(file)}: {source.title}. {source.publication}{year}.", "")
+    lines = filled(
+        f"{_authors(file)}: {source.title}. {source.publication}{year}.", "", columns=columns
+    )
     found = ("doi", source.doi), ("url", source.url), ("repository", source.repository)
     for label, value in (*found, ("commit", source.commit), ("note", source.note)):
         if value:
-            lines += filled(f"{label}: {value}", "  ", "    ")
+            lines += filled(f"{label}: {value}", "  ", "    ", columns=columns)
     lines.append(f"  {_number_of_claims(file)} in {places.shown(file.path)}")
     return "\n".join(lines) + "\n"
 

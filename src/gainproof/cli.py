@@ -34,12 +34,21 @@ Steady-state gains of tracking filters: derived step by step, proved by certific
 NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
 
 
+class _Paragraphs(argparse.HelpFormatter):
+    """Help whose descriptions are filled to the terminal, paragraph by paragraph."""
+
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        paragraphs = text.split("\n\n")
+        filled = [super(_Paragraphs, self)._fill_text(p, width, indent) for p in paragraphs]
+        return "\n\n".join(filled)
+
+
 def make_parser() -> argparse.ArgumentParser:
     """The parser of the whole command line."""
     parser = argparse.ArgumentParser(
         prog="gainproof",
         description=DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Paragraphs,
     )
     parser.add_argument("--version", action="version", version=f"gainproof {VERSION}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
@@ -48,7 +57,7 @@ def make_parser() -> argparse.ArgumentParser:
             name,
             help=module.HELP,
             description=module.DESCRIPTION,
-            formatter_class=argparse.RawDescriptionHelpFormatter,
+            formatter_class=_Paragraphs,
         )
         module.configure(command)
         command.set_defaults(run=module.run)

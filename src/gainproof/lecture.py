@@ -17,33 +17,32 @@ from gainproof.relation_text import Writer, relation_lines
 INDENT = "     "
 
 
-def page(derived: Derived, report: Mapping[str, Any], *, with_steps: bool = True) -> str:
-    """The page as text. `report`: what the checker says of the subject's certificate."""
+def page(
+    derived: Derived, report: Mapping[str, Any], *, with_steps: bool = True, columns: int = WIDTH
+) -> str:
+    """The page as text, its lines of at most `columns` where a formula allows it. `report`: what
+    the checker says of the subject's certificate.
+    """
     marks = marks_of(report)
     names = {name: plain_name(latex) for name, latex in derived.symbols.items()}
     writer = Writer(names, functools.partial(formula_text, matrix=marked_matrix))
     parts = [heading(derived.title)]
     if derived.opening:
-        parts.append(paragraph(derived.opening))
+        parts.append(textwrap.fill(derived.opening, columns))
     if derived.model is not None:
         parts.append(model_text(derived.model))
     shown = [step for step in derived.steps if step.shown]
     if with_steps:
-        parts += [step_text(i, step, writer, marks) for i, step in enumerate(shown, 1)]
+        parts += [step_text(i, step, writer, marks, columns) for i, step in enumerate(shown, 1)]
     else:
-        parts.append(results(derived, writer, marks))
-    parts.append(closing(derived, report))
+        parts.append(results(derived, writer, marks, columns))
+    parts.append(textwrap.fill(closing(derived, report), columns))
     return "\n\n".join(parts) + "\n"
 
 
 def heading(title: str) -> str:
     """A title underlined."""
     return f"{title}\n{'=' * len(title)}"
-
-
-def paragraph(text: str, indent: str = "") -> str:
-    """Text filled to the width of the page."""
-    return textwrap.fill(text, WIDTH, initial_indent=indent, subsequent_indent=indent)
 
 
 def model_text(model: Mapping[str, Any]) -> str:
@@ -61,42 +60,44 @@ def model_text(model: Mapping[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def step_text(number: int, step: DerivedStep, writer: Writer, marks: Mapping[str, str]) -> str:
+def step_text(
+    number: int, step: DerivedStep, writer: Writer, marks: Mapping[str, str], columns: int
+) -> str:
     """One numbered step: the sentence, the formula, the reason, and how it is known."""
     mark = marks[step.id]
     first = f"{number:>3}. "
-    lines = [textwrap.fill(step.sentence, WIDTH, initial_indent=first, subsequent_indent=INDENT)]
+    lines = [textwrap.fill(step.sentence, columns, initial_indent=first, subsequent_indent=INDENT)]
     lines.append("")
     for formula in relation_lines(step.kind, step.claim, writer):
-        lines += display(formula)
-    lines += ["", *reason_lines(step.reason, f"[{mark}]")]
+        lines += display(formula, columns)
+    lines += ["", *reason_lines(step.reason, f"[{mark}]", columns)]
     return "\n".join(lines)
 
 
-def reason_lines(reason: str, mark: str) -> list[str]:
+def reason_lines(reason: str, mark: str, columns: int) -> list[str]:
     """The reason, and the mark at the right edge of its last line."""
-    lines = textwrap.wrap(reason, WIDTH - len(INDENT)) or [""]
-    room = WIDTH - len(INDENT) - len(mark)
+    lines = textwrap.wrap(reason, columns - len(INDENT)) or [""]
+    room = columns - len(INDENT) - len(mark)
     if len(lines[-1]) + 2 > room:
         lines.append("")
     lines[-1] = f"{lines[-1]:<{room}}{mark}"
     return [INDENT + line for line in lines]
 
 
-def display(formula: str) -> list[str]:
+def display(formula: str, columns: int) -> list[str]:
     """A formula set in from the margin."""
     indent = INDENT + "   "
-    return [indent + line for line in set_formula(formula, WIDTH - len(indent))]
+    return [indent + line for line in set_formula(formula, columns - len(indent))]
 
 
-def results(derived: Derived, writer: Writer, marks: Mapping[str, str]) -> str:
+def results(derived: Derived, writer: Writer, marks: Mapping[str, str], columns: int) -> str:
     """The relations alone, without sentences."""
     lines = []
     for step in derived.steps:
         if step.shown and step.kind not in {"definition", "cited"}:
             lines.append(f"{step.id}  [{marks.get(step.id, 'not checked')}]")
             for formula in relation_lines(step.kind, step.claim, writer):
-                lines += display(formula)
+                lines += display(formula, columns)
     return "\n".join(lines)
 
 
@@ -119,7 +120,7 @@ def closing(derived: Derived, report: Mapping[str, Any]) -> str:
         lines.append(f"The certificate is REJECTED: {report['reason']}.")
     if derived.sources:
         lines.append(f"`gainproof cite {derived.name}` names the works this rests on.")
-    return paragraph(" ".join(lines))
+    return " ".join(lines)
 
 
 def count(words: Iterable[str]) -> str:

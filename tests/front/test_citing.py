@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import cli
+from gainproof import citing, cli
 from gainproof.claim_template import template
+from gainproof.workshop import open_workshop
 
 Capture = pytest.CaptureFixture[str]
 
@@ -33,3 +34,10 @@ def test_a_bad_claim_file(tmp_path: Path, capsys: Capture) -> None:
     path.write_text(template("own").replace("[source]", "[sorce]"))
     assert cli.main(["cite", str(path)]) == 2
     assert "the nearest is source" in capsys.readouterr().err
+
+
+def test_lines_fit_a_terminal() -> None:
+    shop = open_workshop(quiet=True)
+    text = citing.listing(shop, 80) + citing.citation("gains", shop, 80)
+    words = [line for line in text.splitlines() if ".toml" not in line]
+    assert max(map(len, words)) <= 80

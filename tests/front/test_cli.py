@@ -64,6 +64,16 @@ def test_every_command_is_in_the_help(capsys: Capture) -> None:
     assert all(f"\n    {name} " in text for name in COMMANDS)
 
 
+@pytest.mark.parametrize("command", COMMANDS)
+def test_help_fits_a_terminal(
+    command: str, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    with pytest.raises(SystemExit):
+        cli.main([command, "--help"])
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
+
+
 def test_version(capsys: Capture) -> None:
     with pytest.raises(SystemExit):
         cli.main(["--version"])

@@ -46,6 +46,14 @@ def test_page_is_readable_in_a_terminal(name: str, option: list[str], capsys: Ca
     assert "  -  " not in "\n".join(lines)
 
 
+@pytest.mark.parametrize("columns", [80, 100])
+def test_page_fits_the_columns_it_is_given(columns: int, subjects: dict[str, Derived]) -> None:
+    report = {"accepted": True, "statements": []}
+    for derived in subjects.values():
+        text = lecture.page(derived, report, columns=columns)
+        assert max(map(len, text.splitlines())) <= columns
+
+
 def test_a_rejected_step_is_marked_and_the_reason_given(subjects: dict[str, Derived]) -> None:
     derived = subjects["random-velocity"]
     report = {

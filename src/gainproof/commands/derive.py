@@ -22,7 +22,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """0 if the checker accepts every step, else 1."""
-    from gainproof import derivations, lecture, lecture_latex
+    from gainproof import derivations, lecture, lecture_latex, page
     from gainproof.workshop import open_workshop
 
     shop = open_workshop(fresh=options.fresh, quiet=True)
@@ -31,5 +31,6 @@ def run(options: argparse.Namespace) -> int:
     if options.latex:
         print(lecture_latex.document(derived, report), end="")
     else:
-        print(lecture.page(derived, report, with_steps=options.steps), end="")
+        text = lecture.page(derived, report, with_steps=options.steps, columns=page.width())
+        print(text, end="")
     return 0 if report["accepted"] else 1

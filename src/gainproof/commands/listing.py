@@ -14,8 +14,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(_options: argparse.Namespace) -> int:
     """0."""
-    from gainproof import citing
+    from gainproof import citing, page
     from gainproof.workshop import open_workshop
 
-    print(citing.listing(open_workshop(quiet=True)), end="")
+    print(citing.listing(open_workshop(quiet=True), page.width()), end="")
     return 0
