@@ -142,7 +142,10 @@ def _claim(equation: Equation, met: Met, name: str) -> list[str]:
 
 def _kind(met: Met) -> str:
     """The kind, as far as the relation says it."""
-    operators = {r.operator for r in met.formula.readings[0].relations} if met.formula else set()
+    relations = met.formula.readings[0].relations if met.formula else ()
+    operators = {r.operator for r in relations}
+    if any(r.operator == "approx" and r.left_decimals != r.right_decimals for r in relations):
+        return 'kind = "value"'
     if "->" in operators:
         return 'kind = "limit"'
     if operators & {"<", "<=", ">", ">=", "!="}:
