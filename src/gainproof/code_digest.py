@@ -12,7 +12,6 @@ from gainproof.places import package_folder
 from gainproof.version import VERSION
 
 PACKAGES = ("sympy", "numpy", "mpmath", "python-flint", "lark")
-SUFFIXES = frozenset({".py", ".lark"})
 
 
 def of_everything() -> str:
@@ -30,7 +29,7 @@ def of_everything() -> str:
 def of_files(folder: Path, paths: Iterable[Path]) -> str:
     """Digest of the source files among the paths, by name and content."""
     digest = hashlib.sha256()
-    for path in sorted(p for p in paths if p.suffix in SUFFIXES and p.is_file()):
+    for path in sorted(p for p in paths if p.suffix == ".py" and p.is_file()):
         content = path.read_bytes()
         name = path.relative_to(folder).as_posix()
         digest.update(f"{name} {len(content)}\n".encode() + content)

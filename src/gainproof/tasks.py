@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 import sys
-import time
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -83,24 +80,6 @@ def judge(path: str, text: str, models: list[Plain], seconds: float, processes: 
     return judge_text(path, text, models, seconds, processes, tell)
 
 
-def environment(names: list[str]) -> dict[str, str | None]:
-    """Settings as this process sees them."""
-    return {name: os.environ.get(name) for name in names}
-
-
-def wait(seconds: float) -> float:
-    """Do nothing for a while: a job whose length is known."""
-    time.sleep(seconds)
-    return seconds
-
-
-def start_another(seconds: float) -> float:
-    """Wait in a process that this one starts."""
-    script = f"import time; time.sleep({seconds!r})"
-    subprocess.run([sys.executable, "-c", script, "started-by-a-job"], check=True)
-    return seconds
-
-
 TASKS: Mapping[str, Callable[..., Any]] = {
     "catalogue": catalogue,
     "overview": overview,
@@ -111,7 +90,4 @@ TASKS: Mapping[str, Callable[..., Any]] = {
     "print_file": print_file,
     "recheck": recheck,
     "judge": judge,
-    "environment": environment,
-    "wait": wait,
-    "start_another": start_another,
 }

@@ -21,6 +21,8 @@ from gainproof.bad_input import BadInputError
 
 REPRODUCIBLE = {"SYMPY_GROUND_TYPES": "python", "PYTHONHASHSEED": "0"}
 """What makes a derivation come out the same everywhere, whatever else is installed."""
+WORKER = "gainproof.worker"
+"""The module that is run on the other side."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +104,7 @@ async def call(job: Job, settings: Mapping[str, str], on_told: Told | None = Non
     process = await asyncio.create_subprocess_exec(
         sys.executable,
         # -P: a file of the working folder called like a module must not take its place
-        *("-P", "-m", "gainproof.worker"),
+        *("-P", "-m", WORKER),
         stdin=asyncio.subprocess.PIPE,
         stdout=asyncio.subprocess.PIPE,
         stderr=asyncio.subprocess.PIPE,

@@ -1,0 +1,40 @@
+"""The process of a worker with tasks that only tests ask for: what it sees, to wait, to start
+another.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+
+from gainproof import tasks, worker
+
+
+def environment(names: list[str]) -> dict[str, str | None]:
+    """Settings as this process sees them."""
+    return {name: os.environ.get(name) for name in names}
+
+
+def wait(seconds: float) -> float:
+    """Do nothing for a while: a job whose length is known."""
+    time.sleep(seconds)
+    return seconds
+
+
+def start_another(seconds: float) -> float:
+    """Wait in a process that this one starts."""
+    script = f"import time; time.sleep({seconds!r})"
+    subprocess.run([sys.executable, "-c", script, "started-by-a-job"], check=True)
+    return seconds
+
+
+if __name__ == "__main__":
+    tasks.TASKS = {
+        **tasks.TASKS,
+        "environment": environment,
+        "wait": wait,
+        "start_another": start_another,
+    }
+    sys.exit(worker.main())
