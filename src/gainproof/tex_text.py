@@ -75,5 +75,17 @@ def argument_of(text: str, command: str) -> str | None:
     end = group_end(text, opening)
     if end is None:
         return None
-    kept = "".join(c if c.isprintable() else " " for c in text[opening + 1 : end - 1])
+    inner = _without_thanks(text[opening + 1 : end - 1])
+    kept = "".join(c if c.isprintable() else " " for c in inner)
     return " ".join(kept.replace("\\\\", " ").split())[:300] or None
+
+
+def _without_thanks(text: str) -> str:
+    """The text without the footnotes that titles and authors carry."""
+    mark = "\\thanks"
+    while (place := text.find(mark + "{")) >= 0:
+        end = group_end(text, place + len(mark))
+        if end is None:
+            break
+        text = text[:place] + text[end:]
+    return text

@@ -122,6 +122,20 @@ def test_the_draft_of_a_paper() -> None:
     assert "\\beta" in data["settings"]["main"]["symbols"]
 
 
+@pytest.mark.parametrize(
+    ("formula", "kind"),
+    [(r"a \approx 0.38", "value"), (r"0.38 \approx a", "value"), (r"a \approx b", "identity")],
+)
+def test_a_rounded_number_is_a_value(formula: str, kind: str) -> None:
+    made = tomllib.loads(draft(rf"\[ {formula} \]", "a.tex", "a").text)
+    assert made["claims"][0]["kind"] == kind
+
+
+def test_thanks_are_no_part_of_a_title() -> None:
+    text = draft(r"\title{Gains\thanks{Grant \emph{7}} of filters}", "a.tex", "a").text
+    assert tomllib.loads(text)["source"]["title"] == "Gains of filters"
+
+
 def test_a_draft_is_refused_until_everything_is_said() -> None:
     text = draft(PAPER, "paper.tex", "paper").text
     with pytest.raises(ClaimFileError, match=r"line \d+: source\.publication: still marked TODO"):
