@@ -123,7 +123,9 @@ def _check_formula(fields: Fields, claim: Claim, reading: Reading) -> None:
     wanted = _OPERATORS.get(claim.kind)
     for relation in reading.relations:
         if wanted is not None and relation.operator not in wanted:
-            problem = f"a claim of kind {claim.kind} has no relation {relation.operator}"
+            others = [kind for kind, has in _OPERATORS.items() if relation.operator in has]
+            more = f"; kinds that have it: {', '.join(others)}" if others else ""
+            problem = f"a claim of kind {claim.kind} has no relation {relation.operator}{more}"
             raise fields.fail(field, problem)
     arrows = [relation for relation in reading.conditions if relation.operator == "->"]
     if claim.kind in ("limit", "asymptotics") and len(arrows) != 1:

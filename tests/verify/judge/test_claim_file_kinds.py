@@ -196,3 +196,8 @@ def test_a_branch_is_part_of_the_reading() -> None:
     (reading,) = found.readings
     assert reading.text == "the lower signs"
     assert reading.relations[0].right["nodes"][-1][0] == "neg"
+
+
+def test_a_relation_of_another_kind_names_the_kinds_that_have_it() -> None:
+    with pytest.raises(ClaimFileError, match="no relation approx; kinds that have it: value"):
+        claim("identity", "latex = 'a \\approx 0.4'\n")
