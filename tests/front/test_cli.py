@@ -180,12 +180,15 @@ def test_an_interrupted_run_leaves_no_half_written_file(
     number: signal.Signals, tmp_path: Path
 ) -> None:
     """The real program, interrupted while its workers derive: status 130, nothing written."""
+    # a job in the background of a shell ignores interrupts, and so does what it starts
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     process = subprocess.Popen(
         [sys.executable, "-m", "gainproof", "run", "--fresh", "--report", str(tmp_path / "report")],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         env={**os.environ, "GAINPROOF_CACHE": str(tmp_path / "cache")},
     )
+    signal.signal(signal.SIGINT, before)
     time.sleep(1.5)
     process.send_signal(number)
     _, errors = process.communicate(timeout=30)
