@@ -21,8 +21,11 @@ class Workshop:
     progress: Progress
     code: str
 
-    def results(self, work: str, jobs: Sequence[workers.Job], *depends: bytes) -> list[Any]:
+    def results(
+        self, work: str, jobs: Sequence[workers.Job], *depends: bytes, at_once: int | None = None
+    ) -> list[Any]:
         """What the jobs answer, in their order; `work` is for people, and nothing is said without.
+        So many run `at_once`, or one for each processor.
 
         A result is known if the job, all code and versions, and whatever else it `depends` on are
         the same. Raises BadInputError or JobError of the first job that fails.
@@ -40,7 +43,8 @@ class Workshop:
                 self.progress.say_sometimes(f"{job.label}: {text}")
 
         if missing:
-            fresh = workers.run([jobs[i] for i in missing], on_done=done, on_told=told)
+            chosen = [jobs[i] for i in missing]
+            fresh = workers.run(chosen, on_done=done, on_told=told, limit=at_once)
             for i, result in zip(missing, fresh, strict=True):
                 found[i] = result
                 self.cache.store(keys[i], result)
