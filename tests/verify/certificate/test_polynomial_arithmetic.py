@@ -216,4 +216,4 @@ def test_ratios(
 def test_two_rings_do_not_mix() -> None:
     other = Ring(3, Meter())
     with pytest.raises(RejectedError, match="different variables"):
-        RING.constant(1) + other.constant(1)
+        _ = RING.constant(1) + other.constant(1)

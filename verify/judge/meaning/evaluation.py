@@ -39,32 +39,41 @@ class Names(Protocol):
 
     def symbol(self, token: str, bindings: Bindings) -> Value:
         """What a symbol stands for."""
+        ...
 
     def is_declared(self, token: str) -> bool:
         """Whether the table of symbols has it."""
+        ...
 
     def is_shared(self, name: str) -> bool:
         """Whether quantities change with a base variable in a way that their formulas hide."""
+        ...
 
     def function(self, name: str, arguments: Sequence[Value], bindings: Bindings) -> Value:
         """The value of a declared function."""
+        ...
 
     def derivative(self, value: Value, token: str, bindings: Bindings) -> Value:
         """The derivative with respect to a symbol."""
+        ...
 
     def refuse_free_index(self, body: Expr, token: str) -> None:
         """Raises Undecided if a free symbol has the token as its index."""
+        ...
 
     def refuse_own_terms(self, value: Value, token: str) -> None:
         """Raises Undecided if the token is a term of a sequence in the value."""
+        ...
 
     def bound(
         self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
     ) -> Value:
         """A sum or an integral of `body` over the bound name `token`."""
+        ...
 
     def expectation(self, value: Value) -> Value:
         """The expectation."""
+        ...
 
 
 def evaluated(tree: Expr, names: Names, bindings: Bindings) -> Value:

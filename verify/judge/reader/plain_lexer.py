@@ -107,11 +107,11 @@ class _PlainLexer:
             name, end = text[start : start + length], start + length
             if name not in names or (_is_inner(name[-1]) and _is_inner(text[end : end + 1])):
                 continue
-            tokens = names[name]
-            if len(tokens) > 1:
-                problem = f"{name} may be {' or '.join(tokens)}: write LaTeX"
-                raise self._error(problem, name, tokens)
-            return tokens[0], end
+            token, *others = names[name]
+            if others:
+                problem = f"{name} may be {' or '.join((token, *others))}: write LaTeX"
+                raise self._error(problem, name, (token, *others))
+            return token, end
         end = start
         while end < len(text) and _is_inner(text[end]):
             end += 1

@@ -26,9 +26,11 @@ class Oracle(Protocol):
 
     def is_zero(self, coefficient: Expr) -> bool:
         """True: zero always; False: zero never. Raises Undecided for anything else."""
+        ...
 
     def is_positive(self, coefficient: Expr) -> bool:
         """Whether it is positive always; False where that is not known."""
+        ...
 
 
 @dataclass(frozen=True)

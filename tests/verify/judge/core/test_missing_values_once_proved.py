@@ -65,7 +65,7 @@ TRUE_IDENTITIES = [
     (r"\frac{\sum_{i=0}^k x_i}{2 \sum_{i=0}^k x_i} = \frac{1}{2}", r"k \geq 0", "every part"),
     (r"\tan x = \frac{\sin x}{\cos x}", "", "where every part has a value"),
 ]
-SYMBOLS = dict.fromkeys(("x_i", "x_k"), "{ unit = '1', meaning = 'a term' }")
+SYMBOLS: dict[str, str] = dict.fromkeys(("x_i", "x_k"), "{ unit = '1', meaning = 'a term' }")
 
 
 def _trend(subject: str, variable: str, trend: str, domain: str) -> str:
