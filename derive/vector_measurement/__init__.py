@@ -1,0 +1,1 @@
+"""Steady states with position and velocity measured: spectral factorisation and what follows."""

@@ -1,0 +1,43 @@
+"""The kernels of position and velocity measured, as expression graphs of two inputs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
+from gainproof.derive.vector_measurement import forms
+from gainproof.derive.vector_measurement.forms import Basis, Noise
+
+FormsOf = Callable[[Basis], Mapping[str, Any]]
+INPUTS = ("tracking_index", "velocity_ratio")
+
+
+def graph_basis(builder: GraphBuilder, noise: Noise) -> tuple[Basis, dict[str, Node]]:
+    """The inputs and the roots made from them as nodes, with their names."""
+    index, ratio = (builder.symbol(name) for name in INPUTS)
+    names: dict[str, Node] = {"velocity_index": index / ratio}
+    level = None
+    if noise.determinant:
+        level = names["level"] = builder.sqrt(forms.level_squared(noise, index, ratio))
+    eta = names["eta"] = builder.sqrt(forms.eta_squared(noise, index, ratio))
+    square = forms.delta_squared(noise, index, ratio, level, eta)
+    delta = names["delta"] = builder.sqrt(square)
+    basis = Basis(index, ratio, level, eta, delta, noise)
+    names |= {
+        "innovation_ratio": basis.sigma,
+        "coupling": basis.coupling,
+        "cross_mean": basis.cross,
+        "cross_rest": basis.rest,
+    }
+    return basis, names
+
+
+def steady_graph(noise: Noise, *parts: FormsOf) -> Graph:
+    """The graph of the outputs of one or more forms."""
+    builder = GraphBuilder()
+    basis, names = graph_basis(builder, noise)
+    outputs: dict[str, Any] = {}
+    for part in parts:
+        outputs |= part(basis)
+    return builder.graph(outputs, names)
