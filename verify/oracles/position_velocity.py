@@ -70,7 +70,7 @@ def position_only(noise: Noise, tracking_index: Index) -> StateSpace:
 
 
 def named(state: SteadyState) -> Mapping[str, Any]:
-    """Covariances as ``predicted_ij``, ``updated_ij`` (i <= j), gains as ``kij``, from 1."""
+    """Covariances as ``predicted_ij``, ``updated_ij`` (i <= j), gains as ``gain_ij``, from 1."""
     found: dict[str, Any] = {}
     for kind, rows in (("predicted", state.predicted), ("updated", state.updated)):
         found |= {f"{kind}_{place}": rows[int(place[0]) - 1][int(place[1]) - 1]
@@ -78,7 +78,7 @@ def named(state: SteadyState) -> Mapping[str, Any]:
     columns = len(state.gain[0])
     for place in GAIN:
         if int(place[1]) <= columns:
-            found[f"k{place}"] = state.gain[int(place[0]) - 1][int(place[1]) - 1]
+            found[f"gain_{place}"] = state.gain[int(place[0]) - 1][int(place[1]) - 1]
     return found
 
 

@@ -51,7 +51,7 @@ def close(run: SteadyState, model: StateSpace, truth: SteadyState) -> bool:
     found, known = exactly(run), exactly(truth)
     return all(
         float(abs(found[name] - known[name]))
-        <= allowed["gain" if name.startswith("k") else name.split("_")[0]]
+        <= allowed[name.split("_")[0]]
         for name in known
     )
 
@@ -118,7 +118,7 @@ def test_the_filter_of_position_alone_is_another_one(run: str) -> None:
     both = RUNS[run](oracle.model(SOURCE, 1, 1))
     alone = oracle.named(RUNS[run](oracle.position_only(SOURCE, 1)))
     assert float(alone["predicted_11"]) > 1.5 * float(oracle.named(both)["predicted_11"])
-    assert "k12" not in alone
+    assert "gain_12" not in alone
 
 
 def test_the_source_s_noise_is_white_acceleration_integrated() -> None:
@@ -132,14 +132,14 @@ def test_the_source_s_noise_is_white_acceleration_integrated() -> None:
 def test_without_velocity_the_limit_is_the_filter_of_position_alone(index: Fraction) -> None:
     """Two ways: S grows, or the row is left out of the measurement matrix."""
     alone = oracle.named(doubling.steady_state(oracle.position_only(SOURCE, index), 60).state)
-    for name in ("predicted_11", "predicted_12", "predicted_22", "updated_11", "k11", "k21"):
+    for name in ("predicted_11", "predicted_12", "predicted_22", "updated_11", "gain_11", "gain_21"):
         found = oracle.limit(SOURCE, index, name, "infinity", 50)
         assert found.apart < 1e-50
         assert abs(fraction(found.value) / fraction(alone[name]) - 1) < Fraction(1, 10**50)
 
 
 def test_a_limit_that_is_zero_or_infinite_is_refused() -> None:
-    for name, side in (("updated_22", "zero"), ("updated_12", "zero"), ("k12", "infinity")):
+    for name, side in (("updated_22", "zero"), ("updated_12", "zero"), ("gain_12", "infinity")):
         with pytest.raises(NotConverged, match="no limit other than 0"):
             oracle.limit(SOURCE, 1, name, side)
 
