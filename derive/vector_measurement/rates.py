@@ -1,0 +1,100 @@
+"""First derivatives of the steady state with respect to Lambda and S, in the forms of `forms`.
+
+A perturbation of the noise moves a covariance by a sum over the closed loop L, of order two, so
+that sum_k (l L^k w)(r L^k w) is a quarter wave of two points of the unit circle:
+[ (l N w)(r N w)/c(-1) + (l A w)(r A w)/c(1) ] / (2 (1 - c(0))), A = adj(I - L), N = adj(I + L).
+With c(1) = Lambda w/sigma, c(-1) = eta/sigma and 1 - c(0) = delta/sigma every variance becomes a
+sum of two squares, and the entries of A w and N w have forms without a subtraction:
+1 - K12 - (1 - n) K22 = w h/Lambda, K22 - det K = P22/(sigma S)^2, 1 - K22 = (P11 + 1)/sigma^2.
+Three outputs change their sign: the covariance of the updated state (so K21) and K12 as functions
+of Lambda, K12 as a function of S; each is one difference of two positive terms.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+from gainproof.derive.vector_measurement.forms import (
+    Basis,
+    gains,
+    predicted_covariance,
+    times,
+    total,
+    updated_covariance,
+)
+
+
+class Rates:
+    """What the derivatives of one basis share; every quantity is made once, when it is asked for.
+
+    Every property is positive on the whole domain.
+    """
+
+    def __init__(self, basis: Basis) -> None:
+        self.x = basis
+
+    @cached_property
+    def sigma(self) -> Any:
+        """sigma."""
+        return self.x.sigma
+
+    @cached_property
+    def gain(self) -> dict[str, Any]:
+        """The filter gain."""
+        return gains(self.x)
+
+    @cached_property
+    def updated(self) -> dict[str, Any]:
+        """The updated covariance."""
+        return updated_covariance(self.x)
+
+    @cached_property
+    def predicted(self) -> dict[str, Any]:
+        """The predicted covariance."""
+        return predicted_covariance(self.x)
+
+    @cached_property
+    def velocity(self) -> Any:
+        """P22/S^2."""
+        return (self.predicted["predicted_22"] / self.x.ratio) / self.x.ratio
+
+    @cached_property
+    def lead(self) -> Any:
+        """P11 - n P12, by its positive terms."""
+        noise, square = self.x.noise, self.x.index * self.x.index
+        return total(
+            self.updated["updated_11"],
+            times(2 - noise.n, self.updated["updated_12"]),
+            times(1 - noise.n, self.updated["updated_22"]),
+            times(noise.determinant, square) if noise.determinant else None,
+        )
+
+    @cached_property
+    def share(self) -> Any:
+        """1 - K12 - (1 - n) K22 = w h/Lambda."""
+        part = self.x.cross / self.x.index
+        return part if self.x.level is None else self.x.level * part
+
+    @cached_property
+    def turned(self) -> Any:
+        """K12 + (1 - n) K22 + (1 - 2n)."""
+        noise = self.x.noise
+        return total(
+            self.gain["gain_12"],
+            times(1 - noise.n, self.gain["gain_22"]),
+            None if noise.interval else 1,
+        )
+
+    @cached_property
+    def doubled(self) -> Any:
+        """2 - K22."""
+        return 1 + (self.predicted["predicted_11"] + 1) / self.sigma / self.sigma
+
+    def wave(self, one: Any, minus_one: Any) -> Any:
+        """one/(sigma c(1)) + minus_one/(sigma c(-1))."""
+        return one / self.x.one_end + minus_one / self.x.eta
+
+    def squares(self, one: Any, minus_one: Any) -> Any:
+        """The wave of two squares."""
+        return self.wave(one * one, minus_one * minus_one)
