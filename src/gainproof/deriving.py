@@ -20,12 +20,8 @@ def catalogue_names() -> list[str]:
     return [entry.name for entry in CATALOGUE]
 
 
-def overview() -> list[dict[str, Any]]:
-    """Every subject without its certificate: name, title, model, sources, kernels, cited."""
-    return [_overview(entry.build()) for entry in CATALOGUE]
-
-
-def _overview(subject: Subject) -> dict[str, Any]:
+def overview_of(subject: Subject) -> dict[str, Any]:
+    """A subject without its certificate: name, title, model, sources, kernels, cited."""
     derivation = subject.derivation
     return {
         "name": subject.name,
@@ -54,13 +50,8 @@ def build(name: str) -> Subject:
     raise unknown_name("derivation", name, catalogue_names())
 
 
-def derive_subject(name: str) -> Derived:
-    """Derive a subject and write its certificate, as plain data."""
-    return plain_subject(build(name))
-
-
 def plain_subject(subject: Subject) -> Derived:
-    """A derived subject without anything of SymPy in it."""
+    """A derived subject and its certificate, without anything of SymPy."""
     derivation = subject.derivation
     return Derived(
         name=subject.name,

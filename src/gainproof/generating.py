@@ -4,14 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.printer.write import all_files
 from gainproof.derive.subject import Subject
-
-
-def catalogue_files() -> dict[str, str]:
-    """Text of every file of generated/, by name."""
-    return files_of([entry.build() for entry in CATALOGUE])
 
 
 def files_of_one(subject: Subject) -> dict[str, str]:

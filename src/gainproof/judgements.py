@@ -30,9 +30,7 @@ def judge(files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT) -> li
         )
         for file in order
     ]
-    # a job that waits for its child to start leaves a processor idle: one more than there are
-    at_once = workers.processors() + 1
-    found = dict(zip(order, shop.results("judged", jobs, at_once=at_once), strict=True))
+    found = dict(zip(order, shop.results("judged", jobs), strict=True))
     return [found[file] for file in files]
 
 

@@ -9,19 +9,18 @@ from typing import Any
 from gainproof.bad_input import BadInputError
 from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
+from gainproof.verify.judge.worker import Workers
 
 
 def judge_text(
     path: str,
     text: str,
     models: Sequence[Mapping[str, Any]],
-    seconds: float,
-    processes: int,
+    judges: Workers,
     tell: Callable[[str], None],
 ) -> dict[str, Any]:
-    """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages, and
-    a claim that takes more than `seconds` is undecided. Claims are judged in so many `processes` at
-    once; `tell` hears how far that is.
+    """{"source": {...}, "claims": [...]} of a claim file of this text; `path` is for messages.
+    `judges` judge claim by claim; `tell` hears how far that is.
 
     Raises BadInputError, with line and column where known, for a file that is not accepted.
     """
@@ -33,8 +32,7 @@ def judge_text(
         claim_file,
         models,
         progress=lambda tried, total: tell(_so_far(tried, total)),
-        seconds=seconds,
-        processes=processes,
+        workers=judges,
     )
     return {
         "source": asdict(claim_file.source),

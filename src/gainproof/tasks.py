@@ -1,36 +1,44 @@
-"""What worker processes do: functions of plain data, by name; what is heavy is imported inside."""
+"""What worker processes do: functions of plain data, by name; what is heavy is imported inside.
+
+Each gets the `Desk` of its process first.
+"""
 
 from __future__ import annotations
 
-import sys
+import json
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from gainproof.desk import Desk
+
+if TYPE_CHECKING:  # importing it imports SymPy
+    from gainproof.derive.subject import Subject
 
 Plain = dict[str, Any]
 
 
-def catalogue() -> list[str]:
+def catalogue(_: Desk) -> list[str]:
     """Names of all subjects, in the order of the catalogue."""
     from gainproof.deriving import catalogue_names
 
     return catalogue_names()
 
 
-def overview() -> list[Plain]:
+def overview(desk: Desk) -> list[Plain]:
     """Every subject with its kernels and sources, without certificates."""
-    from gainproof.deriving import overview as describe
+    from gainproof.deriving import catalogue_names, overview_of
 
-    return describe()
+    return [overview_of(_subject(desk, name)) for name in catalogue_names()]
 
 
-def derive(name: str) -> Plain:
+def derive(desk: Desk, name: str) -> Plain:
     """Derive one subject of the catalogue: `Derived` as plain data. SymPy is imported here."""
-    from gainproof.deriving import derive_subject
+    from gainproof.deriving import plain_subject
 
-    return derive_subject(name).plain()
+    return plain_subject(_subject(desk, name)).plain()
 
 
-def derive_file(path: str) -> Plain:
+def derive_file(_: Desk, path: str) -> Plain:
     """Derive the model of a user's file: `Derived` as plain data. The file is executed."""
     from gainproof.deriving import plain_subject
     from gainproof.model_file import build_model_file
@@ -38,22 +46,22 @@ def derive_file(path: str) -> Plain:
     return plain_subject(build_model_file(path)).plain()
 
 
-def print_all() -> dict[str, str]:
+def print_all(desk: Desk) -> dict[str, str]:
     """Every file of generated/ by name."""
-    from gainproof.generating import catalogue_files
+    from gainproof.deriving import catalogue_names
+    from gainproof.generating import files_of
 
-    return catalogue_files()
+    return files_of([_subject(desk, name) for name in catalogue_names()])
 
 
-def print_one(name: str) -> dict[str, str]:
+def print_one(desk: Desk, name: str) -> dict[str, str]:
     """The files of one subject of the catalogue."""
-    from gainproof.deriving import build
     from gainproof.generating import files_of_one
 
-    return files_of_one(build(name))
+    return files_of_one(_subject(desk, name))
 
 
-def print_file(path: str) -> dict[str, str]:
+def print_file(_: Desk, path: str) -> dict[str, str]:
     """The files of the model of a user's file, which is executed."""
     from gainproof.generating import files_of_one
     from gainproof.model_file import build_model_file
@@ -61,23 +69,31 @@ def print_file(path: str) -> dict[str, str]:
     return files_of_one(build_model_file(path))
 
 
-def recheck(certificate: Any, expected: Plain) -> Plain:
+def recheck(_: Desk, certificate: Any, expected: Plain) -> Plain:
     """Check a certificate against what it is expected to prove. No SymPy in this process."""
     from gainproof.rechecking import recheck as decide
 
     return decide(certificate, expected)
 
 
-def judge(path: str, text: str, models: list[Plain], seconds: float, processes: int) -> Plain:
+def judge(
+    desk: Desk, path: str, text: str, models: list[Plain], seconds: float, processes: int
+) -> Plain:
     """Judge a claim file of this text, given the catalogue's models; `path` is for messages."""
     from gainproof.judging import judge_text
-    from gainproof.workers import PROGRESS
+    from gainproof.verify.judge.worker import Workers
 
-    def tell(words: str) -> None:
-        sys.stderr.write(f"{PROGRESS}{words}\n")
-        sys.stderr.flush()
+    # children that judge stay for the next file: what they keep they keep by its whole content
+    key = ("workers", json.dumps(models, sort_keys=True), seconds, processes)
+    judges = desk.opened(key, lambda: Workers(models, seconds, processes))
+    return judge_text(path, text, models, judges, desk.tell)
 
-    return judge_text(path, text, models, seconds, processes, tell)
+
+def _subject(desk: Desk, name: str) -> Subject:
+    """A subject of the catalogue, derived once in a process."""
+    from gainproof.deriving import build
+
+    return desk.kept(("subject", name), lambda: build(name))
 
 
 TASKS: Mapping[str, Callable[..., Any]] = {

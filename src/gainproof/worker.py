@@ -1,7 +1,8 @@
-"""The process on the other side of `gainproof.workers`: one call, plain data in and out.
+"""The process on the other side of `gainproof.workers`: call after call, plain data in and out.
 
-Reads {"task": name, "arguments": {...}} from standard input and answers {"result": ...} or
-{"error", "message", "trace"} on standard output. What a task prints goes to standard error.
+Reads lines {"task": name, "arguments": {...}} from standard input until it ends. Answers each by a
+line {"result": ...} or {"error", "message", "trace"} on standard output, before which there may be
+lines {"told": text} about the work. What a task prints goes to standard error.
 """
 
 from __future__ import annotations
@@ -12,22 +13,31 @@ import sys
 import traceback
 from typing import Any
 
+from gainproof.desk import Desk
+
 
 def main() -> int:
-    request = json.load(sys.stdin)
-    # the answer has standard output to itself
+    # the answers have standard output to themselves
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "w", encoding="utf-8")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    json.dump(_answer(request), answers)
+
+    def say(what: dict[str, Any]) -> None:
+        # dumps and not dump: the C encoder is many times faster, and a line is whole or not there
+        answers.write(json.dumps(what) + "\n")
+        answers.flush()
+
+    with Desk(lambda text: say({"told": text})) as desk:
+        for line in sys.stdin:
+            say(_answer(json.loads(line), desk))
     answers.close()
     return 0
 
 
-def _answer(request: dict[str, Any]) -> dict[str, Any]:
+def _answer(request: dict[str, Any], desk: Desk) -> dict[str, Any]:
     from gainproof import tasks
 
     try:
-        return {"result": tasks.TASKS[request["task"]](**request["arguments"])}
+        return {"result": tasks.TASKS[request["task"]](desk, **request["arguments"])}
     except Exception as error:  # noqa: BLE001 (reported to the other side, whatever it is)
         return {
             "error": type(error).__name__,

@@ -1,23 +1,20 @@
 """Jobs in fresh Python processes, a few at a time; an interrupt ends them all.
 
-Each job is a new interpreter, started with its environment already set (SymPy reads
-SYMPY_GROUND_TYPES, Python PYTHONHASHSEED, before anything can be changed). Works alike wherever
-Python does, since nothing is forked.
+Each process is a new interpreter, started with its environment already set (SymPy reads
+SYMPY_GROUND_TYPES, Python PYTHONHASHSEED, before anything can be changed), and takes job after job.
+Works alike wherever Python does, since nothing is forked.
 """
 
 from __future__ import annotations
 
 import asyncio
-import contextlib
-import json
 import os
-import signal
-import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from gainproof.bad_input import BadInputError
+from gainproof.process import BrokenOffError, Process
 
 REPRODUCIBLE = {"SYMPY_GROUND_TYPES": "python", "PYTHONHASHSEED": "0"}
 """What makes a derivation come out the same everywhere, whatever else is installed."""
@@ -36,6 +33,10 @@ class Job:
     arguments: Mapping[str, Any]
     also: Mapping[str, Any] = field(default_factory=dict)
 
+    def request(self) -> dict[str, Any]:
+        """What the process is asked."""
+        return {"task": self.task, "arguments": {**self.arguments, **self.also}}
+
 
 class JobError(Exception):
     """A job failed by a fault of the program; the message ends with where."""
@@ -43,9 +44,6 @@ class JobError(Exception):
 
 Done = Callable[[Job, float], None]
 Told = Callable[[Job, str], None]
-
-PROGRESS = "progress: "
-"""How a line on a job's standard error begins that is for people, while it works."""
 
 
 def run(
@@ -57,7 +55,8 @@ def run(
     limit: int | None = None,
 ) -> list[Any]:
     """The jobs' results in the order of the jobs; `on_done` hears of each as it ends, `on_told` of
-    what a job says while it works.
+    what a job says while it works. At most `limit` processes run at once, one for each processor
+    if it is not given.
 
     Raises BadInputError or JobError of the first job that fails, the others being ended.
     """
@@ -79,102 +78,74 @@ async def _run(
     settings: Mapping[str, str],
     limit: int,
 ) -> list[Any]:
-    room = asyncio.Semaphore(limit)
+    waiting = iter(enumerate(jobs))
+    found: dict[int, Any] = {}
 
-    async def one(job: Job) -> Any:
-        async with room:
-            start = asyncio.get_running_loop().time()
-            result = await call(job, settings, on_told)
-            if on_done is not None:
-                on_done(job, asyncio.get_running_loop().time() - start)
-            return result
+    def done(number: int, result: Any, seconds: float) -> None:
+        found[number] = result
+        if on_done is not None:
+            on_done(jobs[number], seconds)
 
-    started = [asyncio.ensure_future(one(job)) for job in jobs]
+    lines = [
+        asyncio.ensure_future(_one_after_the_other(waiting, done, on_told, settings))
+        for _ in range(min(limit, len(jobs)))
+    ]
     try:
-        return list(await asyncio.gather(*started))
+        await asyncio.gather(*lines)
     except BaseException:
-        for task in started:
-            task.cancel()
-        await asyncio.gather(*started, return_exceptions=True)
+        for line in lines:
+            line.cancel()
+        await asyncio.gather(*lines, return_exceptions=True)
+        raise
+    return [found[number] for number in range(len(jobs))]
+
+
+async def _one_after_the_other(
+    waiting: Iterator[tuple[int, Job]],
+    done: Callable[[int, Any, float], None],
+    on_told: Told | None,
+    settings: Mapping[str, str],
+) -> None:
+    """Jobs in one process, until none is waiting."""
+    clock = asyncio.get_running_loop().time
+    process: Process | None = None
+    try:
+        for number, job in waiting:
+            start = clock()
+            if process is None:
+                process = await Process.started(WORKER, settings)
+            result = await _asked(process, job, on_told)
+            done(number, result, clock() - start)
+        if process is not None:
+            await process.finish()
+    except BaseException:
+        if process is not None:
+            await process.end()
         raise
 
 
 async def call(job: Job, settings: Mapping[str, str], on_told: Told | None = None) -> Any:
     """The result of one job in a process with these settings; cancelling ends the process."""
-    process = await asyncio.create_subprocess_exec(
-        sys.executable,
-        # -P: a file of the working folder called like a module must not take its place
-        *("-P", "-m", WORKER),
-        stdin=asyncio.subprocess.PIPE,
-        stdout=asyncio.subprocess.PIPE,
-        stderr=asyncio.subprocess.PIPE,
-        env=settings,
-        # a session of its own: what the job has started ends with it
-        start_new_session=os.name == "posix",
-    )
-    arguments = {**job.arguments, **job.also}
-    request = json.dumps({"task": job.task, "arguments": arguments}).encode()
+    process = await Process.started(WORKER, settings)
     try:
-        output, errors = await _talk(process, request, lambda text: on_told and on_told(job, text))
+        result = await _asked(process, job, on_told, last=True)
+        await process.finish()
     except BaseException:
-        _end(process)
-        await process.wait()
+        await process.end()
         raise
-    return _result(job, process.returncode, output, errors)
+    return result
 
 
-async def _talk(
-    process: asyncio.subprocess.Process, request: bytes, tell: Callable[[str], object]
-) -> tuple[bytes, bytes]:
-    """Both outputs of a process that is given the request; its progress is told, line by line."""
-    assert process.stdin is not None
-    assert process.stdout is not None
-    assert process.stderr is not None
-    kept: list[bytes] = []
-
-    async def listen(stream: asyncio.StreamReader) -> None:
-        line = b""
-        while chunk := await stream.read(65536):
-            *lines, line = (line + chunk).split(b"\n")
-            for one in lines:
-                text = one.decode(errors="replace")
-                if text.startswith(PROGRESS):
-                    tell(text.removeprefix(PROGRESS))
-                else:
-                    kept.append(one + b"\n")
-        kept.append(line)
-
-    async def ask(stream: asyncio.StreamWriter) -> None:
-        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
-            stream.write(request)
-            await stream.drain()
-            stream.close()
-
-    output, _, _ = await asyncio.gather(
-        process.stdout.read(), listen(process.stderr), ask(process.stdin)
-    )
-    await process.wait()
-    return output, b"".join(kept)
-
-
-def _end(process: asyncio.subprocess.Process) -> None:
-    """End a job and, where the system has process groups, everything that it started."""
-    with contextlib.suppress(ProcessLookupError):
-        if sys.platform == "win32":
-            process.kill()
-        else:
-            os.killpg(process.pid, signal.SIGKILL)
-
-
-def _result(job: Job, status: int | None, output: bytes, errors: bytes) -> Any:
+async def _asked(process: Process, job: Job, on_told: Told | None, *, last: bool = False) -> Any:
     try:
-        answer = json.loads(output)
-        if "result" in answer:
-            return answer["result"]
-        kind, message, trace = answer["error"], answer["message"], answer["trace"]
-    except (ValueError, KeyError, TypeError):
-        text = errors.decode(errors="replace").strip()
-        raise JobError(f"{job.label}: the process ended with status {status}\n{text}") from None
+        answer = await process.ask(
+            job.request(), lambda text: on_told and on_told(job, text), last=last
+        )
+    except BrokenOffError as error:
+        raise JobError(f"{job.label}: {error}") from None
+    if "result" in answer:
+        return answer["result"]
+    kind, message = answer.get("error"), answer.get("message")
     if kind == BadInputError.__name__:
-        raise BadInputError(message)
-    raise JobError(f"{job.label}: {kind}: {message}\n{trace}")
+        raise BadInputError(str(message))
+    raise JobError(f"{job.label}: {kind}: {message}\n{answer.get('trace')}")

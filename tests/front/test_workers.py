@@ -14,6 +14,7 @@ import pytest
 from gainproof import workers
 from gainproof.bad_input import BadInputError
 from gainproof.claim_template import template
+from gainproof.process import Process
 from gainproof.workers import Job, JobError
 
 SUPPORT = Path(__file__).resolve().parents[1] / "support"
@@ -22,7 +23,7 @@ UNKNOWN = Job("x", "derive", {"name": "random-velocty"})
 
 @pytest.fixture(autouse=True)
 def _odd_worker(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Processes know three tasks more: `environment`, `wait` and `start_another`."""
+    """Processes know the tasks of `odd_worker` too."""
     monkeypatch.setattr(workers, "WORKER", "odd_worker")
     monkeypatch.setenv("PYTHONPATH", str(SUPPORT))
 
@@ -102,6 +103,49 @@ def _replaced(python: str, script: str) -> Any:
         return await create(python, "-c", script, **options)
 
     return made
+
+
+def test_a_process_takes_job_after_job_and_keeps_by_key() -> None:
+    jobs = [Job(str(i), "process", {}) for i in range(3)]
+    assert len(set(workers.run(jobs, limit=1))) == 1
+    assert workers.run(jobs, limit=1) != workers.run(jobs, limit=1)
+    notes = [Job(key, "note", {"key": key, "value": n}) for n, key in enumerate("aab")]
+    assert workers.run(notes, limit=1) == [0, 0, 2]
+
+
+def test_a_file_does_not_change_what_the_next_one_comes_to() -> None:
+    """In one process, with the same children: a file that is refused, one whose claim takes all its
+    time, and one with other meanings of the same symbols come before it.
+    """
+    hostile = Path(__file__).resolve().parents[1] / "verify" / "judge" / "hostile"
+    texts = [
+        "nothing at all",
+        (hostile / "number-of-a-tower-of-powers.toml").read_text("utf-8"),
+        template("t").replace("filter_gain.2", "filter_gain.1"),
+    ]
+    seconds = 3.0
+
+    def job(text: str) -> Job:
+        arguments = {"path": "t", "text": text, "models": [], "seconds": seconds}
+        return Job("t", "judge", arguments, {"processes": 1})
+
+    def verdicts(found: Any) -> list[dict[str, Any]]:
+        return [{k: v for k, v in claim.items() if k != "seconds"} for claim in found["claims"]]
+
+    good = job(template("t"))
+    (alone,) = workers.run([good])
+
+    async def all_in_one() -> list[Any]:
+        process = await Process.started(workers.WORKER, dict(os.environ))
+        asked = [job(text) for text in texts]
+        answers = [await process.ask(one.request(), lambda _: None) for one in [*asked, good]]
+        await process.finish()
+        return answers
+
+    refused, hung, _, after = asyncio.run(all_in_one())
+    assert refused["error"] == "BadInputError"
+    assert "stopped after 3 seconds" in hung["result"]["claims"][0]["reason"]
+    assert verdicts(after["result"]) == verdicts(alone)
 
 
 def test_done_is_told_of_every_job() -> None:

@@ -41,6 +41,9 @@ class Odd:
                 return Trial(
                     self.claim, {}, (), False, 0.0, str(len("x" * (process_limits.MEMORY + 1)))
                 )
+            case "swell":
+                # bytes that are written, or the system gives no memory for them
+                len(b"x" * (process_limits.GROWN + (64 << 20)))
             case "talk":
                 long = {"": Finding("proved", "x" * (17 << 20))}
                 return Trial(self.claim, long, (), False, 0.0)

@@ -1,5 +1,5 @@
-"""The process of a worker with tasks that only tests ask for: what it sees, to wait, to start
-another.
+"""The process of a worker with tasks that only tests ask for: what it sees, keeps and is, to
+wait, to start another.
 """
 
 from __future__ import annotations
@@ -10,20 +10,31 @@ import sys
 import time
 
 from gainproof import tasks, worker
+from gainproof.desk import Desk
 
 
-def environment(names: list[str]) -> dict[str, str | None]:
+def environment(_: Desk, names: list[str]) -> dict[str, str | None]:
     """Settings as this process sees them."""
     return {name: os.environ.get(name) for name in names}
 
 
-def wait(seconds: float) -> float:
+def wait(_: Desk, seconds: float) -> float:
     """Do nothing for a while: a job whose length is known."""
     time.sleep(seconds)
     return seconds
 
 
-def start_another(seconds: float) -> float:
+def process(_: Desk) -> int:
+    """The number of this process."""
+    return os.getpid()
+
+
+def note(desk: Desk, key: str, value: int) -> int:
+    """What is kept under a key, if nothing was before the value."""
+    return desk.kept(key, lambda: value)
+
+
+def start_another(_: Desk, seconds: float) -> float:
     """Wait in a process that this one starts."""
     script = f"import time; time.sleep({seconds!r})"
     subprocess.run([sys.executable, "-c", script, "started-by-a-job"], check=True)
@@ -35,6 +46,8 @@ if __name__ == "__main__":
         **tasks.TASKS,
         "environment": environment,
         "wait": wait,
+        "process": process,
+        "note": note,
         "start_another": start_another,
     }
     sys.exit(worker.main())

@@ -5,6 +5,7 @@ for the setting; then the nearest true formulas for what is not true.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from itertools import count
 from typing import Any
 
@@ -38,11 +39,13 @@ def judge_file(
     progress: Progress | None = None,
     seconds: float | None = None,
     processes: int = 1,
+    workers: Workers | None = None,
 ) -> tuple[ClaimVerdict, ...]:
     """The verdict on every claim, in order. `models` are the catalogue's, as plain data.
 
     With `seconds` every claim is judged in a child process that is killed when the time is over;
-    up to `processes` of them run at once. A file that is not trusted should be judged like that.
+    up to `processes` of them run at once; or by `workers`, which stay for other files. A file that
+    is not trusted should be judged in one of these ways.
     Nothing is raised for a claim that cannot be decided: its verdict is `undecided` and says why.
     """
     wanted = [claim for claim in claim_file.claims if claim.kind not in WITHOUT_DECISION]
@@ -52,10 +55,12 @@ def judge_file(
         if progress is not None:
             progress(next(so_far), len(wanted))
 
+    if workers is not None:
+        return _judged(claim_file, wanted, partial(workers.run, on_trial=tell))
     if seconds is None:
         return _judged(claim_file, wanted, here(models, tell))
-    with Workers(models, seconds, processes, tell) as workers:
-        return _judged(claim_file, wanted, workers.run)
+    with Workers(models, seconds, processes) as own:
+        return _judged(claim_file, wanted, partial(own.run, on_trial=tell))
 
 
 def _judged(claim_file: ClaimFile, wanted: Sequence[Claim], done: Done) -> tuple[ClaimVerdict, ...]:

@@ -10,6 +10,8 @@ MEMORY = 4 << 30
 """Bytes of address space that a process may take."""
 LIMITED = sys.platform.startswith(("linux", "freebsd"))
 """Whether there are limits: other systems have none, or accept them and do not keep them."""
+GROWN = 512 << 20
+"""Bytes of memory that a claim may take of its process without leaving others short of it."""
 UNLIMITED_NOTE = (
     "this system does not limit the memory of a process: "
     "a claim may take all there is until its time is over"
@@ -32,6 +34,17 @@ def limit_time(seconds: float) -> None:
         import resource
 
         _limit(resource.RLIMIT_CPU, math.ceil(time.process_time() + max(0.0, seconds)) + 2)
+
+
+def most_memory() -> int:
+    """Bytes of memory that this process had at most so far; 0 where nothing is limited. A system
+    may count in what the process had that started it.
+    """
+    if not LIMITED:
+        return 0
+    import resource
+
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
 
 
 def _limit(what: int, most: int) -> None:

@@ -1,9 +1,11 @@
 """Claims judged in child processes that can be killed: a claim that hangs costs one claim.
 
 Signals do not interrupt the arithmetic library, so a time limit needs a process of its own. A child
-keeps the environments it solved and takes claim after claim; after a kill a new one is started.
+keeps the environments it solved, each by its whole content, and takes claim after claim, of one
+file or of many; after a kill a new one is started, and after a claim that took much memory too.
 Its memory and its processor time are limited where the system can do that (`process_limits`), so
-that a child whose parent was killed ends too. What comes back is JSON text of limited size.
+that a child whose parent was killed ends too. What comes back is JSON text of limited size. The
+child's own side is `child`.
 Works with every start method, `spawn` included.
 """
 
@@ -15,17 +17,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
-from typing import Any
 
-from gainproof.verify.judge.answer import MOST_BYTES, BadAnswer, answer_bytes, read_answer
-from gainproof.verify.judge.process_limits import limit_memory, limit_time
-from gainproof.verify.judge.setting.environment import Environment
+from gainproof.verify.judge.answer import MOST_BYTES, BadAnswer, read_answer
+from gainproof.verify.judge.child import READY, STAYS, serve
 from gainproof.verify.judge.task import Models, Task
 from gainproof.verify.judge.trial import Trial
 
 START = 60.0
 """Seconds in which a child must be ready; those of a claim are counted from then on."""
-_READY = b"ready"
 _ENDED = "the process that judged it ended without an answer"
 
 OnTrial = Callable[[Trial], None]
@@ -47,15 +46,8 @@ class Workers:
     the time of its start are not spent twice. To be used in a `with`, at whose end they end.
     """
 
-    def __init__(
-        self,
-        models: Models,
-        seconds: float,
-        processes: int = 1,
-        on_trial: OnTrial | None = None,
-    ) -> None:
-        self._models, self._seconds = models, seconds
-        self._most, self._on_trial = max(1, processes), on_trial
+    def __init__(self, models: Models, seconds: float, processes: int = 1) -> None:
+        self._models, self._seconds, self._most = models, seconds, max(1, processes)
         self._children: list[_Child] = []
 
     def __enter__(self) -> Workers:
@@ -66,19 +58,26 @@ class Workers:
             _stop(child)
         self._children = []
 
-    def run(self, tasks: Sequence[Task]) -> dict[str, Trial]:
+    def run(self, tasks: Sequence[Task], on_trial: OnTrial | None = None) -> dict[str, Trial]:
         """What the tasks came to, by id of the claim; one that takes longer than `seconds` or than
         its own limit, or whose child dies, has no findings but a reason. `on_trial` hears of each
         as it ends.
         """
+        try:
+            return self._run(tasks, on_trial)
+        except BaseException:
+            self.__exit__()  # what a child would answer later is no answer to other tasks
+            raise
+
+    def _run(self, tasks: Sequence[Task], on_trial: OnTrial | None) -> dict[str, Trial]:
         waiting = list(reversed(tasks))
         found: dict[str, Trial] = {}
         seconds = self._seconds
 
         def end(trial: Trial) -> None:
             found[trial.claim.id] = trial
-            if self._on_trial is not None:
-                self._on_trial(trial)
+            if on_trial is not None:
+                on_trial(trial)
 
         while waiting or any(child.task for child in self._children):
             for child in self._children:
@@ -105,15 +104,15 @@ def tried_apart(
     on_trial: OnTrial | None = None,
 ) -> dict[str, Trial]:
     """`Workers.run` in children that end with it."""
-    with Workers(models, seconds, processes, on_trial) as workers:
-        return workers.run(tasks)
+    with Workers(models, seconds, processes) as workers:
+        return workers.run(tasks, on_trial)
 
 
 def _started(task: Task, models: Models, seconds: float) -> _Child:
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
     arguments = (theirs, [dict(m) for m in models], seconds)
-    process = context.Process(target=_serve, args=arguments, daemon=True)
+    process = context.Process(target=serve, args=arguments, daemon=True)
     process.start()
     theirs.close()
     return _Child(process, ours, task, time.monotonic() + START)
@@ -140,17 +139,19 @@ def _ready(children: Sequence[_Child]) -> list[_Child]:
 def _hear(child: _Child, seconds: float, end: OnTrial) -> None:
     assert child.task is not None
     try:
-        data = child.pipe.recv_bytes(MOST_BYTES)
-        if child.given is None and data == _READY:
+        data = child.pipe.recv_bytes(MOST_BYTES + 1)
+        if child.given is None and data == READY:
             _give(child, child.task, seconds)
             return
-        trial = read_answer(data, child.task.claim)
+        trial = read_answer(data[1:], child.task.claim)
     except (EOFError, OSError):
         _lose(child, _ENDED, end)
     except BadAnswer as error:
         _lose(child, str(error), end)
     else:
         child.task = None
+        if data[:1] != STAYS:
+            _stop(child)
         end(trial)
 
 
@@ -173,22 +174,3 @@ def _stop(child: _Child) -> None:
     child.pipe.close()
     child.process.kill()
     child.process.join()
-
-
-def _serve(pipe: Connection, models: Models, seconds: float) -> None:
-    """The child: a task in, a trial out, until the pipe closes."""
-    limit_memory()
-    solved: dict[Any, Environment] = {}
-    pipe.send_bytes(_READY)
-    while True:
-        try:
-            task: Task = pipe.recv()
-        except (EOFError, OSError):
-            return
-        limit_time(seconds)
-        try:
-            answer = answer_bytes(task.run(models, solved))
-        except Exception as error:  # noqa: BLE001 - whatever it is costs this claim, no other
-            reason = f"the judge stopped: {type(error).__name__}: {str(error)[:200]}"
-            answer = answer_bytes(Trial(task.claim, {}, (), False, 0.0, reason))
-        pipe.send_bytes(answer)

@@ -74,6 +74,28 @@ def test_memory_is_limited() -> None:
     assert found["1 good"].failure is None
 
 
+@pytest.mark.skipif(not process_limits.LIMITED, reason="this system does not count the memory")
+def test_a_child_that_took_much_memory_takes_no_other_claim() -> None:
+    with Workers([], 30.0) as workers:
+        assert workers.run(odd("good"))["0 good"].failure is None
+        (first,) = multiprocessing.active_children()
+        found = workers.run(odd("swell", "good"))
+        assert [trial.failure for trial in found.values()] == [None, None]
+        (second,) = multiprocessing.active_children()
+        assert second.pid != first.pid
+
+
+def test_an_answer_to_nobody_is_no_answer_to_the_next_tasks() -> None:
+    def interrupted(trial: Trial) -> None:
+        raise RuntimeError(trial.claim.id)
+
+    with Workers([], 30.0, 2) as workers:
+        with pytest.raises(RuntimeError):
+            workers.run(odd("good", "hang"), interrupted)
+        assert not multiprocessing.active_children()
+        assert set(workers.run(odd("good", "good"))) == {"0 good", "1 good"}
+
+
 def test_a_task_may_have_less_time_than_a_claim() -> None:
     (hang,) = odd("hang")
     found = tried_apart([replace(hang, most=0.5)], [], 600.0)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gainproof.verify.judge.repair.brackets import brackets
 from gainproof.verify.judge.repair.construct import places, replaced
-from gainproof.verify.judge.repair.edit import Edits, Table
+from gainproof.verify.judge.repair.edit import LARGE, Edits, Table
 from gainproof.verify.judge.repair.numbers import constants, exponents, factor_two
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.signs import operators, signs
@@ -24,6 +24,8 @@ EDITS: tuple[Edits, ...] = (
     dropped,
     inserted,
 )
+LARGE_ONLY: tuple[Edits, ...] = (dropped, inserted)
+"""Those all of whose edits are large."""
 
 
 def changes(
@@ -31,24 +33,29 @@ def changes(
 ) -> Iterator[Change]:
     """All formulas one edit away whose edit weighs at most `most`, each once."""
     seen = {_key(formula)}
-    for change in _all(formula, table, numbers):
-        if change.weight <= most and _key(change.printed) not in seen:
-            seen.add(_key(change.printed))
+    for change in _all(formula, table, numbers, most):
+        key = _key(change.printed)
+        if change.weight <= most and key not in seen:
+            seen.add(key)
             yield change
 
 
-def _all(formula: Printed, table: Table, numbers: frozenset[str]) -> Iterator[Change]:
+def _all(formula: Printed, table: Table, numbers: frozenset[str], most: int) -> Iterator[Change]:
+    """Those that are cheap to leave out are, if they weigh more than `most`."""
+    edits_of = [edits for edits in EDITS if most >= LARGE or edits not in LARGE_ONLY]
     both = formula.connective != "if"
     chosen = range(len(formula.sides)) if both else formula.claimed()
     for n in chosen:
         side = formula.sides[n]
         for path, node in places(side):
-            for edits in EDITS:
+            for edits in edits_of:
                 for edit in edits(node, table):
+                    if edit.weight > most:
+                        continue
                     new = replaced(side, path, edit.new)
                     step = Step(edit.what, node, edit.new, edit.part)
                     yield Change(formula.with_side(n, new), edit.weight, (step,))
-    yield from changes_of_whole(formula, table, numbers)
+    yield from changes_of_whole(formula, table, numbers, most)
 
 
 def _key(formula: Printed) -> tuple[object, ...]:

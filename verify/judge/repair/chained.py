@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 from gainproof.verify.judge.claim_record import Claim, Setting
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.repair.points import Point
-from gainproof.verify.judge.repair.printed import printed
+from gainproof.verify.judge.repair.printed import Printed, printed
 from gainproof.verify.judge.repair.values import Values, truth
 from gainproof.verify.judge.scope import Scope
 
 BY_VALUES = ("identity", "inequality")
+PLAIN = ("add", "mul", "neg", "div", "pow")
+"""Nodes that have a value by those of their parts; others have one by the source's definitions."""
 
 
 class _Chained(Values):
-    """Values of defined symbols by their printed definitions, one of which may be changed."""
+    """Values of defined symbols by their printed definitions."""
 
     def __init__(self, scope: Scope, point: Point, bodies: Mapping[str, Expr]) -> None:
         super().__init__(scope, point, {})
@@ -31,6 +34,90 @@ class _Chained(Values):
         return super().symbol(name)
 
 
+class _Changed(_Chained):
+    """The same with one definition changed; what does not depend on it is known."""
+
+    def __init__(self, known: _Chained, reach: _Reach, bodies: Mapping[str, Expr]) -> None:
+        super().__init__(known.scope, known.point, bodies)
+        self._known, self._reach = known, reach
+
+    def symbol(self, name: str) -> Ball | None:
+        return super().symbol(name) if name in self._reach.names else self._known.symbol(name)
+
+    def _ball(self, expr: Expr) -> Ball | None:
+        return super()._ball(expr) if self._reach.has(expr) else self._known._ball(expr)
+
+
+@dataclass
+class _Reach:
+    """The symbols whose printed definitions use one symbol, it included, and what uses these."""
+
+    names: frozenset[str]
+    _seen: dict[bytes, bool] = field(default_factory=dict)
+
+    def has(self, expr: Expr) -> bool:
+        """Whether the value of a printed formula depends on one of them."""
+        if expr.key not in self._seen:
+            self._seen[expr.key] = self._has(expr)
+        return self._seen[expr.key]
+
+    def _has(self, expr: Expr) -> bool:
+        if expr.kind == "symbol":
+            return expr.name in self.names
+        return expr.kind in PLAIN and any(self.has(part) for part in expr.parts)
+
+
+class Chain:
+    """Claims at their points, for one definition after the other in place of that of `token`."""
+
+    def __init__(
+        self,
+        token: str,
+        claims: Sequence[Claim],
+        points: Mapping[str, Sequence[Point]],
+        scope: Scope,
+        bodies: Mapping[str, Expr],
+    ) -> None:
+        self._token, self._bodies = token, bodies
+        self._claims = [c for c in claims if c.kind in BY_VALUES and c.formula is not None]
+        self._reach = _Reach(_users(token, bodies))
+        self._known = {
+            claim.id: [_Chained(scope, point, bodies) for point in points[claim.id]]
+            for claim in self._claims
+        }
+        self._printed: dict[str, Printed] = {}
+
+    def agrees(self, body: Expr) -> bool:
+        """Whether every claim is seen to hold at its points with the changed definition, one at
+        least having a value there. Raises Malformed for a claim that is not about numbers.
+        """
+        bodies = {**self._bodies, self._token: body}
+        seen = False
+        for claim in self._claims:
+            told = self._told(claim)
+            for known in self._known[claim.id]:
+                found = truth(_Changed(known, self._reach, bodies), told)
+                if found is False:
+                    return False
+                seen = seen or found is True
+        return seen
+
+    def _told(self, claim: Claim) -> Printed:
+        if claim.id not in self._printed:
+            assert claim.formula is not None
+            self._printed[claim.id] = printed(claim.formula.readings[0])
+        return self._printed[claim.id]
+
+
+def _users(token: str, bodies: Mapping[str, Expr]) -> frozenset[str]:
+    """The symbol, and those whose definitions use it, directly or not."""
+    uses = {name: symbols_of(body) for name, body in bodies.items()}
+    found = {token}
+    while more := {name for name, used in uses.items() if used & found} - found:
+        found |= more
+    return frozenset(found)
+
+
 def printed_bodies(setting: Setting) -> dict[str, Expr]:
     """Printed definitions by symbol."""
     found = {}
@@ -41,27 +128,3 @@ def printed_bodies(setting: Setting) -> dict[str, Expr]:
             except Malformed:
                 continue
     return found
-
-
-def agrees_chained(
-    token: str,
-    body: Expr,
-    claims: Sequence[Claim],
-    points: Mapping[str, Sequence[Point]],
-    scope: Scope,
-    bodies: Mapping[str, Expr],
-) -> bool:
-    """Whether every claim is seen to hold at its points with the changed definition, one at least
-    having a value there.
-    """
-    seen = False
-    for claim in claims:
-        if claim.kind not in BY_VALUES or claim.formula is None:
-            continue
-        told = printed(claim.formula.readings[0])
-        for point in points[claim.id]:
-            found = truth(_Chained(scope, point, {**bodies, token: body}), told)
-            if found is False:
-                return False
-            seen = seen or found is True
-    return seen

@@ -15,8 +15,8 @@ from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.repair.catalogue import changes
-from gainproof.verify.judge.repair.chained import agrees_chained, printed_bodies
-from gainproof.verify.judge.repair.points import Point, generic_points
+from gainproof.verify.judge.repair.chained import Chain, printed_bodies
+from gainproof.verify.judge.repair.points import Point, free_points
 from gainproof.verify.judge.repair.printed import Printed, printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
@@ -77,15 +77,17 @@ class DefinitionTask:
         tried = 0
         scope = Scope(convention.setting, convention.environment)
         bodies = printed_bodies(convention.setting)
+        points: dict[str, list[Point]] = {}
         for suspect in self.suspects:
             users = (*suspect.wrong, *suspect.right)
-            points = {c.id: _points(c, convention) for c in users}
+            points |= {c.id: _points(c, convention) for c in users if c.id not in points}
+            chain = Chain(suspect.token, users, points, scope, bodies)
             for change in _changes(suspect, convention.setting):
                 tried += 1
                 if tried > MOST_TRIED or time.perf_counter() > deadline:
                     break
                 body = change.printed.sides[change.printed.links[0].right]
-                if agrees_chained(suspect.token, body, users, points, scope, bodies):
+                if chain.agrees(body):
                     survivors.append((suspect, change))
         survivors.sort(key=lambda pair: (pair[1].weight, -len(pair[0].wrong), _size(pair[1])))
         for suspect, change in survivors:
@@ -147,10 +149,9 @@ def _points(claim: Claim, convention: Convention) -> list[Point]:
     try:
         for token in reached(claim, convention.setting):
             scope.symbol(token)
-        points, put_in = generic_points(claim, claim.formula.readings[0].conditions, scope, POINTS)
+        return free_points(claim, claim.formula.readings[0].conditions, scope, POINTS)
     except Errors:
         return []
-    return [] if put_in else points
 
 
 def changed_definition(setting: Setting, token: str, formula: Formula) -> Setting:

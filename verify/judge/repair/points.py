@@ -37,21 +37,47 @@ def generic_points(
     say of variables; `far` ones reach from near the ends of the domain to large numbers. Raises
     Undecided.
     """
+    boxes, rest = _conditions(claim, conditions, scope)
+    replaced, left = _solved(rest, boxes, scope)
+    return _where(left, boxes, count, far=far), replaced
+
+
+def free_points(
+    claim: Claim, conditions: Sequence[Relation], scope: Scope, count: int
+) -> list[Point]:
+    """The points of `generic_points` if no equation among the conditions says what a variable is;
+    else none. Raises Undecided.
+    """
+    boxes, rest = _conditions(claim, conditions, scope)
+    # to solve an equation takes proofs
+    if any(r.operator == "=" and symbols_of(r.left, r.right) for r in rest):
+        return []
+    left = [r for r in rest if r.operator != "="]
+    return _where(left, boxes, count, far=False)
+
+
+def _conditions(
+    claim: Claim, conditions: Sequence[Relation], scope: Scope
+) -> tuple[dict[str, Box], tuple[Rel, ...]]:
+    """Boxes of the variables, and the conditions of the claim that boxes do not say."""
     stated = [scope.relation(r) for r in conditions]
     stated += [scope.relation(r) for r in claim.domain]
     for formula in claim.given:
         stated += [scope.relation(r) for r in formula.readings[0].relations]
     for token in list(scope.used):
         stated += [scope.relation(r) for r in scope.setting.symbols[token].domain]
-    boxes, rest = bounded(scope.boxes(), stated)
-    replaced, left = _solved(rest, boxes, scope)
+    return bounded(scope.boxes(), stated)
+
+
+def _where(left: Sequence[Rel], boxes: Mapping[str, Box], count: int, *, far: bool) -> list[Point]:
+    """The first points of the boxes where relations hold."""
     found: list[Point] = []
     for point in _random(boxes, TRIES, far=far):
         if all(_holds(rel, point) for rel in left):
             found.append(point)
             if len(found) == count:
                 break
-    return found, replaced
+    return found
 
 
 def _solved(

@@ -46,8 +46,10 @@ class Step:
     part: Expr | None = None
 
 
-def changes_of_whole(formula: Printed, table: Table, numbers: frozenset[str]) -> Iterator[Change]:
-    """All of them; `numbers` are the symbols that count samples."""
+def changes_of_whole(
+    formula: Printed, table: Table, numbers: frozenset[str], most: int = LARGE
+) -> Iterator[Change]:
+    """All of them that weigh at most `most`; `numbers` are the symbols that count samples."""
     for n, link in enumerate(formula.links):
         if link.operator in COMPARISONS:
             for operator in COMPARISONS:
@@ -62,18 +64,21 @@ def changes_of_whole(formula: Printed, table: Table, numbers: frozenset[str]) ->
                     yield Change(replace(formula, links=links), weight, (step,))
     for n in formula.claimed():
         side = formula.sides[n]
-        for new, weight, what in _sides(side, table, numbers):
+        for new, weight, what in _sides(side, table, numbers, most):
             yield Change(formula.with_side(n, new), weight, (Step(what, side, new),))
-    yield from _everywhere(formula, table, numbers)
+    yield from _everywhere(formula, table, numbers, most)
 
 
-def _sides(side: Expr, table: Table, numbers: frozenset[str]) -> Iterator[tuple[Expr, int, str]]:
+def _sides(
+    side: Expr, table: Table, numbers: frozenset[str], most: int
+) -> Iterator[tuple[Expr, int, str]]:
     yield opposite(side), SLIGHT, SIDE
-    yield product(TWO, side), PLAIN, "a factor 2"
-    yield quotient(side, TWO), PLAIN, "a factor 2"
-    if side.kind != "div":
-        yield quotient(ONE, side), PLAIN, "a side upside down"
-    for name in table.symbols:
+    if most >= PLAIN:
+        yield product(TWO, side), PLAIN, "a factor 2"
+        yield quotient(side, TWO), PLAIN, "a factor 2"
+        if side.kind != "div":
+            yield quotient(ONE, side), PLAIN, "a side upside down"
+    for name in table.symbols if most >= LARGE else ():
         yield product(side, symbol(name)), LARGE, "a missing factor"
         yield quotient(side, symbol(name)), LARGE, "a missing divisor"
     for name in numbers & symbols_of(side):
@@ -81,7 +86,9 @@ def _sides(side: Expr, table: Table, numbers: frozenset[str]) -> Iterator[tuple[
             yield shifted(side, name, shift), SLIGHT, "an index of samples"
 
 
-def _everywhere(formula: Printed, table: Table, numbers: frozenset[str]) -> Iterator[Change]:
+def _everywhere(
+    formula: Printed, table: Table, numbers: frozenset[str], most: int
+) -> Iterator[Change]:
     """One symbol changed wherever it stands in the claim."""
     claimed = formula.claimed()
     for name in sorted({s for n in claimed for s in symbols_of(formula.sides[n])}):
@@ -94,6 +101,8 @@ def _everywhere(formula: Printed, table: Table, numbers: frozenset[str]) -> Iter
             )
             step = Step("the number of the first sample", x, shifted(x, name, shift))
             yield Change(replace(formula, sides=sides), SLIGHT, (step,))
+        if most < PLAIN:
+            continue
         new.append((raised(x, Fraction(2)), PLAIN, "a deviation that is a variance"))
         new.append((raised(x, HALF), PLAIN, "a variance that is a deviation"))
         new += [
