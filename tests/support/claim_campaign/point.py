@@ -46,9 +46,9 @@ class Point:
     definitions: Mapping[str, Definition] = field(default_factory=dict)
     moved: Callable[[str, Any], Point] | None = None
 
-    def value(self, tree: Tree) -> Any:
+    def value(self, tree: Tree, digits: int = DIGITS) -> Any:
         """The number, or matrix as rows, of a tree. Raises NoValue, Misshapen, NotCovered."""
-        with mpmath.workdps(DIGITS):
+        with mpmath.workdps(digits):
             return self._value(tree, {})
 
     def _symbol(self, name: str, local: Mapping[str, Any]) -> Any:

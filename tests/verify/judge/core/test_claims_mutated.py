@@ -67,6 +67,16 @@ def test_what_is_proved_is_not_false_and_many_mutants_are(chosen: Sequence[Subje
         assert sum(one is True for one in said) > len(said) / 3, subject.name
 
 
+def test_digits_lost_make_nothing_false() -> None:
+    """At a half-life of 1/1000, alpha = 1 - exp(-693) is 1 to ninety digits, and (1 - alpha)^lambda
+    seems to be 0 and not 1/2.
+    """
+    (subject,) = subjects(["polars-ewm half-life"], [], 60.0, 1)
+    assert not any(is_false(subject, Random(seed)) for seed in range(20))
+    said = [is_false(m.subject, Random(SEED)) for m in mutants(subject, 10, Random(SEED))]
+    assert sum(one is True for one in said) > 0.8 * len(said)
+
+
 def test_the_relation_of_another_family_is_false(
     chosen: Sequence[Subject], models: Sequence[Mapping[str, Any]]
 ) -> None:
