@@ -8,15 +8,13 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from gainproof.derive.algebra.cofactors import cofactors
-from gainproof.derive.algebra.plain import poly_data
+from gainproof.derive.algebra.model_entries import matrix_of
+from gainproof.derive.algebra.plain import fraction_data, poly_data
 from gainproof.derive.algebra.signs import shown
 from gainproof.derive.algebra.tower import Poly, Tower
+from gainproof.derive.algebra.vector_riccati import vector_riccati_evidence
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
-
-
-def _numbers(rows: list[list[str]]) -> sp.ImmutableDenseMatrix:
-    return sp.ImmutableDenseMatrix([[sp.Rational(entry) for entry in row] for row in rows])
 
 
 def _named(rows: Any) -> sp.ImmutableDenseMatrix:
@@ -24,8 +22,13 @@ def _named(rows: Any) -> sp.ImmutableDenseMatrix:
 
 
 def riccati_evidence(step: Step, tower: Tower) -> dict[str, Any]:
-    """d, A and cofactors of E = s (F A F' - A + d q Q) - F a a' F' with M = A/d, a = A H'."""
+    """d, A and cofactors of E = s (F A F' - A + d q Q) - F a a' F' with M = A/d, a = A H'.
+
+    A gain given by rows (a vector measurement) has evidence of its own.
+    """
     parts = step.relation.parts
+    if not isinstance(parts["gain"][0], str):
+        return vector_riccati_evidence(step, tower)
     model, names = parts["model"], parts["predicted"]
     entries = [[tower.elements[name] for name in row] for row in names]
     denominator: Poly = tower.ring.one
@@ -74,28 +77,51 @@ def _ratio(text: str) -> tuple[int, int]:
 
 
 def stable_evidence(step: Step, tower: Tower) -> dict[str, Any]:
-    """Positive forms of the Schur-Cohn quantities of det(zI - F(I - K H))."""
+    """Positive forms of the Schur-Cohn quantities of det(zI - F(I - K H)).
+
+    The hint may hold them as "values"; else they are expanded and their signs looked for. For a
+    gain given by rows it may hold the "coefficients" a_0, ..., a_(n-1) as short forms.
+    """
+    gain = step.relation.parts["gain"]
+    coefficients = _closed_loop_coefficients(step)
+    stated: dict[str, Any] = {}
+    if not isinstance(gain[0], str):
+        forms = step.hint.get("coefficients", coefficients[:-1])
+        stated["coefficients"] = [fraction_data(tower.fraction(form)) for form in forms]
+        coefficients = [*forms, sp.Integer(1)]
+    values = step.hint.get("values") or _schur_cohn(coefficients)
+    return {**stated, "values": [shown(tower, value) for value in values]}
+
+
+def _closed_loop_coefficients(step: Step) -> list[sp.Expr]:
+    """a_0, ..., a_n of det(zI - F(I - K H)) over the names of the gain."""
     model, gain = step.relation.parts["model"], step.relation.parts["gain"]
-    transition, measured = _numbers(model["transition"]), _numbers(model["measurement"])
-    vector = sp.ImmutableDenseMatrix([[real(name)] for name in gain])
+    transition, measured = matrix_of(model["transition"]), matrix_of(model["measurement"])
+    rows = _named([[name] if isinstance(name, str) else name for name in gain])
     size = transition.rows
     z = sp.Symbol("z")
-    closed = z * sp.eye(size) - transition * (sp.eye(size) - vector * measured)
-    coefficients = [sp.expand(entry) for entry in reversed(sp.Poly(closed.det(), z).all_coeffs())]
+    closed = z * sp.eye(size) - transition * (sp.eye(size) - rows * measured)
+    return [sp.expand(entry) for entry in reversed(sp.Poly(closed.det(), z).all_coeffs())]
+
+
+def _schur_cohn(coefficients: list[sp.Expr]) -> list[sp.Expr]:
+    """a_n - a_0 and a_n + a_0 for each degree from n down to 1."""
     values = []
     while len(coefficients) > 1:
         low, high = coefficients[0], coefficients[-1]
-        values += [shown(tower, high - low), shown(tower, high + low)]
+        values += [high - low, high + low]
         degree = len(coefficients) - 1
         coefficients = [
             sp.expand(high * coefficients[k + 1] - low * coefficients[degree - k - 1])
             for k in range(degree)
         ]
-    return {"values": values}
+    return values
 
 
 def definite_evidence(step: Step, tower: Tower) -> dict[str, Any]:
-    """Positive forms of the leading minors."""
+    """Positive forms of the leading minors, which the hint may hold as "minors"."""
     matrix = _named(step.relation.parts["matrix"])
-    minors = [sp.expand(matrix[:n, :n].det()) for n in range(1, matrix.rows + 1)]
+    minors = step.hint.get("minors") or [
+        sp.expand(matrix[:n, :n].det()) for n in range(1, matrix.rows + 1)
+    ]
     return {"minors": [shown(tower, minor) for minor in minors]}

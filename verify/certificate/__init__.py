@@ -107,18 +107,27 @@ increasing_onto {"expression": graph, "variable": name, "from": graph, "to": gra
     0 to infinity with it) and takes every value between the limits at the two ends of the domain,
     "from" itself only if the domain is closed. The derivative equals the fraction, which is
     positive inside. Limit evidence here is {"weights", "constants", "boundary"}.
-riccati {"model": model, "predicted": [[names]], "updated": [[names]], "gain": [names], "index":
-name}; {"denominator": polynomial, "numerators": [[polynomial]], "cofactors": {"i,j": [polynomial
-per generator]}}
-    M = F X F' + q Q0 with q = index^2, K = M H'/(H M H' + R), X = M - K H M. With M = A/d, a = A H'
-    and s = H a + R d (d and s manifestly positive) the entries i <= j of
+riccati {"model": model, "predicted": [[names]], "updated": [[names]], "gain": [names] or [[names]],
+"index": name}
+    M = F X F' + q Q0 with q = index^2, K (H M H' + R) = M H', X = M - K H M, and H M H' + R is
+    positive definite. N/D is the index as the tower writes it.
+    One measurement, model of numbers: the gain is a list; {"denominator": polynomial, "numerators":
+    [[polynomial]], "cofactors": {"i,j": [polynomial per generator]}}. With M = A/d, a = A H' and
+    s = H a + R d (d and s manifestly positive) the entries i <= j of
     D^2 (s (F A F' - A) - F a a' F') + s d N^2 Q0, expanded without reduction, equal the sums of
-    cofactor times (y^n - radicand). N/D is the index as the tower writes it. One scalar
-    measurement.
-stable {"model": model, "gain": [names]}; {"values": [fraction, ...]}
+    cofactor times (y^n - radicand).
+    A vector measurement: the gain is given by rows, as many as states; F, H and Q0 are polynomials;
+    {"denominator": polynomial, "predicted": [[polynomial]], "updated": [[polynomial]], "precision":
+    {"numerators": [[polynomial]], "denominator": polynomial}, "innovation": [fraction, ...],
+    "prediction": {"i,j": ...}, "update": {"i,j": ...}}. M = A/d, X = B/d; R V = w I; d and w
+    manifestly positive; K = X H' V/w; "innovation" are the leading minors of H M H' + R, manifestly
+    positive; D^2 (A - F B F') - d N^2 Q0 (i <= j) and B (w d I + H' V H A) - w d A (all i, j) equal
+    the sums of cofactor times relation as above.
+stable {"model": model, "gain": [names] or [[names]]}; {"values": [fraction, ...]}
     All roots of a(z) = det(z I - F (I - K H)) lie inside the unit circle. For each degree from n
     down to 1 the manifestly positive a_n - a_0 and a_n + a_0, then a_k <- a_n a_(k+1) - a_0
-    a_(n-k-1).
+    a_(n-k-1). With a gain by rows also "coefficients": a_0, ..., a_(n-1) as fractions, from which
+    the values are formed.
 positive_definite {"matrix": [[names]]}; {"minors": [fraction, ...]}
     The leading minors, manifestly positive.
 program {"program": name, "outputs": {output: graph}}; {"roots": {node: fraction}, "branches":
@@ -138,9 +147,11 @@ definition {"text": text} or {"left": graph, "right": graph}; {}
 cited {"theorem": text, "reference": text}; {}
     Reported as cited, never as proved.
 
-model is {"name", "title", "transition", "process_noise", "measurement", "measurement_noise"}:
-rows of number texts in units T = R = 1; process_noise is Q0, symmetric; measurement_noise positive.
-All statements of a certificate that have a model have the same one.
+model is {"name", "title", "transition", "process_noise", "measurement", "measurement_noise"}: rows
+of number texts or graphs over names of the tower, in units that make T and the first measurement's
+deviation 1. F is n by n, H m by n, R m by m; process_noise is Q0, symmetric, its principal minors
+manifestly nonnegative; R is symmetric, its leading minors manifestly positive. All statements of a
+certificate that have a model have the same one.
 """
 
 from __future__ import annotations

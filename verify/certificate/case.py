@@ -91,6 +91,14 @@ class Case:
             raise RejectedError(f"{place}: between 1 and {MAXIMUM_ORDER} names are wanted")
         return [self.tower.value(schema.name(entry, place)) for entry in entries]
 
+    def rows(self, value: Plain, field: str) -> tuple[tuple[Ratio, ...], ...]:
+        """A rectangular array of names of the tower, as their values."""
+        place = f"{self.place}.claim.{field}"
+        rows = tuple(tuple(self.names(row, field)) for row in schema.items(value, place))
+        if not 1 <= len(rows) <= MAXIMUM_ORDER or any(len(row) != len(rows[0]) for row in rows):
+            raise RejectedError(f"{place}: rows of names of one length are wanted")
+        return rows
+
     def square(self, value: Plain, field: str) -> list[list[Ratio]]:
         """A square array of names, symmetric in value, as their values."""
         place = f"{self.place}.claim.{field}"

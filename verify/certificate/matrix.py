@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import combinations
 
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.ratio import Ratio, number, total
@@ -95,4 +96,21 @@ def characteristic_polynomial(matrix: Matrix) -> list[Ratio]:
         coefficient = -product.trace().over(number(field, step))
         coefficients.append(coefficient)
         auxiliary = product.plus(identity(field, size).scaled(coefficient))
+    return coefficients[::-1]
+
+
+def principal_coefficients(matrix: Matrix) -> list[Ratio]:
+    """The same as sums of principal minors: fewer products of large entries, more of many."""
+    size = matrix.shape[0]
+    field = matrix.rows[0][0].field
+    coefficients = [number(field, 1)]
+    for order in range(1, size + 1):
+        minors = total(
+            field,
+            (
+                determinant(tuple(tuple(matrix.rows[i][j] for j in places) for i in places))
+                for places in combinations(range(size), order)
+            ),
+        )
+        coefficients.append(-minors if order % 2 else minors)
     return coefficients[::-1]
