@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
+from gainproof.verify.judge.charted import judge_in
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
-from gainproof.verify.judge.kinds.catalogue import judge_reading
-from gainproof.verify.judge.scope import Scope, UndefinedSymbol
+from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
 from gainproof.verify.judge.verdict import Finding
 
@@ -36,7 +36,7 @@ def _attempts(
     claim: Claim, setting: Setting, environment: Environment
 ) -> Iterator[tuple[str | None, Callable[[], Finding]]]:
     if claim.formula is None:
-        yield None, lambda: judge_reading(claim, None, Scope(setting, environment))
+        yield None, lambda: judge_in(claim, None, setting, environment)
         return
     readings, fault = fitting_readings(claim.formula, setting)
     if fault is not None:
@@ -44,7 +44,7 @@ def _attempts(
     for reading in readings:
         yield (
             reading.text,
-            lambda r=reading: judge_reading(claim, r, Scope(setting, environment)),  # type: ignore[misc]
+            lambda r=reading: judge_in(claim, r, setting, environment),  # type: ignore[misc]
         )
 
 

@@ -13,6 +13,7 @@ from gainproof.verify.judge.convention_effect import choices, with_conventions, 
 from gainproof.verify.judge.definition_reading import with_one_reading
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished, algebra
+from gainproof.verify.judge.setting.own_matrices import model_key
 from gainproof.verify.judge.setting.own_model import own_environment
 from gainproof.verify.judge.setting.quantities import memory, steady_state
 
@@ -99,7 +100,7 @@ def _models(setting: Setting, models: Sequence[Model]) -> Iterator[Model]:
 
 
 def _own(setting: Setting, solved: dict[Any, Environment]) -> Environment | Unusable:
-    key = ("own", repr(setting))
+    key = ("own", model_key(setting))
     try:
         if key not in solved:
             solved[key] = own_environment(setting)

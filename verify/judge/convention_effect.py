@@ -106,7 +106,17 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
             if name in quantities:
                 quantities[name] = power(quantities[name], 2)
     name = environment.name + chosen.in_words()
-    return replace(environment, name=name, quantities=quantities, boxes=boxes, continued=continued)
+    # a chart says what the quantities are under the usual conventions
+    chart = environment.chart if chosen == Chosen() else None
+    chart = None if chart is None else with_conventions(chart, chosen)
+    return replace(
+        environment,
+        name=name,
+        quantities=quantities,
+        boxes=boxes,
+        continued=continued,
+        chart=chart,
+    )
 
 
 def _name_gains(quantities: dict[str, Expr], chosen: Chosen) -> None:

@@ -57,10 +57,34 @@ def quantity_names() -> Mapping[str, QuantityName]:
         QuantityName(
             "measurement_noise_deviation", _METRE, "standard deviation of a measured position"
         ),
+        QuantityName(
+            "velocity_deviation_ratio",
+            _ONE,
+            "deviation of a measured velocity, in units of that of a measured position over T",
+        ),
+        QuantityName(
+            "exact_velocity_covariance.1.1",
+            Unit(metre=Fraction(2)),
+            "predicted variance of the position in the limit of exactly measured velocities",
+        ),
+        QuantityName(
+            "no_velocity_covariance.1.1",
+            Unit(metre=Fraction(2)),
+            "predicted variance of the position in the limit of velocities that say nothing",
+        ),
         QuantityName("innovation_variance", Unit(metre=Fraction(2)), "variance of the innovation"),
         QuantityName("measurement", _METRE, "position measured at sample k"),
         QuantityName("first_measurement", _METRE, "position measured at sample 0"),
         QuantityName("first_updated_state.1", _METRE, "updated position at sample 0"),
+    ]
+    found += [
+        QuantityName(
+            f"gain_matrix.{i}.{j}",
+            Unit(second=Fraction(j - i)),
+            f"entry of K: component {i} for the measurement of component {j}",
+        )
+        for i in (1, 2)
+        for j in (1, 2)
     ]
     for i in range(1, _MOST_STATES + 1):
         found += [

@@ -43,7 +43,8 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     _refuse_gaps(frame, names)
     if claim.about[1] == scope.environment.intensity:
         names = {scope.environment.parameter or ""}
-    if variable.kind != "symbol" and not _one_way(variable, names, frame):
+    is_own = variable.kind == "symbol" or scope.environment.is_coordinate(variable)
+    if not is_own and not _one_way(variable, names, frame):
         raise Undecided(f"{claim.about[1]} is not strictly monotone itself")
     # defined everywhere, hence continuous; where it has corners its slope is not asked for
     without = _without_value(subject, names, frame)

@@ -174,6 +174,8 @@ class Table(Symbols):
 
         def each(entry: Expr) -> Expr:
             self.needed.append(entry)
+            if environment.is_coordinate(target):
+                return environment.slope(entry, target)
             if target.kind == "symbol":
                 return differentiated(entry, target.name)
             variables = symbols_of(target)

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.calculus import differentiated
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.statement import Outcome, Statement
 
 INTERVAL = "sampling_interval"
 DEVIATION = "measurement_noise_deviation"
 INDEX = "tracking_index"
+RATIO = "velocity_deviation_ratio"
 SAMPLE = "sample_number"
 POSITIVE = Box(lower=Fraction(0))
 ANY_REAL = Box(stated=False)
@@ -33,6 +36,10 @@ class Fact:
     certificate: Mapping[str, Any] = field(default_factory=dict)
 
 
+Decide = Callable[[Statement, Mapping[str, Box], Mapping[str, str]], Outcome]
+"""Decides a statement on domains, with labels for its witness. Raises Undecided."""
+
+
 @dataclass(frozen=True)
 class Environment:
     """`quantities` maps names of quantities to expressions over the base variables in `boxes`.
@@ -41,6 +48,10 @@ class Environment:
     rational functions equal to quantities wherever these have a value, and defined where their
     formula still is. `assigned` are free symbols of the source that the setting's model fixes, and
     `intensity` is the one among them that changes with the parameter while all others stay.
+
+    Where two parameters are needed they are `coordinates`, and `chart` may be the same setting in
+    other base variables, in which more is decided: there `decide` is what decides, and `squares`
+    are those of the coordinates.
     """
 
     name: str
@@ -52,12 +63,35 @@ class Environment:
     continued: Mapping[str, Expr] = field(default_factory=dict)
     assigned: Mapping[str, Expr] = field(default_factory=dict)
     intensity: str | None = None
+    coordinates: tuple[str, ...] = ()
+    chart: Environment | None = None
+    decide: Decide | None = None
+    squares: Mapping[str, Expr] = field(default_factory=dict)
 
     def moves_with(self, name: str) -> bool:
         """Whether quantities hide a base variable: with the source's other symbols kept, the
         parameter changes too when that variable does.
         """
-        return bool(self.assigned) and name in self.boxes and name != self.parameter
+        own = (self.parameter, *self.coordinates)
+        return bool(self.assigned) and name in self.boxes and name not in own
+
+    def is_coordinate(self, expr: Expr) -> bool:
+        """Whether it is one of the coordinates in other base variables."""
+        return any(self.quantities[name] == expr for name in self.squares)
+
+    def slope(self, expr: Expr, along: Expr) -> Expr:
+        """The partial derivative with respect to one coordinate, the other being kept: by that of
+        its square, from the derivatives with respect to the base variables of the squares.
+        """
+        (name,) = (n for n in self.squares if self.quantities[n] == along)
+        (kept,) = (square for n, square in self.squares.items() if n != name)
+        low, high = sorted(symbols_of(kept))
+
+        def turned(of: Expr) -> Expr:
+            first = differentiated(of, low) * differentiated(kept, high)
+            return first - differentiated(of, high) * differentiated(kept, low)
+
+        return 2 * along * turned(expr) / turned(self.squares[name])
 
 
 def algebra() -> Environment:

@@ -1,0 +1,93 @@
+"""Claims about settings with two parameters: decided over a chart, with witnesses in the source's
+parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.expression_text import labelled
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.points import try_points
+from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Statement, Witness
+from gainproof.verify.judge.exact.zero_divisor import divisor_factors, rational_zero
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.catalogue import judge_reading
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.setting.environment import Environment
+from gainproof.verify.judge.verdict import Finding
+
+KINDS = ("identity", "inequality", "monotone", "recursion")
+"""What a chart helps to decide; limits are taken in the parameters themselves."""
+BITS = 128
+
+
+def judge_in(
+    claim: Claim, reading: Reading | None, setting: Setting, environment: Environment
+) -> Finding:
+    """The finding on one reading. Raises Undecided, UndefinedSymbol, Malformed."""
+    chart = environment.chart
+    if chart is None or claim.kind not in KINDS:
+        return judge_reading(claim, reading, Scope(setting, environment))
+    try:
+        found = judge_reading(claim, reading, Scope(setting, chart))
+    except Undecided:
+        return judge_reading(claim, reading, Scope(setting, environment))
+    if found.verdict == "proved":
+        return found
+    at_points = replace(environment, chart=None, decide=_by_points)
+    seen = judge_reading(claim, reading, Scope(setting, at_points))
+    if seen.witness is None:
+        raise Undecided("false on a chart, but no rational point that shows it was found")
+    reason = f"fails {seen.witness.text()}"
+    if found.verdict == "conditional":
+        reason += f"; holds exactly {seen.domain}"
+        found = replace(found, domain=seen.domain)
+    return replace(found, reason=reason, witness=seen.witness, reach=seen.reach)
+
+
+def _by_points(
+    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+) -> Outcome:
+    """`refuted` at a point where it fails, else where a divisor is zero; without evidence `proved`:
+    only what is known to be false is asked for.
+    """
+    found = try_points(statement, boxes, labels)
+    if found is not None and found.witness is not None:
+        return found
+    exprs = [e for r in statement.relations for e in (r.left, r.right)]
+    factors = list(divisor_factors(*exprs))
+    for factor in factors:
+        point = rational_zero(factor, boxes)
+        witness = None if point is None else _without_value(statement, point, labels)
+        if witness is not None:
+            named = ", ".join(f"{labels.get(n, n)} > 0" for n in sorted(point or {}))
+            domain = f"for {named}, where {labelled(factor, labels)} is not zero"
+            return Outcome("refuted", domain, "", "", witness)
+    return Outcome("proved", "", "", "")
+
+
+def _without_value(
+    statement: Statement, point: Mapping[str, Fraction], labels: Mapping[str, str]
+) -> Witness | None:
+    for rel in statement.relations:
+        left, right = (_side(expr, point) for expr in (rel.left, rel.right))
+        if left.undefined or right.undefined:
+            where = {labels.get(name, name): str(value) for name, value in point.items()}
+            return Witness(where, rel.operator, left, right, note="a side has no value")
+    return None
+
+
+def _side(expr: Expr, point: Mapping[str, Fraction]) -> Enclosure:
+    whole = dict.fromkeys(symbols_of(expr), Fraction(1)) | dict(point)
+    try:
+        return enclosure(enclosed(expr, whole, BITS), 12)
+    except (NoValue, Unresolved):
+        return Enclosure("", "", "a divisor is zero")

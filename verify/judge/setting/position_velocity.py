@@ -1,0 +1,190 @@
+"""Steady states with position and velocity measured: the closed form, and what establishes it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    number,
+    power,
+    sqrt,
+    symbol,
+)
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.tidy import expression_of
+from gainproof.verify.judge.meaning.square import determinant
+from gainproof.verify.judge.setting.chart_decision import Plane
+from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, field_over
+from gainproof.verify.judge.setting.environment import (
+    DEVIATION,
+    INDEX,
+    INTERVAL,
+    POSITIVE,
+    RATIO,
+    Environment,
+    Fact,
+    NotEstablished,
+)
+from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
+from gainproof.verify.judge.setting.plane_chart import (
+    COVERED,
+    charted_entries,
+    refuse_unless_onto,
+    squares,
+)
+from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.two_measurements import Entries, Noise, entries
+
+T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
+ONE, ZERO = number(1), number(0)
+UNIQUENESS = (
+    (
+        "the Riccati equation has exactly one positive semidefinite solution if all states are "
+        "measured and driven, and its closed loop is stable"
+    ),
+    "B. D. O. Anderson, J. B. Moore, Optimal Filtering, Prentice-Hall 1979, section 4.4",
+)
+WHOLE = "zero and signs on a chart of all values of both parameters"
+
+
+def position_velocity(noise: Noise, name: str) -> Environment:
+    """The established steady state; base variables are the tracking index and the ratio
+    S = sigma_d T / sigma_o. Raises Undecided, NotEstablished.
+    """
+    if noise != COVERED:
+        raise Undecided("two measurements with a process noise other than white acceleration")
+    index, ratio = symbol(INDEX), symbol(RATIO)
+    closed = entries(index, ratio, ONE, noise)
+    over = field_over({LOW, HIGH}, {})
+    charted = _charted(over)
+    index2, ratio2 = squares()
+    facts = _facts(over, charted, closed, noise)
+    ends = {
+        "exact_velocity_covariance.1.1": entries(index, ZERO, ONE, noise).predicted[0],
+        "no_velocity_covariance.1.1": entries(index, ONE, ZERO, noise).predicted[0],
+    }
+    boxes = {INTERVAL: POSITIVE, DEVIATION: POSITIVE}
+    chart = Environment(
+        name,
+        _quantities(charted, sqrt(index2), sqrt(ratio2)),
+        {**boxes, LOW: POSITIVE, HIGH: POSITIVE},
+        facts=facts,
+        decide=Plane((INDEX, RATIO)).decide,
+        squares={INDEX: index2, RATIO: ratio2},
+    )
+    quantities = _quantities(closed, index, ratio)
+    quantities |= {key: value * power(SIGMA, 2) for key, value in ends.items()}
+    return Environment(
+        name,
+        quantities,
+        {**boxes, INDEX: POSITIVE, RATIO: POSITIVE},
+        facts=facts,
+        coordinates=(INDEX, RATIO),
+        chart=chart,
+    )
+
+
+def with_assigned(environment: Environment, assigned: Mapping[str, Expr]) -> Environment:
+    """The environment that knows what symbols of the source its model fixes, in base variables."""
+    chart = environment.chart
+    if chart is not None:
+        known = {name: chart.quantities[name] for name in (INDEX, RATIO)}
+        there = {token: substituted(expr, known) for token, expr in assigned.items()}
+        chart = replace(chart, assigned=there)
+    return replace(environment, assigned=assigned, chart=chart)
+
+
+def _charted(over: ChartField) -> Entries:
+    """The entries as quotients of polynomials without common factor."""
+    raw = charted_entries()
+
+    def short(expr: Expr) -> Expr:
+        found = over.element(expr)
+        names = (*over.ring.names()[:-2], LOW, HIGH)
+        return expression_of(found.num, names) / expression_of(found.den, names)
+
+    p, u = (tuple(short(e) for e in part) for part in (raw.predicted, raw.updated))
+    return Entries((p[0], p[1], p[2]), (u[0], u[1], u[2]))
+
+
+def _matrix(upper: Sequence[Expr]) -> Exprs:
+    return ((upper[0], upper[1]), (upper[1], upper[2]))
+
+
+def _gain(found: Entries, ratio2: Expr) -> Exprs:
+    u11, u12, u22 = found.updated
+    return ((u11, u12 / ratio2), (u12, u22 / ratio2))
+
+
+def _quantities(found: Entries, index: Expr, ratio: Expr) -> dict[str, Expr]:
+    quantities: dict[str, Expr] = {
+        INTERVAL: T,
+        DEVIATION: SIGMA,
+        "measurement_noise_variance": power(SIGMA, 2),
+        INDEX: index,
+        RATIO: ratio,
+    }
+    gain = _gain(found, power(ratio, 2))
+    for i in range(2):
+        for j in range(2):
+            scale = power(SIGMA, 2) / power(T, i + j) if i + j else power(SIGMA, 2)
+            for which, upper in (("predicted", found.predicted), ("updated", found.updated)):
+                quantities[f"{which}_covariance.{i + 1}.{j + 1}"] = _matrix(upper)[i][j] * scale
+            factor = power(T, j - i) if i != j else ONE
+            quantities[f"gain_matrix.{i + 1}.{j + 1}"] = gain[i][j] * factor
+    return quantities
+
+
+def _facts(over: ChartField, charted: Entries, closed: Entries, noise: Noise) -> tuple[Fact, ...]:
+    """What makes the entries the steady state, for all values of both parameters. Raises
+    NotEstablished.
+    """
+    index2, ratio2 = squares()
+    plane = Plane((INDEX, RATIO))
+
+    def shown(sentence: str, relations: Sequence[Rel]) -> Fact:
+        found = plane.decide(Statement(tuple(relations)), {}, {})
+        if found.verdict != "proved":
+            raise NotEstablished(f"{sentence}: {found.reason}")
+        return Fact(sentence, WHOLE, found.certificate)
+
+    p, u = _matrix(charted.predicted), _matrix(charted.updated)
+    f: Exprs = ((ONE, ONE), (ZERO, ONE))
+    q = _matrix([number(x) * index2 for x in (noise.position, noise.mixed, 1)])
+    gain = _gain(charted, ratio2)
+    residuals = [*minus(p, plus(times(times(f, u), transposed(f)), q))]
+    # with K = U R^-1: U = P - K P, which is U^-1 = P^-1 + R^-1
+    residuals += [*minus(u, minus(p, times(gain, p)))]
+    loop = minus(f, times(f, gain))
+    trace = loop[0][0] + loop[1][1]
+    stable = left_half_plane(circle_moved([determinant(loop), -trace, ONE]))
+    minors = [m for c in (p, u) for m in (c[0][0], determinant(c))]
+    put_in = {INDEX: sqrt(index2), RATIO: sqrt(ratio2)}
+    same = [
+        Rel("=", substituted(a, put_in), b)
+        for a, b in zip(
+            (*closed.predicted, *closed.updated),
+            (*charted.predicted, *charted.updated),
+            strict=True,
+        )
+    ]
+    return (
+        Fact(
+            "all positive pairs of index and S are met in the chart",
+            WHOLE,
+            refuse_unless_onto(over),
+        ),
+        shown("index, S are positive in the chart", [Rel(">", e, ZERO) for e in squares()]),
+        shown(
+            "the Riccati equation holds identically: P = F U F' + Q, U = P - K P, K = U R^-1",
+            [Rel("=", e, ZERO) for row in residuals for e in row],
+        ),
+        shown("the covariances are positive definite", [Rel(">", m, ZERO) for m in minors]),
+        shown("the closed loop F - F K is stable (Hurwitz, unit circle moved)", stable),
+        shown("the closed form in index and S is the same", same),
+        Fact(f"cited: {UNIQUENESS[0]}", UNIQUENESS[1]),
+    )
