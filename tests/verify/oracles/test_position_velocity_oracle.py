@@ -106,7 +106,7 @@ RUNS: Mapping[str, Callable[[StateSpace], SteadyState]] = {
 
 @pytest.mark.parametrize("broken", sorted(BREAKS))
 @pytest.mark.parametrize("run", sorted(RUNS))
-def test_a_model_broken_in_the_sixth_digit_is_detected_by_every_run(broken: str, run: str) -> None:
+def test_a_model_broken_in_the_sixth_digit_is_detected(broken: str, run: str) -> None:
     model = oracle.model(SOURCE, 1, 1)
     truth = doubling.steady_state(model).state
     assert close(RUNS[run](model), model, truth)
@@ -132,13 +132,13 @@ def test_the_source_s_noise_is_white_acceleration_integrated() -> None:
 def test_without_velocity_the_limit_is_the_filter_of_position_alone(index: Fraction) -> None:
     """Two ways: S grows, or the row is left out of the measurement matrix."""
     alone = oracle.named(doubling.steady_state(oracle.position_only(SOURCE, index), 60).state)
-    for name in ("predicted_11", "predicted_12", "predicted_22", "updated_11", "gain_11", "gain_21"):
+    for name in sorted(alone):
         found = oracle.limit(SOURCE, index, name, "infinity", 50)
         assert found.apart < 1e-50
         assert abs(fraction(found.value) / fraction(alone[name]) - 1) < Fraction(1, 10**50)
 
 
-def test_a_limit_that_is_zero_or_infinite_is_refused() -> None:
+def test_a_limit_that_is_zero_is_refused() -> None:
     for name, side in (("updated_22", "zero"), ("updated_12", "zero"), ("gain_12", "infinity")):
         with pytest.raises(NotConverged, match="no limit other than 0"):
             oracle.limit(SOURCE, 1, name, side)
