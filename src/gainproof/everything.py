@@ -23,6 +23,7 @@ from gainproof.workshop import Workshop
 
 def find(shop: Workshop, *, accept: bool = False) -> Findings:
     """Look at everything. `accept`: verdicts that changed are written to the snapshots."""
+    derivations.ahead(shop)
     subjects = derivations.derive(derivations.catalogue(shop), shop)
     files = generated_files.fresh(None, shop)
     folder = places.generated_folder()

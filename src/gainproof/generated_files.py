@@ -13,15 +13,15 @@ from gainproof.workshop import Workshop
 def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
     """Content by file name, of everything or of one subject. Raises BadInputError."""
     if name_or_file is None:
-        job, depends = workers.Job("all files", "print_all", {}), b""
+        job, depends = workers.Job("all files", "print_all", {}), []
     elif derivations.is_file(name_or_file):
         path = Path(name_or_file)
-        depends = derivations.model_text(path)
+        depends = [derivations.model_text(path)]
         job = workers.Job(name_or_file, "print_file", {"path": str(path.resolve())})
     else:
         derivations.require_names([name_or_file], shop)
-        job, depends = workers.Job(name_or_file, "print_one", {"name": name_or_file}), b""
-    (found,) = shop.results("printed", [job], depends)
+        job, depends = workers.Job(name_or_file, "print_one", {"name": name_or_file}), []
+    (found,) = shop.results("printed", [job], *depends)
     return {name: text.encode("utf-8") for name, text in found.items()}
 
 

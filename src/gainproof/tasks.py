@@ -6,6 +6,7 @@ Each gets the `Desk` of its process first.
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -36,6 +37,23 @@ def derive(desk: Desk, name: str) -> Plain:
     from gainproof.deriving import plain_subject
 
     return plain_subject(_subject(desk, name)).plain()
+
+
+def everything(desk: Desk) -> list[Plain]:
+    """What the tasks on the whole catalogue and on each of its subjects answer, which shares most
+    of the work: {"task", "arguments", "result"} of each.
+    """
+    asked: list[tuple[str, Plain, str]] = [("catalogue", {}, ""), ("overview", {}, "")]
+    asked += [("derive", {"name": name}, f"derived {name}") for name in catalogue(desk)]
+    asked.append(("print_all", {}, "printed all files"))
+    found = []
+    for task, arguments, work in asked:
+        start = time.perf_counter()
+        result = TASKS[task](desk, **arguments)
+        found.append({"task": task, "arguments": arguments, "result": result})
+        if work:
+            desk.tell(f"{work} ({time.perf_counter() - start:.1f} s)")
+    return found
 
 
 def derive_file(_: Desk, path: str) -> Plain:
@@ -100,6 +118,7 @@ TASKS: Mapping[str, Callable[..., Any]] = {
     "catalogue": catalogue,
     "overview": overview,
     "derive": derive,
+    "everything": everything,
     "derive_file": derive_file,
     "print_all": print_all,
     "print_one": print_one,

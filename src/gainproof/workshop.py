@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from gainproof import code_digest, workers
@@ -20,6 +20,8 @@ class Workshop:
     cache: Cache
     progress: Progress
     code: str
+    known: dict[str, Any] = field(default_factory=dict)
+    """Answers of `ahead`, by key."""
 
     def results(
         self, work: str, jobs: Sequence[workers.Job], *depends: bytes, at_once: int | None = None
@@ -30,8 +32,12 @@ class Workshop:
         A result is known if the job, all code and versions, and whatever else it `depends` on are
         the same. Raises BadInputError or JobError of the first job that fails.
         """
-        keys = [key_of(job.task, self.code, _text(job), *depends) for job in jobs]
-        found = [self.cache.load(key) for key in keys]
+        keys = [self._key(job, *depends) for job in jobs]
+        found = [self.known[k] if k in self.known else self.cache.load(k) for k in keys]
+        unchanged = sum(
+            result is not None and key not in self.known
+            for key, result in zip(keys, found, strict=True)
+        )
         missing = [i for i, result in enumerate(found) if result is None]
 
         def done(job: workers.Job, seconds: float) -> None:
@@ -48,9 +54,28 @@ class Workshop:
             for i, result in zip(missing, fresh, strict=True):
                 found[i] = result
                 self.cache.store(keys[i], result)
-        if work and len(missing) < len(jobs):
-            self.progress.say(f"{work}: {len(jobs) - len(missing)} unchanged")
+        if work and unchanged:
+            self.progress.say(f"{work}: {unchanged} unchanged")
         return found
+
+    def ahead(self, job: workers.Job) -> None:
+        """Have a job done that answers other jobs in one go: its result lists {"task", "arguments",
+        "result"} of these. What it says meanwhile is progress.
+
+        Raises BadInputError or JobError.
+        """
+        key = self._key(job)
+        if self.cache.load(key) is not None:
+            return
+        (answers,) = workers.run([job], on_told=lambda _, text: self.progress.say(text))
+        for answer in answers:
+            answered = self._key(workers.Job("", answer["task"], answer["arguments"]))
+            self.known[answered] = answer["result"]
+            self.cache.store(answered, answer["result"])
+        self.cache.store(key, True)
+
+    def _key(self, job: workers.Job, *depends: bytes) -> str:
+        return key_of(job.task, self.code, _text(job), *depends)
 
 
 def open_workshop(

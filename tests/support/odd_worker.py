@@ -34,6 +34,15 @@ def note(desk: Desk, key: str, value: int) -> int:
     return desk.kept(key, lambda: value)
 
 
+def several(desk: Desk) -> list[dict[str, object]]:
+    """What `wait` would answer, and something that it would not."""
+    desk.tell("several at once")
+    return [
+        {"task": "wait", "arguments": {"seconds": n}, "result": result}
+        for n, result in ((0, 0), (1, "known"))
+    ]
+
+
 def start_another(_: Desk, seconds: float) -> float:
     """Wait in a process that this one starts."""
     script = f"import time; time.sleep({seconds!r})"
@@ -48,6 +57,7 @@ if __name__ == "__main__":
         "wait": wait,
         "process": process,
         "note": note,
+        "several": several,
         "start_another": start_another,
     }
     sys.exit(worker.main())

@@ -161,19 +161,30 @@ def whole_power(base: Expr, exponent: int) -> Expr:
 def walk(*roots: Expr) -> Iterator[Expr]:
     """Every distinct node below the roots, parts before wholes."""
     seen: set[bytes] = set()
-    stack: list[tuple[Expr, bool]] = [(root, False) for root in reversed(roots)]
+    stack = list(reversed(roots))
     while stack:
-        node, ready = stack.pop()
-        if node.key in seen:
-            continue
-        if ready:
+        node = stack[-1]
+        if node.key not in seen:
+            before = [part for part in node.parts if part.key not in seen]
+            if before:
+                before.reverse()
+                stack += before
+                continue
             seen.add(node.key)
             yield node
-        else:
-            stack.append((node, True))
-            stack.extend((part, False) for part in reversed(node.parts))
+        stack.pop()
 
 
 def symbols_of(*roots: Expr) -> set[str]:
     """Names of all symbols below the roots."""
-    return {node.name for node in walk(*roots) if node.kind == "symbol"}
+    found: set[str] = set()
+    seen: set[bytes] = set()
+    stack = list(roots)
+    while stack:
+        node = stack.pop()
+        if node.kind == "symbol":
+            found.add(node.name)
+        elif node.parts and node.key not in seen:
+            seen.add(node.key)
+            stack += node.parts
+    return found
