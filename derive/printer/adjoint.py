@@ -45,7 +45,7 @@ class Adjoint:
     """
 
     def __init__(self, forward: Forward, ends: Sequence[tuple[int, int]]) -> None:
-        self.forward, self.values = forward, forward.values
+        self.forward, self.values, self.ends = forward, forward.values, ends
         self.program = forward.program
         self.shape = (len(ends), forward.count)
         self.weights: dict[int, Weight] = {}
@@ -64,11 +64,10 @@ class Adjoint:
             self.upper *= 1.0 + 4.0 * len(self.values) * drift
         self.upper[~(self.upper >= self.lower)] = np.inf
 
-    def greatest_weight(self, number: int, boxes: Mask) -> list[float]:
-        """The largest |share| of a step in each output, over some boxes."""
+    def sizes(self, number: int) -> Array:
+        """The largest |share| of a step in each output, box by box."""
         weight = self.weights[number]
-        size = np.where(weight.active & boxes, interval.magnitude(weight.share), 0.0)
-        return [float(most) for most in size.max(axis=1, initial=0.0)]
+        return np.where(weight.active, interval.magnitude(weight.share), 0.0)
 
     def _start(self, row: int, output: int, scale: int) -> None:
         value, reference = self.values[output], self.values[scale]

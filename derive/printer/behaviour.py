@@ -18,7 +18,7 @@ from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.program import Step
-from gainproof.derive.printer.value import Grid, Mask, PrintingError
+from gainproof.derive.printer.value import Box, Grid, Mask, PrintingError
 
 Floats = NDArray[Any]
 
@@ -60,11 +60,13 @@ class Behaviour:
             return lows[0] * self.kind(step.scale), highs[0] * self.kind(step.scale), fine
         match step.operation:
             case "input":
-                return self._rounded(grid.low, -np.inf), self._rounded(grid.high, np.inf), fine
+                axis = self.program.axis(number)
+                low, high = grid.low[axis], grid.high[axis]
+                return self._rounded(low, -np.inf), self._rounded(high, np.inf), fine
             case "constant":
                 assert step.constant is not None
                 size = np.full(
-                    grid.low.shape, abs(step.constant.nearest(self.forward.form)), self.kind
+                    self.forward.count, abs(step.constant.nearest(self.forward.form)), self.kind
                 )
                 return size, size, fine
             case "add" | "sub":
@@ -120,25 +122,25 @@ def exclude_nan(
     grid: Grid,
     again: Callable[[Grid], Forward],
     ends: Sequence[tuple[int, int]],
-    domains: Sequence[tuple[float, float]],
+    domains: Sequence[Box],
 ) -> None:
     """PrintingError unless no output can be NaN, nor normal where the true value is not.
 
-    `ends` pairs outputs with their scales, `domains` are the intervals where these are normal;
+    `ends` pairs outputs with their scales, `domains` are the boxes where these are normal;
     `again` makes the forward pass over finer boxes.
     """
     for turn in range(ROUNDS):
         bad = _uncertain(Behaviour(again(grid)), ends, domains)
         if not bad.any():
             return
-        grid = boxes.grid(grid.low[bad], grid.high[bad])
+        grid = boxes.grid(grid.low[:, bad], grid.high[:, bad])
         form = again(grid).form
         worse = _uncertain(Behaviour(again(boxes.grid(grid.low, grid.low))), ends, domains)
-        if worse.any() or turn == ROUNDS - 1 or len(grid.low) > GREATEST_COUNT:
+        if worse.any() or turn == ROUNDS - 1 or grid.count > GREATEST_COUNT:
+            point = boxes.point_text(grid, int(worse.argmax()))
             raise PrintingError(
-                f"input {float(grid.low[worse.argmax()])!r}: NaN, or a normal number where the "
-                "true value is none, cannot be excluded; another order of operations may avoid an "
-                "over- or underflow"
+                f"input {point}: NaN, or a normal number where the true value is none, cannot be "
+                "excluded; another order of operations may avoid an over- or underflow"
             )
         grid = boxes.halves(boxes.halves(grid, form), form)
 
@@ -146,15 +148,15 @@ def exclude_nan(
 def _uncertain(
     behaviour: Behaviour,
     ends: Sequence[tuple[int, int]],
-    domains: Sequence[tuple[float, float]],
+    domains: Sequence[Box],
 ) -> Mask:
     """Boxes where an output may be NaN, or normal outside its domain."""
     grid, form = behaviour.forward.grid, behaviour.forward.form
-    bad = np.zeros(len(grid.low), np.bool_)
-    for (output, scale), (low, high) in zip(ends, domains, strict=True):
+    bad = np.zeros(grid.count, np.bool_)
+    for (output, scale), domain in zip(ends, domains, strict=True):
         bad |= behaviour.lost[output]
         if output == scale:
-            outside = (grid.high < low) | (grid.low > high)
+            outside = boxes.outside(grid, domain)
             vanishing = behaviour.high[output] <= 4.0 * form.least_normal
             vast = behaviour.low[output] >= form.largest / 4.0
             bad |= outside & ~(vanishing | vast)

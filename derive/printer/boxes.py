@@ -1,48 +1,66 @@
-"""Boxes that cover a domain of the input, to its very ends, and their bisection."""
+"""Boxes that cover a domain of the inputs, to its very ends, and their bisection."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gainproof.derive.printer.affine import affine_sum
-from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.interval import Array, up
 from gainproof.derive.printer.program import Program
 from gainproof.derive.printer.threshold import threshold
-from gainproof.derive.printer.value import Grid
+from gainproof.derive.printer.value import Box, Grid, Mask
 
 RATIO = 2.0**8  # of the first boxes' ends
 
 Gap = tuple[float, float]
 """Neighbouring numbers of the format between which no box reaches."""
 
+Gaps = Sequence[Sequence[Gap]]
+"""The gaps along each input."""
 
-def special_points(program: Program, form: Format) -> list[Gap]:
+
+def special_points(program: Program, form: Format) -> list[list[Gap]]:
     """Gaps at the zeros of exact differences and at the thresholds of select steps."""
-    gaps: set[Gap] = set()
+    found: list[set[Gap]] = [set() for _ in program.inputs]
     for number, step in enumerate(program.steps):
         affine = affine_sum(program, number, form)
         if affine is not None and affine.crosses_zero():
             below, above = affine.zero(form)
+            gaps = found[program.axis(affine.source)]
             if below == above:
                 gaps |= {(form.before(below), below), (below, form.after(below))}
             else:
                 gaps.add((below, above))
         if step.operation == "select":
             limit = threshold(program, step, form)
+            gaps = found[program.axis(limit.source)]
             if limit.input_first:
                 at = form.at_least(limit.place)
                 gaps.add((form.before(at), at))
             else:
                 at = form.at_most(limit.place)
                 gaps.add((at, form.after(at)))
-    return sorted(gaps)
+    return [sorted(gaps) for gaps in found]
 
 
-def cover(lowest: float, highest: float, near: Iterable[Gap], plain: Iterable[Gap]) -> Grid:
-    """Boxes over [lowest, highest] without the gaps; their ends crowd at the gaps in `near`."""
+def cover(domain: Box, near: Gaps, plain: Gaps) -> Grid:
+    """Boxes over the domain without the gaps; their ends crowd at the gaps in `near`."""
+    axes = [_axis(*ends, *gaps) for ends, *gaps in zip(domain, near, plain, strict=True)]
+    places = np.indices([len(low) for low, _ in axes]).reshape(len(axes), -1)
+    low, high = (
+        np.stack([ends[side][place] for ends, place in zip(axes, places, strict=True)])
+        for side in (0, 1)
+    )
+    return grid(low, high)
+
+
+def _axis(
+    lowest: float, highest: float, near: Iterable[Gap], plain: Iterable[Gap]
+) -> tuple[Array, Array]:
     cuts = dict.fromkeys(near, True)
     cuts |= {gap: False for gap in plain if gap not in cuts}
     inner = sorted(gap for gap in cuts if lowest <= gap[0] and gap[1] <= highest)
@@ -56,7 +74,7 @@ def cover(lowest: float, highest: float, near: Iterable[Gap], plain: Iterable[Ga
         points = _points(start, end, crowd_start, crowd_end)
         low += points[:-1] or points
         high += points[1:] or points
-    return grid(np.array(low), np.array(high))
+    return np.array(low), np.array(high)
 
 
 def _points(start: float, end: float, crowd_start: bool, crowd_end: bool) -> list[float]:
@@ -79,12 +97,47 @@ def grid(low: Array, high: Array) -> Grid:
     return Grid(low, high, np.where(low == high, 0.0, up(ratio - 1.0)))
 
 
-def halves(boxes: Grid, form: Format) -> Grid:
-    """Each box bisected, geometrically if it is wide; the two ends where nothing lies between."""
-    low, high = boxes.low, boxes.high
+def halves(boxes: Grid, form: Format, axis: NDArray[np.intp] | None = None) -> Grid:
+    """Each box bisected along one input (if none is said its widest), geometrically if it is wide;
+    the two ends where nothing lies between.
+    """
+    chosen = np.argmax(boxes.width, axis=0) if axis is None else axis
+    place = chosen, np.arange(boxes.count)
+    low, high = boxes.low[place], boxes.high[place]
     middle = np.where(high > 2.0 * low, np.sqrt(low) * np.sqrt(high), low + (high - low) / 2)
-    after = np.array([form.after(x) for x in low.tolist()])
-    only_ends = (after >= high) | (middle <= low) | (middle >= high)
-    left_high = np.where(only_ends, low, middle)
-    right_low = np.where(only_ends, high, middle)
-    return grid(np.concatenate([low, right_low]), np.concatenate([left_high, high]))
+    only_ends = (_after(low, form) >= high) | (middle <= low) | (middle >= high)
+    left_high, right_low = boxes.high.copy(), boxes.low.copy()
+    left_high[place] = np.where(only_ends, low, middle)
+    right_low[place] = np.where(only_ends, high, middle)
+    return grid(
+        np.concatenate([boxes.low, right_low], axis=1),
+        np.concatenate([left_high, boxes.high], axis=1),
+    )
+
+
+def _after(x: Array, form: Format) -> Array:
+    """The next numbers of the format."""
+    if form is FLOAT64:
+        return np.nextafter(x, np.inf)
+    near = x.astype(np.float32)
+    return np.where(near <= x, np.nextafter(near, np.float32(np.inf)), near).astype(np.float64)
+
+
+def outside(boxes: Grid, domain: Box) -> Mask:
+    """Which boxes lie wholly outside a domain."""
+    low, high = np.array(domain).T[:, :, None]
+    found: Mask = ((boxes.low > high) | (boxes.high < low)).any(axis=0)
+    return found
+
+
+def inside(boxes: Grid, domain: Box) -> Mask:
+    """Which boxes lie wholly inside a domain."""
+    low, high = np.array(domain).T[:, :, None]
+    found: Mask = ((boxes.low >= low) & (boxes.high <= high)).all(axis=0)
+    return found
+
+
+def point_text(boxes: Grid, box: int) -> str:
+    """The first point of a box in words."""
+    numbers = boxes.low[:, box].tolist()
+    return repr(numbers[0]) if len(numbers) == 1 else repr(tuple(numbers))

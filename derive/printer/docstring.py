@@ -4,15 +4,28 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from gainproof.derive.printer.bound import KernelBound, OutputBound
-from gainproof.derive.printer.constant import Constant, constant
+from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64, Format
-from gainproof.derive.printer.kernel import Input, Kernel
+from gainproof.derive.printer.kernel import Input, Kernel, Limit
 
 WIDTH = 96  # of the text, inside an indentation of four
+
+ONE = (
+    "Outside an output's range, a few numbers next to its ends apart, its true value is no normal "
+    "number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are "
+    "taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are, "
+    "integers become float64."
+)
+SEVERAL = (
+    "Every true value that an error is relative to is a normal number. Numbers and arrays are "
+    "taken, arrays of any shapes that broadcast. Where all inputs are float32 so are the results; "
+    "otherwise everything becomes float64, integers too."
+)
 
 
 def number_text(value: float, form: Format) -> str:
@@ -24,19 +37,28 @@ def number_text(value: float, form: Format) -> str:
 def wanted_text(given: Input) -> str:
     """The domain of an input in words, for its guard's message."""
     number = "a whole number" if given.integer else "a number"
-    lower = constant(given.lower)
+    text = f"{number} {_ends_text(given)}"
+    if given.single is None:
+        return text
+    lower, upper = given.single
+    single = _ends_text(replace(given, lower=lower, upper=upper))
+    return f"{text}, in float32 {single}"
+
+
+def _ends_text(given: Input) -> str:
     least = "above" if given.lower_open else "at least"
-    ends = [f"{least} {_value_text(lower)}"]
+    lower = f"{least} {_limit_text(given.lower)}"
     if given.upper is None:
-        ends.append("finite")
-    else:
-        ends.append(
-            f"{'below' if given.upper_open else 'at most'} {_value_text(constant(given.upper))}"
-        )
-    return f"{number} {' and '.join(ends)}"
+        return f"{lower} and finite"
+    most = "below" if given.upper_open else "at most"
+    return f"{lower} and {most} {_limit_text(given.upper)}"
 
 
-def _value_text(value: Constant) -> str:
+def _limit_text(limit: Limit) -> str:
+    """A limit as its author wrote it; one made by roots as its nearest number."""
+    if isinstance(limit, str):
+        return limit
+    value = constant(limit)
     return repr(value.nearest(FLOAT64)) if value.rational is None else str(value.rational)
 
 
@@ -47,13 +69,7 @@ def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
         [f"    {line}" for line in kernel.equations],
         [line for given in kernel.inputs for line in _input(given)],
         [line for row in range(len(kernel.outputs)) for line in _output(kernel, bounds, row)],
-        _wrap(
-            "Outside an output's range, a few numbers next to its ends apart, its true value is no "
-            "normal number: it comes as 0, a "
-            "subnormal number or infinity, never as NaN. Numbers and arrays are taken, arrays of "
-            "any shape; inputs are broadcast. float64 and float32 stay what they are, integers "
-            "become float64. `out`: a tuple of arrays to fill."
-        ),
+        _wrap(f"{SEVERAL if len(kernel.inputs) > 1 else ONE} `out`: a tuple of arrays to fill."),
         _wrap(
             "ValueError: an input outside its domain, with its place; `out` that does not fit. "
             "TypeError: an input that is no real number of these types."
@@ -80,7 +96,7 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
         f"{number_text(each.highest, form)} ({form.name})"
         for form, each in found
     ]
-    text += " and ".join(places) + "."
+    text += "every input." if len(kernel.inputs) > 1 else " and ".join(places) + "."
     for name, reason in kernel.cancellations.items():
         if found[0][1].amplification.get(name):
             most = max(each.amplification[name] for _, each in found)

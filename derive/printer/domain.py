@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -10,18 +11,25 @@ import numpy as np
 from gainproof.derive.printer import boxes
 from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.exact import is_normal, last_that_holds
-from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.formats import FLOAT32, Format
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.kernel import Input
-from gainproof.derive.printer.value import Grid, PrintingError, true_size
+from gainproof.derive.printer.value import Box, Grid, PrintingError, true_size
 
 FINER = 6  # bisections of all boxes before an output is given up as nowhere normal
 
 
 def input_range(given: Input, form: Format) -> tuple[float, float]:
-    """The least and the greatest number of the format in an input's domain."""
+    """The least and the greatest number of the format in an input's domain.
+
+    An end that is admitted means the number nearest to it, so that 1e-30 is in from 1e-30 on.
+    """
+    if given.single is not None and form is FLOAT32:
+        return input_range(
+            replace(given, lower=given.single[0], upper=given.single[1], single=None), form
+        )
     lower = constant(given.lower)
-    lowest = lower.at_least(form)
+    lowest = lower.at_least(form) if given.lower_open else lower.nearest(form)
     if given.lower_open and lower.is_exact(form):
         lowest = form.after(lowest)
     if given.upper is None:
@@ -29,10 +37,25 @@ def input_range(given: Input, form: Format) -> tuple[float, float]:
     upper = constant(given.upper)
     if upper.rational is not None and upper.rational > Fraction(form.largest):
         return lowest, form.largest
-    highest = upper.at_most(form)
+    highest = upper.at_most(form) if given.upper_open else upper.nearest(form)
     if given.upper_open and upper.is_exact(form):
         highest = form.before(highest)
     return lowest, highest
+
+
+def product(inputs: Sequence[Input], form: Format) -> Box:
+    """The domain of several inputs; PrintingError unless all are closed and positive."""
+    for given in inputs:
+        if given.upper is None or given.lower_open or given.upper_open:
+            raise PrintingError(f"input {given.name}: one of several needs a closed domain")
+    domain = tuple(input_range(given, form) for given in inputs)
+    for given, (low, high) in zip(inputs, domain, strict=True):
+        if not form.least_normal <= low < high:
+            raise PrintingError(
+                f"input {given.name}: one of several needs a domain of positive normal numbers, "
+                f"got {low!r} to {high!r}"
+            )
+    return domain
 
 
 def greatest_normal(form: Format) -> float:
@@ -57,8 +80,8 @@ def normal_interval(
         if len(sure):
             break
         finer = boxes.halves(forward.grid, form)
-        order = np.argsort(finer.low, kind="stable")
-        forward = again(boxes.grid(finer.low[order], finer.high[order]))
+        order = np.argsort(finer.low[0], kind="stable")
+        forward = again(boxes.grid(finer.low[:, order], finer.high[:, order]))
     else:
         raise PrintingError("an output is nowhere surely a normal number")
 
@@ -72,9 +95,10 @@ def normal_interval(
             inside = place
         return inside
 
+    (low_ends,), (high_ends,) = forward.grid.low, forward.grid.high
     # ends of boxes may lie between numbers of a narrower format
-    lows = [form.at_least(Fraction(x)) for x in forward.grid.low[: sure[0]][::-1].tolist()]
-    highs = [form.at_most(Fraction(x)) for x in forward.grid.high[sure[-1] + 1 :].tolist()]
-    first = form.at_least(Fraction(float(forward.grid.low[sure[0]])))
-    last = form.at_most(Fraction(float(forward.grid.high[sure[-1]])))
+    lows = [form.at_least(Fraction(x)) for x in low_ends[: sure[0]][::-1].tolist()]
+    highs = [form.at_most(Fraction(x)) for x in high_ends[sure[-1] + 1 :].tolist()]
+    first = form.at_least(Fraction(float(low_ends[sure[0]])))
+    last = form.at_most(Fraction(float(high_ends[sure[-1]])))
     return end(first, lows), end(last, highs)

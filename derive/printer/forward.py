@@ -1,10 +1,10 @@
-"""Ranges of every step over many boxes of the input, exactly and under every possible rounding.
+"""Ranges of every step over many boxes of the inputs, exactly and under every possible rounding.
 
-For each box: the magnitude's range, the sign, and the range of the logarithmic slope
-d log|value| / d log(input): where it has one sign the range comes from the box's ends, and so does
-that of the ratio of two steps whose slopes differ by one sign. `drift` E bounds what rounding does
-to a step: computed/exact lies in [1/(1 + E), 1 + E], but for an absolute error of `stray` where an
-operand may be subnormal or zero.
+For each box: the magnitude's range, the sign, and the ranges of the logarithmic slopes
+d log|value| / d log(input): where they have signs the range comes from the box's corners, and so
+does that of the ratio of two steps whose slopes differ by signs. `drift` E bounds what rounding
+does to a step: computed/exact lies in [1/(1 + E), 1 + E], but for an absolute error of `stray`
+where an operand may be subnormal or zero.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Forward:
     ) -> None:
         self.program, self.grid, self.form = program, grid, form
         self.cancellations = cancellations
-        self.count = len(grid.low)
+        self.count = grid.count
         self.unit = form.unit_roundoff * MARGIN
         self.least_normal = form.least_normal * LEAST_NORMAL
         self.values: list[Value] = []
@@ -69,14 +69,15 @@ class Forward:
             return scaled(parts[0], step.scale)
         match step.operation:
             case "input":
-                return input_value(self.grid)
+                return input_value(self.grid, self.program.axis(number))
             case "constant":
                 assert step.constant is not None
-                return constant_value(step.constant, self.count, self.form)
+                return constant_value(step.constant, self.grid, self.form)
             case "add" | "sub":
                 affine = affine_sum(self.program, number, self.form)
                 if affine is not None:
-                    value = affine_value(affine, self.grid, self.unit)
+                    axis = self.program.axis(affine.source)
+                    value = affine_value(affine, self.grid, axis, self.unit)
                     return with_stray(value, [part.stray for part in parts], self.unit)
                 return self._sum(number, step, parts)
             case "mul":
@@ -159,9 +160,12 @@ class Forward:
     def condition(self, step: Step) -> Mask:
         """Where the first operand of a select step is less than the second, box by box."""
         limit = threshold(self.program, step, self.form)
+        low = self.grid.low[self.program.axis(limit.source)]
         if limit.input_first:
-            return self.grid.low < self.form.at_least(limit.place)
-        return self.form.at_most(limit.place) < self.grid.low
+            below: Mask = low < self.form.at_least(limit.place)
+        else:
+            below = self.form.at_most(limit.place) < low
+        return below
 
     def _name(self, number: int) -> str:
         step = self.program.steps[number]

@@ -1,8 +1,8 @@
 """Outward-rounded intervals of nonnegative numbers, many at once in NumPy arrays.
 
 An interval is a pair (low, high) of float64 arrays with 0 <= low <= high <= infinity. Only
-+ - * / and square roots of IEEE arithmetic and the step to the neighbouring number are used, so
-that the same numbers come on every machine. The caller holds ``numpy.errstate(all="ignore")``.
++ - * / and square roots of IEEE arithmetic are used, so that the same numbers come on every
+machine. The caller holds ``numpy.errstate(all="ignore")``.
 """
 
 from __future__ import annotations
@@ -15,18 +15,26 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Interval = tuple[Array, Array]
 
+UNIT = 2.0**-52
+ABOVE, BELOW = 1.0 + UNIT, 1.0 - UNIT
+LEAST, LARGEST = 2.0**-1074, (2.0 - UNIT) * 2.0**1023
+
 # More than all roundings of `spread` and of a widening by two factors together.
 SLACK = 1.0 + 2.0**-36
 
 
 def down(x: Array) -> Array:
-    """The next number towards zero."""
-    return np.nextafter(x, 0.0)
+    """A number below x >= 0, the next or the next but one; 0 below 0, the largest below infinity.
+
+    x (1 - 2^-52) is below the exact x by one unit at least, subnormal numbers apart. NumPy's
+    nextafter takes fifty times as long as a product.
+    """
+    return np.maximum(np.minimum(x, LARGEST) * BELOW - LEAST, 0.0)
 
 
 def up(x: Array) -> Array:
-    """The next number above."""
-    return np.nextafter(x, np.inf)
+    """A number above x >= 0, the next or the next but one."""
+    return x * ABOVE + LEAST
 
 
 def add(a: Interval, b: Interval) -> Interval:
@@ -88,16 +96,14 @@ def reciprocal(a: Interval) -> Interval:
 
 def signed_add(a: Interval, b: Interval) -> Interval:
     """a + b for intervals of either sign; infinity - infinity gives the whole line."""
-    low = np.nextafter(a[0] + b[0], -np.inf)
-    high = np.nextafter(a[1] + b[1], np.inf)
-    return _whole_where_nan(low, high)
+    return _widened(a[0] + b[0], a[1] + b[1])
 
 
 def signed_multiply(a: Interval, weight: Interval) -> Interval:
     """a of either sign times a nonnegative weight."""
-    low = np.nextafter(np.minimum(a[0] * weight[0], a[0] * weight[1]), -np.inf)
-    high = np.nextafter(np.maximum(a[1] * weight[0], a[1] * weight[1]), np.inf)
-    return _whole_where_nan(low, high)
+    low = np.minimum(a[0] * weight[0], a[0] * weight[1])
+    high = np.maximum(a[1] * weight[0], a[1] * weight[1])
+    return _widened(low, high)
 
 
 def magnitude(a: Interval) -> Array:
@@ -110,7 +116,9 @@ def mignitude(a: Interval) -> Array:
     return np.maximum(np.maximum(a[0], -a[1]), 0.0) + 0.0
 
 
-def _whole_where_nan(low: Array, high: Array) -> Interval:
+def _widened(low: Array, high: Array) -> Interval:
+    """Both ends moved outward by a unit at least; what is lost at infinity may be anything."""
+    low, high = low - (np.abs(low) * UNIT + LEAST), high + (np.abs(high) * UNIT + LEAST)
     lost: Any = np.isnan(low) | np.isnan(high)
     if lost.any():
         return np.where(lost, -np.inf, low), np.where(lost, np.inf, high)

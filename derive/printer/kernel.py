@@ -18,7 +18,10 @@ class Input:
 
     `meaning` is a phrase for the docstring; every argument is dimensionless. The domain reaches
     from `lower` to `upper` (None: every finite float), an open end excluded. `integer`: only whole
-    numbers.
+    numbers. `single`: lower and upper in float32, where they are others.
+
+    A kernel with several inputs has its bounds on the whole product of their domains, which are
+    closed and positive: `closed` makes such an input.
     """
 
     name: str
@@ -28,6 +31,14 @@ class Input:
     lower_open: bool = True
     upper_open: bool = True
     integer: bool = False
+    single: tuple[Limit, Limit] | None = None
+
+
+def closed(
+    name: str, meaning: str, lower: Limit, upper: Limit, single: tuple[Limit, Limit] | None = None
+) -> Input:
+    """An input of a kernel with several: from `lower` to `upper`, both admitted."""
+    return Input(name, meaning, lower, upper, False, False, single=single)
 
 
 @dataclass(frozen=True)

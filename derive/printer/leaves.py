@@ -9,27 +9,31 @@ import numpy as np
 from gainproof.derive.printer import interval
 from gainproof.derive.printer.affine import AffineSum
 from gainproof.derive.printer.constant import Constant
+from gainproof.derive.printer.corners import rows
 from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.value import MARGIN, Grid, Signs, Value, absolute
 
 
-def input_value(grid: Grid) -> Value:
-    """The input itself, positive and exact."""
-    ones = np.ones(len(grid.low))
-    size = np.stack([grid.low, grid.low, grid.high]), np.stack([grid.high, grid.low, grid.high])
-    return Value(size, (ones, ones), np.ones(len(grid.low), np.int8))
+def input_value(grid: Grid, axis: int) -> Value:
+    """One of the inputs, positive and exact."""
+    low, high = grid.low[axis], grid.high[axis]
+    size = tuple(rows(end, low, high, axis, grid.axes) for end in (low, high))
+    slope = np.zeros(grid.low.shape)
+    slope[axis] = 1.0
+    return Value((size[0], size[1]), (slope, slope), np.ones(grid.count, np.int8))
 
 
-def constant_value(constant: Constant, count: int, form: Format) -> Value:
-    """A constant in `count` boxes, with the rounding that its nearest number costs."""
+def constant_value(constant: Constant, grid: Grid, form: Format) -> Value:
+    """A constant, with the rounding that its nearest number costs."""
+    count = grid.count
     low, high = constant.between()
     sign = 0 if high == 0 else 1 if low > 0 else -1
     below, above = sorted((abs(low), abs(high)))
     size = (
-        np.full((3, count), FLOAT64.at_most(below)),
-        np.full((3, count), FLOAT64.at_least(above)),
+        np.full((1 + 2**grid.axes, count), FLOAT64.at_most(below)),
+        np.full((1 + 2**grid.axes, count), FLOAT64.at_least(above)),
     )
-    zeros = np.zeros(count)
+    zeros = np.zeros(grid.low.shape)
     value = Value(size, (zeros, zeros), np.full(count, sign, np.int8))
     if not constant.is_exact(form):
         nearest = Fraction(constant.nearest(form))
@@ -39,9 +43,10 @@ def constant_value(constant: Constant, count: int, form: Format) -> Value:
     return value
 
 
-def affine_value(affine: AffineSum, grid: Grid, unit: float) -> Value:
+def affine_value(affine: AffineSum, grid: Grid, axis: int, unit: float) -> Value:
     """Constant plus scaled input: monotone, so that the boxes' ends enclose it and its slope."""
-    ends = [affine.at(x) for x in (grid.low, grid.high)]
+    places = grid.low[axis], grid.high[axis]
+    ends = [affine.at(x) for x in places]
     low = np.minimum(ends[0][0], ends[1][0])
     high = np.maximum(ends[0][1], ends[1][1])
     sign: Signs = np.where(low >= 0, 1, -1).astype(np.int8)
@@ -51,17 +56,21 @@ def affine_value(affine: AffineSum, grid: Grid, unit: float) -> Value:
     nearest = np.where(crossing, 0.0, np.minimum(sizes[0][0], sizes[1][0]))
     farthest = np.maximum(sizes[0][1], sizes[1][1])
     size = (
-        np.stack([nearest, sizes[0][0], sizes[1][0]]),
-        np.stack([farthest, sizes[0][1], sizes[1][1]]),
+        rows(nearest, sizes[0][0], sizes[1][0], axis, grid.axes),
+        rows(farthest, sizes[0][1], sizes[1][1], axis, grid.axes),
     )
     steep = []
-    for x, end in zip((grid.low, grid.high), sizes, strict=True):
+    for x, end in zip(places, sizes, strict=True):
         scaled = x * abs(affine.factor)
         steep.append(interval.divide((scaled, scaled), end))
     least = np.minimum(steep[0][0], steep[1][0])
     most = np.maximum(steep[0][1], steep[1][1])
     falling = sign * affine.factor < 0
-    slope = np.where(falling, -most, least), np.where(falling, -least, most)
+    slope = np.zeros(grid.low.shape), np.zeros(grid.low.shape)
+    slope[0][axis], slope[1][axis] = (
+        np.where(falling, -most, least),
+        np.where(falling, -least, most),
+    )
     value = Value(size, slope, sign, unit * affine.parts, unit * affine.parts)
     value.invalid = crossing if crossing.any() else None
     return value

@@ -39,6 +39,10 @@ class Program:
     outputs: dict[str, int]
     inputs: tuple[str, ...]
 
+    def axis(self, number: int) -> int:
+        """Which of the inputs a step of operation input is."""
+        return self.inputs.index(self.steps[number].label)
+
     def affine(self, number: int) -> tuple[Constant | None, int, float] | None:
         """What a step is if it needs no rounding: (constant, 0, sign) or (None, input, +-2^k).
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gainproof.derive.printer import interval
+from gainproof.derive.printer.corners import extremes
 from gainproof.derive.printer.interval import Array, Interval
 from gainproof.derive.printer.value import Value, none_as_zero, sum_of
 
@@ -12,8 +13,8 @@ from gainproof.derive.printer.value import Value, none_as_zero, sum_of
 def ratio(a: Value, b: Value, width: Array) -> Interval:
     """|a|/|b| over boxes of the given width, under every possible rounding.
 
-    Where the slopes differ by one sign the ratio is monotone and its ends suffice; else it moves
-    away from either end by no more than the largest difference of slopes allows.
+    Along an axis where the slopes differ by one sign the ratio is monotone and an end suffices;
+    else it moves away from either end by no more than the largest difference of slopes allows.
     """
     low, high = _exact(a, b, width)
     wide = (1.0 + sum_of(a.drift, b.drift)) * interval.SLACK
@@ -26,14 +27,7 @@ def ratio(a: Value, b: Value, width: Array) -> Interval:
 def _exact(a: Value, b: Value, width: Array) -> Interval:
     least = np.nextafter(a.slope[0] - b.slope[1], -np.inf)
     most = np.nextafter(a.slope[1] - b.slope[0], np.inf)
-    low, high = interval.divide(a.size, b.size)
-    factor = interval.spread(np.maximum(-least, most), width)
-    rises, falls = least >= 0, most <= 0
-    from_ends = np.maximum(low[1], low[2]) / factor, np.minimum(high[1], high[2]) * factor
-    return (
-        np.where(rises, low[1], np.where(falls, low[2], np.fmax(low[0], from_ends[0]))),
-        np.where(rises, high[2], np.where(falls, high[1], np.fmin(high[0], from_ends[1]))),
-    )
+    return extremes(interval.divide(a.size, b.size), (least, most), width)
 
 
 def _astray(a: Value, b: Value, tight: Interval, wide: float) -> Interval:

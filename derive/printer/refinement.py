@@ -1,4 +1,4 @@
-"""When boxes are bisected and when their bounds are good enough."""
+"""When boxes over one input are bisected and when their bounds are good enough."""
 
 from __future__ import annotations
 
@@ -23,20 +23,21 @@ class Refinement:
         self.before = np.full(count, np.inf)
         self.total, self.rounds = 0, 0
 
-    def step(self, grid: Grid, upper: Array, lower: Array, inside: Mask) -> Mask:
+    def step(self, grid: Grid, upper: Array, lower: Array) -> Mask:
         """Settles the bounds of some boxes, and says which others are to be bisected.
 
         A box is bisected while its bound may still come down: above the least possible maximum by
         more than the tolerance, and not when the last bisection of all such boxes changed nothing.
         """
-        self.total += len(grid.low)
+        self.total += grid.count
         self.rounds += 1
         self.least = np.maximum(self.least, lower.max(axis=1, initial=0.0))
         largest = upper.max(axis=1, initial=0.0)
         stuck = (largest > self.before * (1.0 - TOLERANCE / 4))[:, None] & np.isfinite(upper)
         self.before = largest
-        promising = (upper > self.least[:, None] * (1.0 + TOLERANCE)) & inside & ~stuck
-        again: Mask = promising.any(axis=0) & (grid.low < grid.high)
+        # outside an output's domain its bound is 0: nothing promising
+        promising = (upper > self.least[:, None] * (1.0 + TOLERANCE)) & ~stuck
+        again: Mask = promising.any(axis=0) & (grid.low < grid.high).any(axis=0)
         if self.total > GREATEST_COUNT or self.rounds > ROUNDS:
             again[:] = False
         kept = np.where(again, 0.0, upper)
@@ -45,5 +46,5 @@ class Refinement:
 
     def finer(self, grid: Grid, again: Mask) -> Grid:
         """Those boxes, each in four."""
-        part = boxes.grid(grid.low[again], grid.high[again])
+        part = boxes.grid(grid.low[:, again], grid.high[:, again])
         return boxes.halves(boxes.halves(part, self.form), self.form)

@@ -9,10 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gainproof.derive.printer import interval
+from gainproof.derive.printer.corners import extremes
 from gainproof.derive.printer.interval import Array, Interval
 
 Signs = NDArray[np.int8]
 Mask = NDArray[np.bool_]
+Box = tuple[tuple[float, float], ...]
+"""Least and greatest number of each input."""
 
 
 # u is taken larger by this: covers 1/(1 - u), a result just below the least normal number,
@@ -28,16 +31,31 @@ class PrintingError(ValueError):
 
 @dataclass(frozen=True)
 class Grid:
-    """Boxes [low, high] of the input; `width` is at least high/low - 1, 0 for a point."""
+    """Boxes [low, high] with a row for each input and a column for each box.
+
+    `width` is at least high/low - 1, 0 where an input has one value only.
+    """
 
     low: Array
     high: Array
     width: Array
 
+    @property
+    def axes(self) -> int:
+        """The number of inputs."""
+        return len(self.low)
+
+    @property
+    def count(self) -> int:
+        """The number of boxes."""
+        return int(self.low.shape[1])
+
 
 @dataclass
 class Value:
-    """What is known of one step; arrays run over boxes, `size` has rows box, low end, high end.
+    """What is known of one step; arrays run over boxes, `size` has rows box and its corners.
+
+    `slope` has a row for each input: d log|value| / d log(input) over the box.
 
     `size` encloses |exact value|; where `loose` (a named cancellation) it is the reference that
     errors are measured by, the sum of the operands' sizes, and `true_size` encloses the value.
@@ -67,11 +85,9 @@ def true_size(value: Value) -> Interval:
 
 
 def monotone(value: Value) -> None:
-    """Takes the range over each box from its ends where the slope has one sign there."""
+    """Takes the range over each box from its corners where the slopes have signs there."""
     low, high = value.size
-    rises, falls = value.slope[0] >= 0, value.slope[1] <= 0
-    low[0] = np.where(rises, low[1], np.where(falls, low[2], low[0]))
-    high[0] = np.where(rises, high[2], np.where(falls, high[1], high[0]))
+    low[0], high[0] = extremes(value.size, value.slope)
 
 
 def like(part: Value, sign: Signs) -> Value:

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 import flint
 import numpy as np
 from numpy.typing import NDArray
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
-from gainproof.derive.printer.kernel import Input, Kernel, Limit, Module, Output
+from gainproof.derive.printer.kernel import Input, Kernel, Limit, Module, Output, closed
 from gainproof.derive.printer.numpy_source import module_source
 
+Point = float | Mapping[str, float]
+Place = TypeVar("Place", float, Mapping[str, float])
 KINDS: dict[str, type[Any]] = {"float64": np.float64, "float32": np.float32}
 
 
@@ -51,6 +54,26 @@ def text_of(kernel: Kernel) -> str:
     return module_source(Module("made", "Made for a test", "a command", "a derivation", (kernel,)))
 
 
+def several_of(
+    graph: Graph,
+    lower: Limit,
+    upper: Limit,
+    scales: dict[str, str] | None = None,
+    cancellations: dict[str, str] | None = None,
+    single: tuple[Limit, Limit] | None = None,
+) -> Kernel:
+    """A kernel of the inputs x and z, both closed; the rest as in `kernel_of`."""
+    inputs = tuple(closed(name, "an argument", lower, upper, single) for name in ("x", "z"))
+    return replace(kernel_of(graph, scales, cancellations), inputs=inputs)
+
+
+def two_inputs(write: Callable[[GraphBuilder, Node, Node], Node], **options: Any) -> Kernel:
+    """A kernel whose one output y is written by a function of builder and both inputs."""
+    b = GraphBuilder()
+    graph = b.graph({"y": write(b, b.symbol("x"), b.symbol("z"))})
+    return several_of(graph, **{"lower": "1e-6", "upper": "1e6", **options})
+
+
 def function_of(kernel: Kernel) -> Callable[..., tuple[NDArray[np.floating[Any]], ...]]:
     """The printed function, run with the printer's own copy of the run time."""
     text = text_of(kernel).replace(
@@ -62,13 +85,20 @@ def function_of(kernel: Kernel) -> Callable[..., tuple[NDArray[np.floating[Any]]
     return function
 
 
-def balls(graph: Graph, x: float, bits: int = 400) -> dict[str, flint.arb]:
+def balls(graph: Graph, point: Point, bits: int = 400) -> dict[str, flint.arb]:
     """Enclosures of all outputs, straight from the graph's nodes."""
+    values = node_balls(graph, point, bits)
+    return {name: values[number] for name, number in graph["outputs"].items()}
+
+
+def node_balls(graph: Graph, point: Point, bits: int = 400) -> list[flint.arb]:
+    """Enclosures of all nodes; a plain number is the value of every symbol."""
     with flint.ctx.workprec(bits):
         values: list[flint.arb] = []
         for node in graph["nodes"]:
-            values.append(_ball(node, values, Fraction(x)))
-        return {name: values[number] for name, number in graph["outputs"].items()}
+            x = point[str(node[1])] if isinstance(point, Mapping) and node[0] == "symbol" else point
+            values.append(_ball(node, values, Fraction(x) if isinstance(x, float) else Fraction(0)))
+        return values
 
 
 def _ball(node: Sequence[str | int], values: list[flint.arb], x: Fraction) -> flint.arb:
@@ -102,11 +132,12 @@ def _ball(node: Sequence[str | int], values: list[flint.arb], x: Fraction) -> fl
 
 
 def worst_error(
-    kernel: Kernel, computed: Sequence[NDArray[np.floating[Any]]], row: int, points: Sequence[float]
-) -> tuple[float, float]:
+    kernel: Kernel, computed: Sequence[NDArray[np.floating[Any]]], row: int, points: Sequence[Place]
+) -> tuple[float, Place | None]:
     """The greatest error of an output over its scale, as a plain number, and where it is."""
     output = kernel.outputs[row]
-    worst, place = 0.0, points[0] if len(points) else 0.0
+    worst: float = 0.0
+    place: Place | None = None
     for x, value in zip(points, computed[row].tolist(), strict=True):
         exact = balls(kernel.graph, x)
         error = abs(

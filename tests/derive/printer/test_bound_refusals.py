@@ -160,14 +160,6 @@ def test_an_untaken_branch_may_do_anything() -> None:
     assert only(kernel) < Fraction(155, 100)
 
 
-def test_several_inputs_are_not_built_yet() -> None:
-    b = GraphBuilder()
-    kernel = kernel_of(b.graph({"y": b.symbol("x") + b.symbol("z")}))
-    twice = Kernel(**{**vars(kernel), "inputs": kernel.inputs * 2})
-    with pytest.raises(NotImplementedError, match="several inputs"):
-        prove(twice, FLOAT64)
-
-
 def test_an_unknown_scale_is_named() -> None:
     b = GraphBuilder()
     kernel = kernel_of(b.graph({"y": b.symbol("x")}), {"y": "missing"})

@@ -1,0 +1,51 @@
+"""Ranges over boxes from their corners, where the slopes along the axes have a sign.
+
+A quantity has rows: its range over the whole box, then its values at the 2^n corners of a box of n
+inputs, the first input's end changing slowest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gainproof.derive.printer import interval
+from gainproof.derive.printer.interval import Array, Interval
+
+
+def rows(box: Array, low: Array, high: Array, axis: int, axes: int) -> Array:
+    """The rows of what depends on one input only, from its values at both ends of that input."""
+    ends: Sequence[Array] = (low, high)
+    places = (corner >> (axes - 1 - axis) & 1 for corner in range(2**axes))
+    return np.stack([box, *(ends[place] for place in places)])
+
+
+def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Interval:
+    """The range over each box.
+
+    Along an axis where the slope has one sign an end suffices; else the quantity moves away from
+    either end by no more than its largest slope allows over the `width`, if that is given.
+    """
+    below, above = size
+    axes, count = slope[0].shape
+    least, most = (end[1:].reshape((2,) * axes + (count,)) for end in size)
+    settled = np.ones(count, np.bool_)
+    for axis, (low, high) in enumerate(zip(*slope, strict=True)):
+        rises, falls = low >= 0, high <= 0
+        sure = rises | falls
+        settled &= sure
+        if sure.all():
+            least = np.where(rises, least[0], least[1])
+            most = np.where(rises, most[1], most[0])
+            continue
+        factor: Array | float = np.inf
+        if width is not None:
+            factor = interval.spread(np.maximum(-low, high), width[axis])
+        lower, upper = np.fmax(least[0], least[1]) / factor, np.fmin(most[0], most[1]) * factor
+        least = np.where(rises, least[0], np.where(falls, least[1], lower))
+        most = np.where(rises, most[1], np.where(falls, most[0], upper))
+    return (
+        np.where(settled, least, np.fmax(below[0], least)),
+        np.where(settled, most, np.fmin(above[0], most)),
+    )

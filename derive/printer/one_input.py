@@ -1,0 +1,54 @@
+"""The proof for a kernel of one input: it finds each output's domain itself."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gainproof.derive.printer import boxes
+from gainproof.derive.printer.behaviour import exclude_nan
+from gainproof.derive.printer.domain import input_range, normal_interval
+from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.proof import Proof, Settled
+from gainproof.derive.printer.refinement import Refinement
+from gainproof.derive.printer.value import Grid
+
+
+class OneInput(Proof):
+    """Boxes over the input's domain, bisected until the bounds of all outputs settle."""
+
+    def __init__(self, kernel: Kernel, form: Format) -> None:
+        super().__init__(kernel, form, (input_range(kernel.inputs[0], form),))
+        ((self.lowest, self.highest),) = self.inputs
+        if self.lowest < 0:
+            raise NotImplementedError(f"{kernel.name}: an input that may be negative")
+
+    def run(self) -> Settled:
+        """Domains first, then their bounds."""
+        zero = [(0.0, self.form.least)] if self.lowest == 0 else []
+        forward = self.forward(boxes.cover(self.inputs, self.near, [zero]))
+        scales = dict.fromkeys(scale for _, scale in self.ends)
+        domain = {scale: normal_interval(forward, scale, self.forward) for scale in scales}
+        self.domains = [(domain[scale],) for _, scale in self.ends]
+        gaps = [
+            gap
+            for low, high in domain.values()
+            for gap in ((self.form.before(low), low), (high, self.form.after(high)))
+            if self.lowest <= gap[0] and gap[1] <= self.highest
+        ]
+        grid = boxes.cover(self.inputs, self.near, [zero + gaps])
+        exclude_nan(grid, self.forward, self.ends, self.domains)
+        return self._refine(grid)
+
+    def _refine(self, grid: Grid) -> Settled:
+        progress = Refinement(len(self.ends), self.form)
+        factors = np.zeros(len(self.ends) * len(self.kernel.cancellations))
+        while True:
+            adjoint = self.adjoint(grid)
+            again = progress.step(grid, adjoint.upper, adjoint.lower)
+            self.refuse(adjoint, np.isinf(adjoint.upper) & ~again)
+            settled = self.cancellations(adjoint)[:, ~again]
+            factors = np.maximum(factors, settled.max(axis=1, initial=0.0))
+            if not again.any():
+                return self.settled(progress.settled, factors, progress.total)
+            grid = progress.finer(grid, again)
