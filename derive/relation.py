@@ -1,8 +1,8 @@
 """Relations: what a derivation asserts, as SymPy expressions and as plain data.
 
 The kinds are those of certificates (see `gainproof.verify.certificate`): equal, positive,
-same_sign, limit, increasing_onto, riccati, stable, positive_definite, program, sum, definition
-and cited.
+same_sign, limit, increasing_onto, monotone, riccati, stable, positive_definite, program, sum,
+definition and cited.
 """
 
 from __future__ import annotations
@@ -56,7 +56,10 @@ def same_sign(left: Any, right: Any) -> Relation:
 
 
 def limit(expression: Any, point: str, value: Any, variable: str = "tracking_index") -> Relation:
-    """The limit as `variable` falls to "0" or grows to "infinity"; value may be "infinity"."""
+    """The limit as `variable` falls to "0" or grows to "infinity"; value may be "infinity".
+
+    Every other parameter of the tower is held; the value is an expression over those.
+    """
     return Relation(
         "limit",
         {"expression": expression, "variable": variable, "point": point, "value": value},
@@ -71,6 +74,11 @@ def increasing_onto(
         "increasing_onto",
         {"expression": expression, "variable": variable, "from": start, "to": end},
     )
+
+
+def monotone(expression: Any, trend: str, variable: str = "tracking_index") -> Relation:
+    """expression is strictly "increasing" or "decreasing" in `variable`, all else held."""
+    return Relation("monotone", {"expression": expression, "variable": variable, "trend": trend})
 
 
 def definition(left: Any, right: Any) -> Relation:

@@ -1,7 +1,9 @@
 """Evidence for relations: the numbers from which the checker decides a statement.
 
-A hint of a step may carry: "form" (an expression that shows a sign), "roots" (the tower value of
-each named square root of a kernel graph), "branches" and "gaps", "ends" (see `towers.End`).
+A hint of a step may carry: "form" (an expression that shows a sign), "limit_form" (one whose limit
+can be read off where that of the claim's own expression cannot), "roots" (the tower value of
+each named square root of a kernel graph), "branches" and "gaps", "ends" (the `limits.End` of the
+variable's parameter at "0" and "infinity").
 """
 
 from __future__ import annotations
@@ -11,12 +13,13 @@ from typing import Any
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import derivative
 from gainproof.derive.algebra.limits import end_evidence
 from gainproof.derive.algebra.plain import fraction_data
 from gainproof.derive.algebra.positive import nonnegative_form
 from gainproof.derive.algebra.riccati import definite_evidence, riccati_evidence, stable_evidence
 from gainproof.derive.algebra.signs import divisors_shown, shown
-from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.derivation import Step
 
 Evidence = dict[str, Any]
@@ -56,8 +59,9 @@ def _same_sign(step: Step, tower: Tower) -> Evidence:
 def _limit(step: Step, tower: Tower) -> Evidence:
     parts = step.relation.parts
     return {
-        **end_evidence(tower, step.hint["ends"][parts["point"]]),
+        **end_evidence(tower, step.hint["ends"][parts["point"]], parts["variable"]),
         "nonzero": divisors_shown(tower, parts["expression"]),
+        **_limit_form(step, tower),
     }
 
 
@@ -66,10 +70,28 @@ def _increasing_onto(step: Step, tower: Tower) -> Evidence:
     return {
         # at a closed end of the domain the derivative may vanish
         "derivative": fraction_data(nonnegative_form(tower, step.hint["form"])),
-        "start": end_evidence(tower, ends["0"]),
-        "end": end_evidence(tower, ends["infinity"]),
+        "start": end_evidence(tower, ends["0"], parts["variable"]),
+        "end": end_evidence(tower, ends["infinity"], parts["variable"]),
         "nonzero": divisors_shown(tower, parts["expression"]),
+        **_limit_form(step, tower),
     }
+
+
+def _limit_form(step: Step, tower: Tower) -> Evidence:
+    """The expression in a form whose leading terms show their signs, where the hint gives one."""
+    if "limit_form" not in step.hint:
+        return {}
+    return {"form": fraction_data(tower.fraction(step.hint["limit_form"]))}
+
+
+def _monotone(step: Step, tower: Tower) -> Evidence:
+    parts = step.relation.parts
+    form = step.hint.get("form")
+    if form is None:
+        slope = derivative(tower, parts["expression"], parts["variable"])
+        form = slope if parts["trend"] == "increasing" else Fraction(-slope.num, slope.den)
+    divisors = divisors_shown(tower, parts["expression"])
+    return {"derivative": fraction_data(nonnegative_form(tower, form)), "nonzero": divisors}
 
 
 def _program(step: Step, tower: Tower) -> Evidence:
@@ -103,6 +125,7 @@ _WRITERS: Mapping[str, Callable[[Step, Tower], Evidence]] = {
     "same_sign": _same_sign,
     "limit": _limit,
     "increasing_onto": _increasing_onto,
+    "monotone": _monotone,
     "riccati": riccati_evidence,
     "stable": stable_evidence,
     "positive_definite": definite_evidence,

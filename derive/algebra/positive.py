@@ -37,7 +37,7 @@ def nonnegative_form(tower: Tower, expression: Any) -> Fraction:
 
     Raises NoPlainSign when the search ends without one.
     """
-    value = tower.fraction(expression)
+    value = expression if isinstance(expression, Fraction) else tower.fraction(expression)
     plain = all(entry > 0 for entry in shift_closed(value.num, tower.parameters).values())
     if plain and is_manifestly_positive(value.den, tower.parameters):
         return value

@@ -148,6 +148,28 @@ class Tower:
             return self.make(base.num**power, base.den**power)
         raise TypeError(f"no value in tower {self.name} for {value!r}")
 
+    def depends_on(self, poly: Poly) -> frozenset[str]:
+        """The parameters that occur in a polynomial, also those inside generators."""
+        found: set[str] = set()
+        for position, name in enumerate(self.variables):
+            if poly.degree(position) > 0:
+                number = position - len(self.parameters)
+                found |= {name} if number < 0 else self.depends_on(self.radicands[number])
+        return frozenset(found)
+
+    def parameter_of(self, name: str) -> str:
+        """The parameter of that name, or the one on which the element of that name alone depends.
+
+        Raises ValueError for an element that depends on several.
+        """
+        if any(entry.symbol == name for entry in self.parameters):
+            return name
+        value = self.elements[name]
+        found = self.depends_on(value.num) | self.depends_on(value.den)
+        if len(found) != 1:
+            raise ValueError(f"{name} in tower {self.name} depends on {sorted(found)}, not on one")
+        return next(iter(found))
+
     def is_zero(self, expression: Any) -> bool:
         """Whether an expression vanishes identically in the tower."""
         return not self.fraction(expression).num

@@ -1,24 +1,28 @@
-"""The value of a quotient at an end of the parameter's domain, exactly.
+"""The value of a quotient at an end of one parameter's domain, exactly.
 
-The one parameter p is written as a distance x -> 0: ``p = lower + x`` at the lower end, ``p = 1/x``
-at infinity; each generator as ``y = Y x^(-weight)`` so that the rescaled relation
-``Y^n = x^(n weight) radicand`` has no negative power of x. Then Y is continuous up to x = 0, where
-it is the nonnegative root of the relation at x = 0: the certificate states it over constants (which
-are positive roots of rational numbers), and the relation confirms it.
+The tending parameter p is written as a distance x -> 0: ``p = lower + x`` at the lower end,
+``p = 1/x`` at infinity; each generator as ``y = Y x^(-weight)`` so that the rescaled relation
+``Y^n = x^(n weight) radicand`` has no negative power of x. The other parameters are held, at any
+point of their domains. Then Y is continuous up to x = 0, where it is the nonnegative root of the
+relation at x = 0: the certificate states it over constants (which are positive roots over the other
+parameters), and the relation confirms it at every point of them.
 
-The limit is read from the lowest powers of x above and below the line. If their coefficients
-vanish at x = 0 nothing can be concluded, and the statement is rejected.
+The limit is read from the lowest powers of x above and below the line. If their coefficients are
+not manifestly positive or negative for all values of the other parameters, nothing can be
+concluded, and the statement is rejected. So the limit is one for every fixed value of the others;
+nothing is said of them tending together.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from gainproof.verify.certificate import schema, written
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.polynomial import Polynomial, Ring
+from gainproof.verify.certificate.polynomial import Monomial, Polynomial, Ring
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial
 from gainproof.verify.certificate.rejection import RejectedError
 from gainproof.verify.certificate.tower import Tower, read_generator
@@ -29,9 +33,13 @@ _MAXIMUM_CONSTANTS = 12
 
 @dataclass(frozen=True, slots=True)
 class Boundary:
-    """An end of the parameter's domain, with the rescaled generators' values there."""
+    """An end of one parameter's domain, with the rescaled generators' values there.
+
+    ``constants`` holds the other parameters and then the constants.
+    """
 
     field: Field
+    position: int
     at_infinity: bool
     weights: tuple[int, ...]
     constants: Field
@@ -73,37 +81,79 @@ class Boundary:
     def lowest_terms(self, value: Polynomial) -> tuple[int, Polynomial]:
         """The lowest power of x, and its coefficient at the boundary, not reduced."""
         if not self.at_infinity:
-            value = self.field.shifted(value)
+            value = self.field.shifted_at(value, self.position)
         orders: dict[int, Polynomial] = {}
         for monomial, coefficient in value.coefficients():
-            order = -monomial[0] if self.at_infinity else monomial[0]
-            term = self.constants.ring.constant(coefficient)
-            for weight, exponent, root in zip(
-                self.weights, monomial[1:], self.values, strict=False
+            order = -monomial[self.position] if self.at_infinity else monomial[self.position]
+            term = self._at_boundary(monomial, coefficient)
+            for weight, exponent in zip(
+                self.weights, monomial[len(self.field.parameters) :], strict=True
             ):
                 order -= weight * exponent
-                if exponent:
-                    term = self.constants.reduce(term * root**exponent)
             previous = orders.get(order)
             orders[order] = term if previous is None else previous + term
         lowest = min(orders)
         return lowest, orders[lowest]
 
+    def held(self, value: Ratio) -> Ratio:
+        """A quantity that does not depend on the tending parameter, over the constants.
+
+        Raises RejectedError for one that does.
+        """
+        result = polynomial(self.constants, self._held(value.numerator))
+        for factor, multiplicity in value.factors.items():
+            below = self.constants.reduce(self._held(factor))
+            if not self.constants.positive(below):
+                raise RejectedError("a denominator is not shown to be positive at the boundary")
+            result = result.over(polynomial(self.constants, below).power(multiplicity))
+        return result
+
+    def _held(self, value: Polynomial) -> Polynomial:
+        field = self.field
+        if self.position in field.depends_on(value):
+            raise RejectedError(
+                f"the value of a limit depends on {field.parameters[self.position].symbol!r}, "
+                "the parameter that tends"
+            )
+        for number_, weight in enumerate(self.weights):
+            # with a weight the value here belongs to the rescaled generator, not to itself
+            if weight and value.occurs(field.position(number_)):
+                raise RejectedError("the value of a limit holds a rescaled generator")
+        result = self.constants.ring.constant(0)
+        for monomial, coefficient in value.coefficients():
+            result = result + self._at_boundary(monomial, coefficient)
+        return result
+
+    def _at_boundary(self, monomial: Monomial, coefficient: Fraction) -> Polynomial:
+        """A term without the tending parameter, the generators' values put in.
+
+        Values of later generators may still be missing: then their exponents are zero.
+        """
+        ring, parameters = self.constants.ring, len(self.field.parameters)
+        others = [e for i, e in enumerate(monomial[:parameters]) if i != self.position]
+        term = ring.monomial(dict(enumerate(others))).times(coefficient)
+        for exponent, root in zip(monomial[parameters:], self.values, strict=False):
+            if exponent:
+                term = self.constants.reduce(term * root**exponent)
+        return term
+
 
 def read_boundary(
     value: Plain,
     tower: Tower,
-    at_infinity: bool,
+    end: tuple[int, bool],
     place: str,
 ) -> tuple[Boundary, Callable[[set[int]], None]]:
     """The evidence of a limit, checked; and a function that rejects unused constants.
 
-    The fields are "weights", "constants" and "boundary". Weights and boundary values are given for
-    every generator. Weights are nonnegative at infinity and nonpositive at the lower end.
+    ``end`` is the place of the parameter that tends, and whether to infinity. The fields are
+    "weights", "constants" and "boundary". Weights and boundary values are given for every
+    generator. Weights are nonnegative at infinity and nonpositive at the lower end.
     """
     field = tower.field
-    if len(field.parameters) != 1 or field.free:
-        raise RejectedError(f"{place}: limits are possible in towers with one parameter only")
+    if field.free:
+        raise RejectedError(f"{place}: no limits with free symbols")
+    position, at_infinity = end
     fields = schema.record(value, ("weights", "constants", "boundary"), place)
     names = tuple(generator.symbol for generator in field.generators)
     weights = schema.record(fields["weights"], names, f"{place}.weights")
@@ -111,25 +161,26 @@ def read_boundary(
     scaled = tuple(
         schema.integer(weights[n], lowest, highest, f"{place}.weights.{n}") for n in names
     )
-    constants = _read_constants(fields["constants"], field, f"{place}.constants")
+    constants = _read_constants(fields["constants"], field, position, f"{place}.constants")
     entries = schema.record(fields["boundary"], names, f"{place}.boundary")
-    boundary = Boundary(field, at_infinity, scaled, constants, ())
+    boundary = Boundary(field, position, at_infinity, scaled, constants, ())
     for index, generator_name in enumerate(names):
         root = written.polynomial(
             entries[generator_name], constants.ring, f"{place}.boundary.{generator_name}"
         )
         boundary = _with_root(boundary, index, root, f"{place}.boundary.{generator_name}")
+    first = len(constants.parameters)
     occurring = {
         i
-        for i in range(constants.ring.size)
+        for i in range(first, constants.ring.size)
         if any(root.occurs(i) for root in boundary.values)
         or any(g.radicand.occurs(i) for g in constants.generators)
     }
 
     def finish(also_used: set[int]) -> None:
         idle = {
-            constants.generators[i].symbol
-            for i in range(constants.ring.size)
+            constants.generators[i - first].symbol
+            for i in range(first, constants.ring.size)
             if i not in occurring | also_used
         }
         schema.unused(idle, "constants", f"{place}.constants")
@@ -137,11 +188,13 @@ def read_boundary(
     return boundary, finish
 
 
-def _read_constants(value: Plain, tower: Field, place: str) -> Field:
+def _read_constants(value: Plain, tower: Field, position: int, place: str) -> Field:
+    """The remaining parameters, and positive roots of polynomials in them."""
     entries = schema.items(value, place)
     if len(entries) > _MAXIMUM_CONSTANTS:
         raise RejectedError(f"{place}: more than {_MAXIMUM_CONSTANTS} constants")
-    field = Field(Ring(len(entries), tower.ring.meter), (), (), ())
+    held = tuple(p for i, p in enumerate(tower.parameters) if i != position)
+    field = Field(Ring(len(held) + len(entries), tower.ring.meter), held, (), ())
     for number_, entry in enumerate(entries):
         constant = read_generator(entry, field, f"{place}[{number_}]")
         if constant.symbol in (*tower.variables(), *field.variables()):
@@ -165,6 +218,4 @@ def _with_root(boundary: Boundary, index: int, root: Polynomial, place: str) -> 
     right = coefficient if order == 0 else constants.ring.constant(0)
     if not constants.is_zero(root**generator.power - right):
         raise RejectedError(f"{place}: not a root of the rescaled relation at the boundary")
-    return Boundary(
-        field, boundary.at_infinity, boundary.weights, constants, (*boundary.values, root)
-    )
+    return replace(boundary, values=(*boundary.values, root))

@@ -1,4 +1,4 @@
-"""Total derivatives over a tower."""
+"""Derivatives over a tower, generators following."""
 
 from __future__ import annotations
 
@@ -10,13 +10,15 @@ from gainproof.verify.certificate.polynomial import Polynomial
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial, total
 from gainproof.verify.certificate.rejection import RejectedError
 from gainproof.verify.certificate.tower import Tower
+from gainproof.verify.certificate.variable import running_parameter
 
 
 def derivative(tower: Tower, value: Ratio, symbol: str, nonzero: Nonzero) -> Ratio:
-    """The total derivative of ``value`` by ``symbol``.
+    """The derivative of ``value`` by ``symbol``, generators following.
 
     The symbol is a parameter (other parameters and free symbols held), a free symbol (everything
-    else held), or an element x of a tower with one parameter p: then (dE/dp) / (dx/dp).
+    else held), or an element x that depends on one parameter p alone: then (dE/dp) / (dx/dp), the
+    other parameters held.
     """
     field = tower.field
     position = tower.parameter_position(symbol)
@@ -25,12 +27,15 @@ def derivative(tower: Tower, value: Ratio, symbol: str, nonzero: Nonzero) -> Rat
     if position is not None:
         tower.used.add(symbol)
         return by_variable(value, position)
-    if symbol not in tower.elements or len(field.parameters) != 1:
+    if symbol not in tower.elements:
         raise RejectedError(
-            f"no derivative by {symbol!r}: a parameter is wanted, or an element of "
-            "a tower with one parameter"
+            f"no derivative by {symbol!r}: a parameter is wanted, or an element that depends on "
+            "one alone"
         )
-    return nonzero.quotient(by_variable(value, 0), by_variable(tower.value(symbol), 0))
+    position = running_parameter(tower, symbol)
+    return nonzero.quotient(
+        by_variable(value, position), by_variable(tower.value(symbol), position)
+    )
 
 
 def by_variable(value: Ratio, position: int) -> Ratio:

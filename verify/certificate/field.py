@@ -105,6 +105,23 @@ class Field:
                 polynomial = polynomial.substitute(position, distance)
         return polynomial
 
+    def shifted_at(self, polynomial: Polynomial, position: int) -> Polynomial:
+        """The polynomial in the distance of one parameter from its lower end."""
+        lower = self.parameters[position].lower
+        if not lower or not polynomial.occurs(position):
+            return polynomial
+        return polynomial.substitute(
+            position, self.ring.variable(position) + self.ring.constant(lower)
+        )
+
+    def depends_on(self, polynomial: Polynomial) -> frozenset[int]:
+        """The places of the parameters that occur, also those inside generators."""
+        found = {i for i in range(len(self.parameters)) if polynomial.occurs(i)}
+        for number, generator in enumerate(self.generators):
+            if polynomial.occurs(self.position(number)):
+                found |= self.depends_on(generator.radicand)
+        return frozenset(found)
+
     def positive_inside(self, polynomial: Polynomial) -> bool:
         """Positive wherever no parameter lies at the end of its domain.
 
@@ -120,6 +137,16 @@ class Field:
             return False
         closed = [i for i, parameter in enumerate(self.parameters) if parameter.closed]
         return any(not any(m[i] for i in closed) for m in self.shifted(polynomial).terms)
+
+    def positive_along(self, polynomial: Polynomial, position: int) -> bool:
+        """Positive wherever the parameter at ``position`` is not at the end of its domain.
+
+        The other parameters may be at theirs: one term holds none of those that are closed.
+        """
+        if not self.positive_inside(polynomial):
+            return False
+        others = [i for i, p in enumerate(self.parameters) if p.closed and i != position]
+        return any(not any(m[i] for i in others) for m in self.shifted(polynomial).terms)
 
     def nonnegative(self, polynomial: Polynomial) -> bool:
         """Manifestly nonnegative: zero, or positive inside."""

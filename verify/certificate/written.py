@@ -62,9 +62,9 @@ class WrittenFraction:
             raise RejectedError(f"{self.place}: the numerator is not manifestly positive")
         return self.ratio(field)
 
-    def positive_inside(self, field: Field) -> Ratio:
-        """The value, which must be manifestly positive away from closed ends."""
-        if not field.positive_inside(self.numerator):
+    def positive_along(self, field: Field, position: int) -> Ratio:
+        """The value, manifestly positive where one parameter is not at the end of its domain."""
+        if not field.positive_along(self.numerator, position):
             raise RejectedError(f"{self.place}: the numerator is not manifestly positive inside")
         return self.ratio(field)
 

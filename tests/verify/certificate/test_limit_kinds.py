@@ -74,8 +74,8 @@ def test_true_limits(acceleration: Data, expression: Any, point: str, value: Any
         (s - p / 2, "infinity", sp.Integer(0), "not determined"),
         (1 - alpha, "infinity", sp.Integer(0), "not determined"),
         (alpha, "minus infinity", sp.Integer(0), "is wanted"),
-        (alpha, "infinity", sp.Symbol("alpha"), "stands in the value"),
-        (alpha, "0", sp.Symbol("c"), "stands in the value"),
+        (alpha, "infinity", sp.Symbol("alpha"), "depends on 'p'"),
+        (alpha, "0", sp.Symbol("c"), "neither a variable"),
     ],
 )
 def test_false_or_undetermined_limits(
@@ -168,14 +168,14 @@ def test_a_parameter_from_one_does_not_reach_zero(memory: Data) -> None:
     assert "does not reach 0" in reason(memory, "tail")
 
 
-def test_limits_want_one_parameter(memory: Data) -> None:
+def test_a_variable_depends_on_one_parameter(memory: Data) -> None:
     memory["towers"]["samples"] = {
         "parameters": [{"symbol": "k", "from": "1"}, {"symbol": "n", "from": "1"}],
         "generators": [],
-        "elements": {},
+        "elements": {"m": {"num": [["1", [1, 1]]], "den": [["1", [0, 0]]]}},
     }
-    statement(memory, "tail")["claim"]["expression"] = graph(sp.Symbol("k"))
-    assert "one parameter" in reason(memory, "tail")
+    statement(memory, "tail")["claim"] |= {"expression": graph(sp.Symbol("k")), "variable": "m"}
+    assert "depends on 2 parameters" in reason(memory, "tail")
 
 
 @pytest.mark.parametrize(

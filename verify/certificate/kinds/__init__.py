@@ -12,7 +12,7 @@ from types import MappingProxyType
 from gainproof.verify.certificate.case import Case
 from gainproof.verify.certificate.kinds.definite import positive_definite
 from gainproof.verify.certificate.kinds.identity import equal, positive, same_sign
-from gainproof.verify.certificate.kinds.limits import increasing_onto, limit
+from gainproof.verify.certificate.kinds.limits import increasing_onto, limit, monotone
 from gainproof.verify.certificate.kinds.program import program
 from gainproof.verify.certificate.kinds.riccati import riccati
 from gainproof.verify.certificate.kinds.stability import stable
@@ -26,6 +26,7 @@ KINDS: Mapping[str, Callable[[Case], str]] = MappingProxyType(
         "same_sign": same_sign,
         "limit": limit,
         "increasing_onto": increasing_onto,
+        "monotone": monotone,
         "riccati": riccati,
         "stable": stable,
         "positive_definite": positive_definite,
