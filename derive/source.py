@@ -56,5 +56,12 @@ GAUSS_MARKOV = Source(
     "Prentice-Hall, 2000",
     "recursive least squares is the Kalman filter without process noise",
 )
+SUZUKI = Source(
+    "suzuki-position-velocity",
+    "C. Suzuki",
+    "Tracking Accuracy of Radar with Position and Velocity Measurements (in Japanese)",
+    "Bulletin of a university",
+    "the closed form of the steady state with position and velocity measured",
+)
 
-SOURCES: tuple[Source, ...] = (KALATA, RICCATI, SPECTRAL, LECTURE, GAUSS_MARKOV)
+SOURCES: tuple[Source, ...] = (KALATA, RICCATI, SPECTRAL, LECTURE, GAUSS_MARKOV, SUZUKI)

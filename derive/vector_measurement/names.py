@@ -8,11 +8,13 @@ from gainproof.derive.expression import real
 
 INDEX = real("tracking_index")
 RATIO = real("velocity_ratio")
+ROOT = real("p")
 LEVEL = real("level")
 ETA = real("eta")
 MEAN = real("mean_root")
 DELTA = real("delta")
 SIGMA = real("innovation_ratio")
+SPEED = real("velocity_index")
 COUPLING = real("coupling")
 CROSS = real("cross_mean")
 REST = real("cross_rest")
@@ -26,11 +28,13 @@ GAIN_ROWS = (("gain_11", "gain_12"), ("gain_21", "gain_22"))
 LATEX = {
     "tracking_index": r"\Lambda",
     "velocity_ratio": "S",
+    "p": "p",
     "level": "w",
     "eta": r"\eta",
     "mean_root": "m",
     "delta": r"\delta",
     "innovation_ratio": r"\sigma",
+    "velocity_index": "t",
     "coupling": r"\kappa",
     "cross_mean": "h",
     "cross_rest": "g",

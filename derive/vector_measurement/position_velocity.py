@@ -1,0 +1,99 @@
+"""The whole derivation of a family with position and velocity measured."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.expression import real
+from gainproof.derive.model import Model
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.relation import Relation
+from gainproof.derive.subject import Program, Subject
+from gainproof.derive.vector_measurement.context import Context, context
+from gainproof.derive.vector_measurement.kernels import INPUTS, steady_graph
+from gainproof.derive.vector_measurement.module import STEADY_KERNELS, kernel_module
+from gainproof.derive.vector_measurement.names import LATEX
+from gainproof.derive.vector_measurement.steps_entries import cross_steps, position_steps
+from gainproof.derive.vector_measurement.steps_model import model_steps
+from gainproof.derive.vector_measurement.steps_proof import form_steps, proof_steps
+from gainproof.derive.vector_measurement.steps_spectrum import spectrum_steps
+from gainproof.derive.vector_measurement.textbook import textbook_forms
+from gainproof.derive.vector_measurement.towers import graph_roots
+
+OPENING = (
+    "A radar measures a target's position and, by its Doppler shift, the velocity, at a fixed "
+    "interval. How accurate is the track in the steady state, and what does the velocity add?"
+)
+
+
+@dataclass(frozen=True)
+class Printed:
+    """What a source prints: its symbols as elements of the main tower, its equations, its LaTeX."""
+
+    elements: Callable[[Tower], Mapping[str, sp.Expr]]
+    steps: Callable[[Context], Sequence[Step]]
+    latex: Mapping[str, str]
+
+
+NOTHING = Printed(lambda _: {}, lambda _: (), {})
+
+
+def derive_position_velocity(
+    model: Model,
+    sources: tuple[str, ...],
+    printed: Printed = NOTHING,
+) -> Subject:
+    """Derive everything about the steady state of a model with position and velocity measured.
+
+    Raises ModelError, naming the reason, for a model outside the method's reach.
+    """
+    c = context(model, printed.elements)
+    graphs = {name: steady_graph(c.noise, *parts) for name, parts in STEADY_KERNELS.items()}
+    steps = (
+        *model_steps(c),
+        *spectrum_steps(c),
+        *cross_steps(c),
+        *position_steps(c),
+        *proof_steps(c),
+        *form_steps(c),
+        *printed.steps(c),
+        *_program_steps(c, graphs),
+    )
+    symbols = {quantity.name: quantity.latex for quantity in model.quantities}
+    towers = (c.tower,)
+    return Subject(
+        name=model.name,
+        title=model.title,
+        model=c.model,
+        derivation=Derivation(OPENING, steps, sources, {**LATEX, **printed.latex, **symbols}),
+        towers={tower.name: tower for tower in towers},
+        programs={
+            name: Program({entry: entry for entry in INPUTS}, graph)
+            for name, graph in graphs.items()
+        },
+        module=kernel_module(c, graphs),
+        textbook=lambda: textbook_forms(c),
+    )
+
+
+def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
+    """Every kernel computes what its outputs are called."""
+    return [
+        Step(
+            f"kernel-{name.replace('_', '-')}",
+            f"The kernel {name} computes what it says.",
+            Relation(
+                "program",
+                {"program": name, "outputs": {output: real(output) for output in graph["outputs"]}},
+            ),
+            "Evaluate the kernel's graph in the tower.",
+            hint={"graph": graph, "roots": graph_roots(c.noise)},
+            shown=False,
+        )
+        for name, graph in graphs.items()
+    ]

@@ -1,0 +1,147 @@
+"""The tower of radicals in which the steady state with position and velocity measured lives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+import sympy as sp
+
+from gainproof.derive.algebra.tower import Generator, Parameter, Tower
+from gainproof.derive.expression import real
+from gainproof.derive.vector_measurement import forms
+from gainproof.derive.vector_measurement.forms import Basis, Noise
+from gainproof.derive.vector_measurement.names import (
+    COUPLING,
+    CROSS,
+    DELTA,
+    ETA,
+    INDEX,
+    LEVEL,
+    MEAN,
+    RATIO,
+    REST,
+    ROOT,
+    SIGMA,
+    SPEED,
+)
+
+LEVEL_SCALED, ETA_SCALED, DELTA_SCALED = map(real, ("level_scaled", "eta_scaled", "delta_scaled"))
+
+
+def rational(value: Fraction) -> sp.Rational:
+    """A fraction as a SymPy number."""
+    return sp.Rational(value.numerator, value.denominator)
+
+
+def symbolic_noise(noise: Noise) -> Noise:
+    """The same numbers as SymPy's own, so that they mix with symbols."""
+    return Noise(rational(noise.e), rational(noise.n))
+
+
+def symbolic_basis(noise: Noise) -> Basis:
+    """The basis of the stable forms over the named quantities."""
+    level = LEVEL if noise.determinant else None
+    return Basis(INDEX, RATIO, level, ETA, DELTA, symbolic_noise(noise))
+
+
+class NamedBasis(Basis):
+    """The basis with what is made from it by name, each name's own form being shown before."""
+
+    @property
+    def velocity_index(self) -> sp.Expr:
+        return SPEED
+
+    @property
+    def mean(self) -> sp.Expr:
+        return MEAN
+
+    @property
+    def sigma(self) -> sp.Expr:
+        return SIGMA
+
+    @property
+    def coupling(self) -> sp.Expr:
+        return COUPLING
+
+    @property
+    def cross(self) -> sp.Expr:
+        return CROSS
+
+    @property
+    def rest(self) -> sp.Expr:
+        return REST
+
+
+def named_basis(noise: Noise) -> NamedBasis:
+    """The basis of forms as they are shown."""
+    return NamedBasis(**vars(symbolic_basis(noise)))
+
+
+def main_tower(noise: Noise, more: Mapping[str, sp.Expr] | None = None) -> Tower:
+    """p = sqrt(Lambda), S > 0, and S w, S eta and S delta/p, whose squares are polynomials.
+
+    For d = 0, w = 1 and its generator is left out.
+    """
+    parameters = (Parameter("p"), Parameter("velocity_ratio"))
+    elements = {**steady_elements(noise), **(more or {})}
+    return Tower("main", parameters, steady_generators(noise), elements)
+
+
+def steady_generators(noise: Noise) -> tuple[Generator, ...]:
+    """The roots of the steady state, times S."""
+    numbers, index = symbolic_noise(noise), ROOT**2
+    generators = []
+    level = None
+    if noise.determinant:
+        square = RATIO**2 * forms.level_squared(numbers, index, RATIO)
+        generators.append(Generator("level_scaled", sp.expand(square)))
+        level = LEVEL_SCALED / RATIO
+    square = RATIO**2 * forms.eta_squared(numbers, index, RATIO)
+    generators.append(Generator("eta_scaled", sp.expand(square)))
+    square = RATIO**2 * forms.delta_squared(numbers, index, RATIO, level, ETA_SCALED / RATIO)
+    generators.append(Generator("delta_scaled", sp.expand(square / index)))
+    return tuple(generators)
+
+
+def steady_elements(noise: Noise) -> dict[str, sp.Expr]:
+    """The named quantities over the generators.
+
+    Differences are allowed here, where they make the fractions short: 1/sigma is (m - delta)/2.
+    Without delta below the line the residuals are ten times shorter. The stable forms are proved
+    equal to these.
+    """
+    x = symbolic_basis(noise)
+    n, first = rational(noise.n), rational(noise.first)
+    inverse = (MEAN - DELTA) / 2
+    area = INDEX**2
+    u12, u22 = real("updated_12"), real("updated_22")
+    step = 2 * u12 + u22 + first * area
+    elements: dict[str, sp.Expr] = {"tracking_index": ROOT**2, "velocity_index": INDEX / RATIO}
+    if noise.determinant:
+        elements["level"] = LEVEL_SCALED / RATIO
+    return elements | {
+        "eta": ETA_SCALED / RATIO,
+        "delta": ROOT * DELTA_SCALED / RATIO,
+        "mean_root": x.mean,
+        "innovation_ratio": (MEAN + DELTA) / 2,
+        "coupling": x.coupling,
+        "cross_mean": x.cross,
+        "cross_rest": x.one_end - CROSS,
+        "updated_12": CROSS * inverse,
+        "updated_22": DELTA * CROSS - n * area,
+        "updated_11": 1 - (u22 + area + RATIO**2) * inverse**2 / RATIO**2,
+        "predicted_11": real("updated_11") + step,
+        "predicted_12": CROSS * SIGMA,
+        "predicted_22": DELTA * CROSS + (1 - n) * area,
+        "gain_11": real("updated_11"),
+        "gain_12": u12 / RATIO**2,
+        "gain_21": u12,
+        "gain_22": u22 / RATIO**2,
+    }
+
+
+def graph_roots(noise: Noise) -> dict[str, sp.Expr]:
+    """Tower values of the roots in `kernels.graph_basis`."""
+    roots = {"eta": ETA, "delta": DELTA}
+    return {"level": LEVEL, **roots} if noise.determinant else roots
