@@ -30,7 +30,7 @@ def page(
     if derived.opening:
         parts.append(textwrap.fill(derived.opening, columns))
     if derived.model is not None:
-        parts.append(model_text(derived.model))
+        parts.append(model_text(derived.model, names))
     shown = [step for step in derived.steps if step.shown]
     if with_steps:
         parts += [step_text(i, step, writer, marks, columns) for i, step in enumerate(shown, 1)]
@@ -45,19 +45,29 @@ def heading(title: str) -> str:
     return f"{title}\n{'=' * len(title)}"
 
 
-def model_text(model: Mapping[str, Any]) -> str:
-    """The matrices of a scaled model side by side with their names."""
-    lines = ["In units T = 1 and sigma_v = 1, with process noise q Q0 and q = Lambda^2:", ""]
+def model_text(model: Mapping[str, Any], names: Mapping[str, str]) -> str:
+    """The matrices of a scaled model side by side with their names.
+
+    The deviation that is 1 is called as sources call it: sigma_v of the only measurement, sigma_o
+    of the position where other entries are measured too.
+    """
+    unit = "sigma_v" if len(model["measurement"]) == 1 else "sigma_o"
+    lines = [f"In units T = 1 and {unit} = 1, with process noise q Q0 and q = Lambda^2:", ""]
     for label, field in (
         ("F", "transition"),
         ("Q0", "process_noise"),
         ("H", "measurement"),
         ("R", "measurement_noise"),
     ):
-        rows = matrix_rows(model[field])
+        rows = matrix_rows([[_entry(entry, names) for entry in row] for row in model[field]])
         for i, row in enumerate(rows):
             lines.append(f"{INDENT}{label + ' =' if i == 0 else '':>4} {row}")
     return "\n".join(lines)
+
+
+def _entry(entry: Any, names: Mapping[str, str]) -> str:
+    """A number as it is, an expression over the model's parameters as a formula."""
+    return entry if isinstance(entry, str) else formula_text(entry, names)
 
 
 def step_text(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gainproof.derived import Derived, DerivedStep
@@ -55,7 +55,7 @@ def document(derived: Derived, report: Mapping[str, Any]) -> str:
         r"\begin{document}",
         r"\maketitle",
         escaped(derived.opening),
-        *([_model(derived.model)] if derived.model is not None else []),
+        *([_model(derived.model, derived.symbols)] if derived.model is not None else []),
         r"\begin{enumerate}",
         *(_step(step, writer, marks) for step in shown),
         r"\end{enumerate}",
@@ -81,14 +81,28 @@ def _step(step: DerivedStep, writer: Writer, marks: Mapping[str, str]) -> str:
     )
 
 
-def _model(model: Mapping[str, object]) -> str:
-    shown = ", \\quad ".join(f"{label} = {_matrix(model[field])}" for label, field in MODEL_FIELDS)
-    lead = r"In units $T = 1$, $\sigma_v = 1$, with process noise $q Q_0$ and $q = \Lambda^2$:"
+def _model(model: Mapping[str, Any], names: Mapping[str, str]) -> str:
+    shown = ", \\quad ".join(
+        f"{label} = {_matrix(model[field], names)}" for label, field in MODEL_FIELDS
+    )
+    unit = r"\sigma_v" if len(model["measurement"]) == 1 else r"\sigma_o"
+    lead = rf"In units $T = 1$, ${unit} = 1$, with process noise $q Q_0$ and $q = \Lambda^2$:"
     return f"{lead}\n\\[\n{shown}\n\\]"
 
 
-def _matrix(rows: object) -> str:
-    graph_rows = rows if isinstance(rows, list) else []
-    nodes: list[list[object]] = [["number", entry] for row in graph_rows for entry in row]
-    nodes.append(["matrix", len(graph_rows), len(graph_rows[0]), *range(len(nodes))])
-    return formula_latex({"nodes": nodes, "outputs": {"value": len(nodes) - 1}}, {})
+def _matrix(rows: Sequence[Sequence[Any]], names: Mapping[str, str]) -> str:
+    """Numbers as they are, expressions over the model's parameters as formulas."""
+    texts = [
+        [
+            formula_latex(
+                {"nodes": [["number", entry]], "outputs": {"value": 0}}
+                if isinstance(entry, str)
+                else entry,
+                names,
+            )
+            for entry in row
+        ]
+        for row in rows
+    ]
+    body = r" \\ ".join(" & ".join(row) for row in texts)
+    return rf"\begin{{pmatrix}}{body}\end{{pmatrix}}"

@@ -70,8 +70,9 @@ def _matrix(rows: Sequence[Sequence[str]], w: Writer) -> str:
     return w.value({"nodes": nodes, "outputs": {"value": len(nodes) - 1}})
 
 
-def _column(names: Sequence[str], w: Writer) -> str:
-    return _matrix([[name] for name in names], w)
+def _gain(names: Sequence[str] | Sequence[Sequence[str]], w: Writer) -> str:
+    """A column for one measurement, given as names; rows of names for several."""
+    return _matrix([[entry] if isinstance(entry, str) else entry for entry in names], w)
 
 
 def _positive(claim: Claim, w: Writer) -> list[str]:
@@ -103,7 +104,7 @@ def _riccati(claim: Claim, w: Writer) -> list[str]:
         f"M = F X F' + {w.name(claim['index'])}^2 Q0",
         "X = (I - K H) M",
         "K = M H'/(H M H' + R)",
-        f"K = {_column(claim['gain'], w)}",
+        f"K = {_gain(claim['gain'], w)}",
         f"M = {_matrix(claim['predicted'], w)}",
         f"X = {_matrix(claim['updated'], w)}",
     ]
@@ -111,7 +112,7 @@ def _riccati(claim: Claim, w: Writer) -> list[str]:
 
 def _stable(claim: Claim, w: Writer) -> list[str]:
     only = w.words(" only for ")
-    return [f"det(zI - F (I - K H)) = 0{only}|z| < 1", f"K = {_column(claim['gain'], w)}"]
+    return [f"det(zI - F (I - K H)) = 0{only}|z| < 1", f"K = {_gain(claim['gain'], w)}"]
 
 
 def _definite(claim: Claim, w: Writer) -> list[str]:
