@@ -1,7 +1,8 @@
 """Evidence for relations: the numbers from which the checker decides a statement.
 
-A hint of a step may carry: "form" (an expression that shows a sign), "limit_form" (one whose limit
-can be read off where that of the claim's own expression cannot), "roots" (the tower value of
+A hint of a step may carry: "form" (an expression that shows a sign), "differentiated" (one equal to
+the claim's whose derivative shows its sign), "limit_form" (one whose limit can be read off where
+that of the claim's own expression cannot; refused where it can), "roots" (the tower value of
 each named square root of a kernel graph), "branches" and "gaps", "ends" (the `limits.End` of the
 variable's parameter at "0" and "infinity").
 """
@@ -69,7 +70,7 @@ def _increasing_onto(step: Step, tower: Tower) -> Evidence:
     parts, ends = step.relation.parts, step.hint["ends"]
     return {
         # at a closed end of the domain the derivative may vanish
-        "derivative": fraction_data(nonnegative_form(tower, step.hint["form"])),
+        "derivative": fraction_data(nonnegative_form(tower, _slope(step, tower))),
         "start": end_evidence(tower, ends["0"], parts["variable"]),
         "end": end_evidence(tower, ends["infinity"], parts["variable"]),
         "nonzero": divisors_shown(tower, parts["expression"]),
@@ -85,13 +86,21 @@ def _limit_form(step: Step, tower: Tower) -> Evidence:
 
 
 def _monotone(step: Step, tower: Tower) -> Evidence:
+    return {
+        "derivative": fraction_data(nonnegative_form(tower, _slope(step, tower))),
+        "nonzero": divisors_shown(tower, step.relation.parts["expression"]),
+    }
+
+
+def _slope(step: Step, tower: Tower) -> Any:
+    """The derivative of the claim's expression, or its negative where it should decrease."""
+    if "form" in step.hint:
+        return step.hint["form"]
     parts = step.relation.parts
-    form = step.hint.get("form")
-    if form is None:
-        slope = derivative(tower, parts["expression"], parts["variable"])
-        form = slope if parts["trend"] == "increasing" else Fraction(-slope.num, slope.den)
-    divisors = divisors_shown(tower, parts["expression"])
-    return {"derivative": fraction_data(nonnegative_form(tower, form)), "nonzero": divisors}
+    expression = step.hint.get("differentiated", parts["expression"])
+    slope = derivative(tower, expression, parts["variable"])
+    rising = parts.get("trend", "increasing") == "increasing"
+    return slope if rising else Fraction(-slope.num, slope.den)
 
 
 def _program(step: Step, tower: Tower) -> Evidence:

@@ -42,9 +42,10 @@ def limit(case: Case) -> str:
     expression = case.expression(claim["expression"], "expression")
     value = case.evaluation(nonzero).scalar(expression)
     case.finish(nonzero)
-    value = _in_form(case, value, evidence)
     end: Plain = {key: evidence[key] for key in ("weights", "constants", "boundary")}
-    _require_limit(case, value, end, (position, at_infinity), claim["value"], "value")
+    form = _Form(case, value, evidence)
+    _require_limit(case, form, end, (position, at_infinity), claim["value"], "value")
+    form.finish()
     return "proved"
 
 
@@ -71,9 +72,10 @@ def increasing_onto(case: Case) -> str:
     if not slope.equals(stated.positive_along(case.tower.field, position)):
         raise RejectedError("the derivative does not equal the manifestly positive fraction")
     case.finish(nonzero)
-    value = _in_form(case, value, evidence)
-    _require_limit(case, value, evidence["start"], (position, False), claim["from"], "from")
-    _require_limit(case, value, evidence["end"], (position, True), claim["to"], "to")
+    form = _Form(case, value, evidence)
+    _require_limit(case, form, evidence["start"], (position, False), claim["from"], "from")
+    _require_limit(case, form, evidence["end"], (position, True), claim["to"], "to")
+    form.finish()
     return "proved"
 
 
@@ -111,28 +113,46 @@ def _evidences(case: Case, *fields: str) -> dict[str, Plain]:
     return case.evidences(*fields, "form") if "form" in given else case.evidences(*fields)
 
 
-def _in_form(case: Case, value: Ratio, evidence: dict[str, Plain]) -> Ratio:
-    """The value in the form that the evidence gives, if it gives one, shown equal."""
-    if "form" not in evidence:
-        return value
-    form = case.fraction(evidence["form"], "form").ratio(case.tower.field)
-    if not value.equals(form):
-        raise RejectedError("the form given does not equal the expression")
-    return form
+class _Form:
+    """An expression's value, and the form that the evidence gives it where its own is mute."""
+
+    def __init__(self, case: Case, value: Ratio, evidence: dict[str, Plain]) -> None:
+        self._value = value
+        self._form: Ratio | None = None
+        self._needed = False
+        if "form" in evidence:
+            self._form = case.fraction(evidence["form"], "form").ratio(case.tower.field)
+            if not value.equals(self._form):
+                raise RejectedError("the form given does not equal the expression")
+
+    def limit(self, boundary: Boundary) -> Ratio | None:
+        """The limit, of the form only if the value itself does not show it."""
+        try:
+            return boundary.limit(self._value)
+        except RejectedError:
+            if self._form is None:
+                raise
+        self._needed = True
+        return boundary.limit(self._form)
+
+    def finish(self) -> None:
+        """Reject a form that nothing needed."""
+        if self._form is not None and not self._needed:
+            raise RejectedError("the form given is not needed: the limit shows without it")
 
 
 def _require_limit(
     case: Case,
-    value: Ratio,
+    form: _Form,
     evidence: Plain,
     end: tuple[int, bool],
     stated: Plain,
     field: str,
 ) -> None:
-    """Reject unless ``value`` tends to what the claim states at this end of a parameter."""
+    """Reject unless the expression tends to what the claim states at this end of a parameter."""
     place = f"{case.place}.evidence"
     boundary, finish = read_boundary(evidence, case.tower, end, place)
-    found = boundary.limit(value)
+    found = form.limit(boundary)
     if stated == "infinity":
         if found is not None:
             raise RejectedError("the limit is finite, not infinity")
