@@ -13,7 +13,7 @@ from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.proof import Proof, Settled
 from gainproof.derive.printer.value import Grid
 
-WORST = 2.0**10  # epsilons: a larger bound tells of an underflow on the way, and is refused
+WORST = 2.0**7  # epsilons: a larger bound tells of an underflow on the way, and is refused
 
 
 class SeveralInputs(Proof):

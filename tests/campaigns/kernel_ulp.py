@@ -4,7 +4,9 @@
 
 For every family, argument and format the points are log-uniform over the domain of the bounds
 (for a gain half of them, the others in their distance from its upper end), and log-uniform over
-1e-6..1e6 for the tracking index. Truth is a ball round the Riccati solution. The state file is
+1e-6..1e6 for the tracking index. Truth is a ball round the Riccati solution. Kernels of several
+arguments have their points over the whole domain, over 1e-6..1e6 and on a grid of half decades;
+their truth is their own graph, evaluated in balls. The state file is
 written every few chunks; a campaign that was interrupted goes on from it as long as the kernels
 are the same, and one that is complete prints its table at once. Status 1 when a measured error
 exceeds its bound.
@@ -20,6 +22,7 @@ import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -27,11 +30,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from kernel_errors import Worst, log_uniform, measure, near_supremum
 from printed_kernels import DTYPES, common_domain, groups, printed_kernels
+from printed_pairs import measure_pairs, pair_groups, points_in, printed_pairs
 from saved_state import save
 
 import gainproof.generated
 
 CHUNK = 500
+Found = dict[str, tuple[float, Any, int]]
 HELP = "worst error of every kernel output over very many points, beside its stated bound"
 
 
@@ -59,6 +64,12 @@ def tasks(points: int, only: str) -> Iterator[Task]:
                     task = Task(family, argument, dtype, span, seed)
                     if only in task.key:
                         yield task
+        for family, arguments in pair_groups(printed_pairs()):
+            for span in ("grid", "domain", "near") if seed == 0 else ("domain", "near"):
+                for dtype in DTYPES:
+                    task = Task(family, arguments, dtype, span, seed)
+                    if only in task.key:
+                        yield task
 
 
 def points_of(task: Task) -> list[float]:
@@ -79,10 +90,18 @@ def points_of(task: Task) -> list[float]:
     return log_uniform(low, high, CHUNK // 2, seed) + near_supremum(high, CHUNK // 2, seed)
 
 
-def run(task: Task) -> dict[str, tuple[float, float, int]]:
+def run(task: Task) -> Found:
     """The worst error of each output over one chunk."""
-    kernels = groups(printed_kernels())[task.family, task.argument]
-    table = measure(kernels, task.dtype, points_of(task))
+    pairs = pair_groups(printed_pairs()).get((task.family, task.argument))
+    if pairs is not None:
+        table = measure_pairs(
+            pairs,
+            task.dtype,
+            lambda pair: points_in(pair, task.dtype, task.span, CHUNK, 1000 * task.seed),
+        )
+    else:
+        kernels = groups(printed_kernels())[task.family, task.argument]
+        table = measure(kernels, task.dtype, points_of(task))
     return {f"{name}.{output}": (w.error, w.at, w.points) for (name, output), w in table.items()}
 
 
@@ -106,7 +125,7 @@ def digest() -> str:
     return found.hexdigest()
 
 
-def note(state: dict[str, Any], task: Task, found: dict[str, tuple[float, float, int]]) -> None:
+def note(state: dict[str, Any], task: Task, found: Found) -> None:
     for output, measured in found.items():
         key = f"{task.family}/{output}/{task.dtype}/{task.span}"
         before = Worst(*state["worst"].get(key, (0.0, 0.0, 0)))
@@ -114,37 +133,52 @@ def note(state: dict[str, Any], task: Task, found: dict[str, tuple[float, float,
     state["done"].append(task.key)
 
 
-def table(state: dict[str, Any], only: str) -> tuple[list[str], bool]:
-    """Lines of the table, and whether every measured error keeps its bound."""
-    head = ("output", "format", "range of the bound", "bound", "domain", "1e-6..1e6", "points")
-    rows, kept = [], True
+class Said(NamedTuple):
+    """What a docstring says of one output in one format."""
+
+    kernel: str
+    output: str
+    dtype: str
+    where: str
+    bound: Fraction
+
+
+def statements() -> Iterator[Said]:
+    """The bounds of all outputs in both formats."""
     for kernel in printed_kernels():
         for dtype in DTYPES:
             for output in kernel.outputs:
                 promise = kernel.promises[dtype][output]
-                measured = {
-                    span: Worst(*state["worst"].get(f"{kernel.id.replace('.', '/', 1)}.{output}"
-                                                    f"/{dtype}/{span}", (0.0, 0.0, 0)))
-                    for span in ("domain", "near")
-                }  # fmt: skip
-                count = sum(worst.points for worst in measured.values())
-                if not count or only not in kernel.id:
-                    continue
-                kept &= all(worst.error <= promise.bound for worst in measured.values())
-                rows.append(
-                    (
-                        f"{kernel.id}.{output}",
-                        dtype,
-                        f"{promise.lowest:.3g}..{promise.highest:.3g}",
-                        f"{float(promise.bound):.2f}",
-                        *(f"{w.error:.2f}" if w.points else "" for w in measured.values()),
-                        str(count),
-                    )
-                )
-    widths = [max(map(len, column)) for column in zip(head, *rows, strict=True)]
+                where = f"{promise.lowest:.3g}..{promise.highest:.3g}"
+                yield Said(kernel.id, output, dtype, where, promise.bound)
+    for pair in printed_pairs():
+        for dtype in DTYPES:
+            where = " x ".join(f"{low:.3g}..{high:.3g}" for low, high in pair.domain[dtype])
+            for output, stated in pair.outputs.items():
+                yield Said(pair.id, output, dtype, where, stated.bound[dtype])
+
+
+def table(state: dict[str, Any], only: str) -> tuple[list[str], bool]:
+    """Lines of the table, and whether every measured error keeps its bound."""
+    head = ("output", "format", "range of the bound", "bound", "domain", "1e-6..1e6", "grid")
+    rows, kept = [], True
+    for said in statements():
+        start = f"{said.kernel.replace('.', '/', 1)}.{said.output}/{said.dtype}"
+        measured = [
+            Worst(*state["worst"].get(f"{start}/{span}", (0.0, 0.0, 0)))
+            for span in ("domain", "near", "grid")
+        ]
+        count = sum(worst.points for worst in measured)
+        if not count or only not in said.kernel:
+            continue
+        kept &= all(worst.error <= said.bound for worst in measured)
+        name = f"{said.kernel}.{said.output}"
+        errors = (f"{w.error:.2f}" if w.points else "" for w in measured)
+        rows.append((name, said.dtype, said.where, f"{float(said.bound):.2f}", *errors, str(count)))
+    widths = [max(map(len, column)) for column in zip((*head, "points"), *rows, strict=True)]
     lines = [
         "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
-        for row in (head, *rows)
+        for row in ((*head, "points"), *rows)
     ]
     return ["errors in units of 2^-52 (float64) and 2^-23 (float32)", *lines], kept
 
@@ -177,7 +211,7 @@ def main() -> int:
 
 def finished(
     pool: ProcessPoolExecutor, todo: list[Task], jobs: int
-) -> Iterator[tuple[Task, dict[str, tuple[float, float, int]]]]:
+) -> Iterator[tuple[Task, Found]]:
     """Results as they come, with few chunks in hand so that an interrupt is quick."""
     for start in range(0, len(todo), 8 * jobs):
         pending = {pool.submit(run, task): task for task in todo[start : start + 8 * jobs]}

@@ -76,13 +76,18 @@ def two_inputs(write: Callable[[GraphBuilder, Node, Node], Node], **options: Any
 
 def function_of(kernel: Kernel) -> Callable[..., tuple[NDArray[np.floating[Any]], ...]]:
     """The printed function, run with the printer's own copy of the run time."""
+    function: Callable[..., tuple[NDArray[np.floating[Any]], ...]] = module_of(kernel)[kernel.name]
+    return function
+
+
+def module_of(kernel: Kernel) -> dict[str, Any]:
+    """The names of the printed module."""
     text = text_of(kernel).replace(
         "gainproof.generated._runtime", "gainproof.derive.printer.runtime"
     )
     space: dict[str, Any] = {"__name__": "made"}
     exec(compile(text, "made.py", "exec"), space)  # noqa: S102  # our own printer's text
-    function: Callable[..., tuple[NDArray[np.floating[Any]], ...]] = space[kernel.name]
-    return function
+    return space
 
 
 def balls(graph: Graph, point: Point, bits: int = 400) -> dict[str, flint.arb]:

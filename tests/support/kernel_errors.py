@@ -21,7 +21,7 @@ class Worst:
     """The largest error met, in epsilon over the output's scale, where, and at how many points."""
 
     error: float = 0.0
-    at: float = math.nan
+    at: float | tuple[float, ...] = math.nan
     points: int = 0
 
     def joined(self, other: Worst) -> Worst:

@@ -66,7 +66,10 @@ class PrintedKernel:
 
 
 def printed_kernels() -> tuple[PrintedKernel, ...]:
-    """Every public kernel of every generated module; LookupError if there is none."""
+    """Every public kernel of one input of every generated module; LookupError if there is none.
+
+    Those of several inputs are in `printed_pairs`.
+    """
     found = tuple(_all())
     if not found:
         raise LookupError("gainproof.generated holds no kernels: run `gainproof generate`")
@@ -82,6 +85,8 @@ def _all() -> Iterator[PrintedKernel]:
             if not name[0].islower():  # a class of results
                 continue
             signature = getattr(loaded, f"_{name.upper()}")
+            if len(signature.inputs) > 1:
+                continue
             (domain,) = signature.inputs
             function = getattr(loaded, name)
             text = re.sub(r"\s+", " ", function.__doc__)

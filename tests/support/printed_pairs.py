@@ -1,0 +1,171 @@
+"""The printed kernels of several inputs as their users see them, with the graphs they state.
+
+A kernel's graph is read from the certificate beside it, whose checker has proved it to be what the
+family's statements say; here it is only evaluated.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import pkgutil
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import flint
+import numpy as np
+from graph_kernels import balls
+from kernel_errors import Table, Worst, log_uniform
+from numpy.typing import NDArray
+from printed_kernels import DTYPES, EPSILON
+
+import gainproof.generated
+
+Box = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class Stated:
+    """What a docstring says of one output: its bound in epsilon by format, and its scale."""
+
+    bound: Mapping[str, Fraction]
+    scale: str
+
+
+@dataclass(frozen=True)
+class PrintedPair:
+    """One function of several arguments; `domain` by format, as the guard has it."""
+
+    family: str
+    name: str
+    function: Callable[..., Any]
+    arguments: tuple[str, ...]
+    domain: Mapping[str, Box]
+    outputs: Mapping[str, Stated]
+    graph: Any
+
+    @property
+    def id(self) -> str:
+        return f"{self.family}.{self.name}"
+
+
+def printed_pairs() -> tuple[PrintedPair, ...]:
+    """Every public kernel of several inputs of every generated module."""
+    found: list[PrintedPair] = []
+    for folder in gainproof.generated.__path__:
+        for module in pkgutil.iter_modules([folder]):
+            if not module.name.startswith("_"):
+                found += pairs_of(module.name, Path(folder))
+    return tuple(found)
+
+
+def pairs_of(family: str, folder: Path) -> Iterator[PrintedPair]:
+    """The kernels of several inputs of one module."""
+    loaded = importlib.import_module(f"gainproof.generated.{family}")
+    for name in loaded.__all__:
+        if not name[0].islower():  # a class of results
+            continue
+        signature = getattr(loaded, f"_{name.upper()}")
+        if len(signature.inputs) < 2:
+            continue
+        certificate = json.loads((folder / f"{family}.json").read_text(encoding="utf-8"))
+        graph = certificate["programs"][name]["graph"]
+        yield pair_of(family, getattr(loaded, name), signature, graph)
+
+
+def pair_of(family: str, function: Any, signature: Any, graph: Any) -> PrintedPair:
+    """A function with its signature and its docstring's statements."""
+    text = re.sub(r"\s+", " ", function.__doc__)
+    return PrintedPair(
+        family,
+        signature.name,
+        function,
+        tuple(domain.name for domain in signature.inputs),
+        {
+            "float64": tuple(domain.double for domain in signature.inputs),
+            "float32": tuple(domain.single for domain in signature.inputs),
+        },
+        {output: stated(text, output) for output in signature.outputs},
+        graph,
+    )
+
+
+def stated(text: str, output: str) -> Stated:
+    """The statement about an output, from a docstring on one line; LookupError if there is none."""
+    found = re.search(
+        rf" {output}: [^:]*?(?:Relative error|Error over (\w+)) at most ([.\d]+) \* 2\^-52 "
+        r"\(float64\), ([.\d]+) \* 2\^-23 \(float32\), proved for every input",
+        text,
+    )
+    if found is None:
+        raise LookupError(f"no bound for every input is stated for {output}: {text[:60]}...")
+    scale, double, single = found.groups()
+    bounds = {"float64": Fraction(double), "float32": Fraction(single)}
+    return Stated(bounds, scale or output)
+
+
+def pair_groups(kernels: Sequence[PrintedPair]) -> dict[tuple[str, str], list[PrintedPair]]:
+    """The kernels by family and arguments."""
+    found: dict[tuple[str, str], list[PrintedPair]] = {}
+    for kernel in kernels:
+        found.setdefault((kernel.family, ",".join(kernel.arguments)), []).append(kernel)
+    return found
+
+
+def points_in(kernel: PrintedPair, dtype: str, span: str, count: int, seed: int) -> NDArray[Any]:
+    """Points of a kernel, a row for each argument.
+
+    `span`: "domain" and "near" (1e-6..1e6) log-uniform in all arguments, "grid" the half decades
+    of 1e-6..1e6. What lies outside the domain is left out, its corners are put in.
+    """
+    box = kernel.domain[dtype]
+    if span == "grid":
+        rows = np.meshgrid(*[10.0 ** np.arange(-6, 6.25, 0.5)] * len(box), indexing="ij")
+        points = np.stack([row.ravel() for row in rows])
+    else:
+        ends = box if span == "domain" else ((1e-6, 1e6),) * len(box)
+        points = np.stack(
+            [np.array(log_uniform(*end, count, 7 * seed + at)) for at, end in enumerate(ends)]
+        )
+    corners = np.stack([row.ravel() for row in np.meshgrid(*box, indexing="ij")])
+    points = np.concatenate([points, corners], axis=1).astype(dtype)
+    inside = [(row >= low) & (row <= high) for row, (low, high) in zip(points, box, strict=True)]
+    return points[:, np.logical_and.reduce(inside)]
+
+
+def measure_pairs(kernels: Sequence[PrintedPair], dtype: str, points_of: Any) -> Table:
+    """The worst error of every output at the points that `points_of` gives for a kernel."""
+    found: Table = {}
+    for kernel in kernels:
+        points = points_of(kernel)
+        columns = kernel.function(*points)
+        for at in range(points.shape[1]):
+            place = tuple(points[:, at].tolist())
+            exact = balls(kernel.graph, dict(zip(kernel.arguments, place, strict=True)))
+            for (output, said), column in zip(kernel.outputs.items(), columns, strict=True):
+                value = flint.arb(float(column[at]))
+                error = abs((value - exact[output]) / exact[said.scale])
+                size = float(error.upper()) / float(EPSILON[dtype])
+                key = kernel.name, output
+                worst = Worst(size if size == size else np.inf, place, 1)
+                found[key] = found.get(key, Worst()).joined(worst)
+    return found
+
+
+def broken_pairs(kernels: Sequence[PrintedPair], dtype: str, table: Table) -> list[str]:
+    """What was measured above its stated bound, in words."""
+    assert dtype in DTYPES
+    said = {
+        (kernel.name, output): bound
+        for kernel in kernels
+        for output, bound in kernel.outputs.items()
+    }
+    return [
+        f"{name}.{output} ({dtype}) at {worst.at}: {worst.error:.2f} epsilon"
+        for (name, output), worst in table.items()
+        if not worst.error <= said[name, output].bound[dtype]
+    ]
