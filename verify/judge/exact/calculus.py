@@ -77,7 +77,8 @@ def _slope(node: Expr, inner: list[Expr | None], name: str) -> Expr | None:
         case "pow":
             exponent = node.fraction
             base = node.parts[0]
-            if exponent.denominator == 1:
+            if exponent.denominator == 1 or exponent > 1:
+                # above 1 it has a value where the base is zero, too: that of x^(3/2) is 0 at x = 0
                 outer = mul(number(exponent), power(base, exponent - 1))
             else:
                 # written with the root itself, so that no second root is made

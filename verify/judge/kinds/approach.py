@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import differentiated, substituted
+from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
     Expr,
@@ -22,6 +22,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Graph, Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame
+from gainproof.verify.judge.kinds.one_way import is_one_way
 from gainproof.verify.judge.meaning.domains import is_whole
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import INDEX
@@ -121,8 +122,9 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
     if len(names) != 1 or not (isinstance(point, str) or not symbols_of(point)):
         raise Undecided("a limit in a quantity that depends on several variables")
     (name,) = names
-    slope = differentiated(variable, name)
-    if not any(frame.holds(Rel(op, slope, number(0))) for op in (">", "<")):
+    # conditions may leave several intervals of it
+    kept = tuple(c for c in frame.conditions if name not in symbols_of(c.left, c.right))
+    if not is_one_way(variable, names, replace(frame, conditions=kept)):
         raise Undecided("a limit in a quantity that is not strictly monotone")
     label, box = frame.labels.get(name, name), frame.boxes[name]
     ends: list[Fraction | str] = [

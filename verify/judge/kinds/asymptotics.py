@@ -50,15 +50,18 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     approach = approach_of(variable, point, frame)
     refuse_real_powers(left - right, frame)
     around, dropped = others_frame(frame, approach)
-    rest, errors = _without_orders(left + neg(right))
+    (first, smaller), (second, errors) = _without_orders(left), _without_orders(right)
+    rest = first + neg(second)
     if claim.order is not None:
         errors.append(power(_distance(variable, approach), claim.order))
+    if not errors:
+        smaller, errors = [], smaller
     if relation.operator == "=" and not errors:
         raise Undecided("asymptotics without an order: O(...) or the field `order` says it")
     finding: Finding | None = None
     for side in open_sides(approach, frame, around):
         if errors:
-            finding = _agree(rest, errors, approach, side, around)
+            finding = _agree(rest, smaller, errors, approach, side, around)
         else:
             finding = _equivalent(left, right, approach, side, around)
         if finding.verdict != "proved":
@@ -67,7 +70,8 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
             return finding
     if finding is None:
         raise Undecided("the point is not in the domain")
-    values = around.decide(with_values(constant_parts(approach.name, left, right, *errors)))
+    parts = constant_parts(approach.name, left, right, *smaller, *errors)
+    values = around.decide(with_values(parts))
     domain = f"as {approach.label} {approach.text}, {values.domain}".removesuffix(", everywhere")
     if values.verdict != "proved":
         return replace(finding_of(values), domain=domain)
@@ -98,10 +102,21 @@ def _without_orders(expr: Expr) -> tuple[Expr, list[Expr]]:
     return plain, errors
 
 
-def _agree(rest: Expr, errors: list[Expr], approach: Approach, side: int, around: Frame) -> Finding:
-    """Whether what is left is of the order of the errors."""
+def _agree(
+    rest: Expr,
+    smaller: list[Expr],
+    errors: list[Expr],
+    approach: Approach,
+    side: int,
+    around: Frame,
+) -> Finding:
+    """Whether what is left is of the order of the errors; so must be those printed on the left,
+    `smaller`: x + O(x^3) = x + O(x), not the other way round.
+    """
     oracle = Coefficients(around)
     order = min(_exponent(approach.moved(e, side), oracle) for e in errors)
+    if any(_exponent(approach.moved(e, side), oracle) < order for e in smaller):
+        raise Undecided("an O(...) on the left that is not of the order of that on the right")
     series = _reaching(approach.moved(rest, side), oracle, order)
     for exponent in series.exponents():
         if exponent >= order:

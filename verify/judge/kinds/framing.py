@@ -93,6 +93,7 @@ def framed(
         lower = boxes[SAMPLE].lower
         boxes[SAMPLE] = replace(boxes[SAMPLE], lower=max(lower or Fraction(0), Fraction(1)))
     boxes, rest = bounded({**boxes, **scope.bound_domains}, stated)
+    boxes = _spoken_of(boxes, rest)
     refuse_fractions(scope.whole, boxes)
     empty = [n for n, box in boxes.items() if box.is_empty and n not in scope.bound_domains]
     if empty:
@@ -103,6 +104,16 @@ def framed(
     if scope.environment.assigned:
         frame = _without_implied(frame)
     return _with_required(frame, scope.required)
+
+
+def _spoken_of(boxes: Mapping[str, Box], conditions: Iterable[Rel]) -> dict[str, Box]:
+    """The boxes, stated where a condition bounds the symbol in any other form than by a number.
+
+    Where x^2 < 4 a formula without value at x = -1 fails there, as it does where x < 4.
+    """
+    orders = [rel for rel in conditions if rel.operator != "="]
+    names = {n for rel in orders for n in symbols_of(rel.left, rel.right)}
+    return {n: replace(box, stated=box.stated or n in names) for n, box in boxes.items()}
 
 
 def _without_implied(frame: Frame) -> Frame:

@@ -97,7 +97,7 @@ def located(known: list[Expr], where: str) -> list[Rel]:
         return [*proper, *_equal_roots(known)]
     operator = {"real": ">=", "complex": "<"}[where]
     if degree == 1 and where == "real":
-        return [*proper, Rel("=", lead, lead)]
+        return [*proper, *_with_values(known)]
     if degree == 2:
         return [*proper, Rel(operator, _discriminant(known), number(0))]
     if degree == 3 and where == "real":
@@ -115,7 +115,12 @@ def _equal_roots(known: list[Expr]) -> list[Rel]:
         n = degree - k
         left = mul(number(degree**n), known[k], power(lead, n - 1))
         found.append(Rel("=", left, mul(number(comb(degree, k)), power(second, n))))
-    return found or [Rel("=", lead, lead)]
+    return found or _with_values(known)
+
+
+def _with_values(known: list[Expr]) -> list[Rel]:
+    """That the coefficients have values: of one root nothing else is asked."""
+    return [Rel("=", c, c) for c in known]
 
 
 def _discriminant(known: list[Expr]) -> Expr:

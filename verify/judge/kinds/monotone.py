@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import differentiated, substituted
-from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
@@ -15,6 +15,7 @@ from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import judge_identity, resolved
+from gainproof.verify.judge.kinds.one_way import is_one_way
 from gainproof.verify.judge.meaning.evaluation import number_of
 from gainproof.verify.judge.meaning.expansion import coefficients
 from gainproof.verify.judge.scope import Scope
@@ -44,7 +45,7 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     if claim.about[1] == scope.environment.intensity:
         names = {scope.environment.parameter or ""}
     is_own = variable.kind == "symbol" or scope.environment.is_coordinate(variable)
-    if not is_own and not _one_way(variable, names, frame):
+    if not is_own and not is_one_way(variable, names, frame):
         raise Undecided(f"{claim.about[1]} is not strictly monotone itself")
     # defined everywhere, hence continuous; where it has corners its slope is not asked for
     without = _without_value(subject, names, frame)
@@ -94,13 +95,6 @@ def _refuse_gaps(frame: Frame, names: set[str]) -> None:
                 raise Undecided("a domain that may be no interval of the variable")
 
 
-def _one_way(variable: Expr, names: set[str], frame: Frame) -> bool:
-    if len(names) != 1:
-        return False
-    slope = differentiated(variable, next(iter(names)))
-    return any(frame.holds(Rel(op, slope, number(0))) for op in (">", "<"))
-
-
 def _opened(box: Box) -> Box:
     """The inside of a domain; a point without slope is left out, the subject has a value there."""
     return replace(box, lower_open=True, upper_open=True, stated=False)
@@ -115,11 +109,18 @@ def _nearly(operator: str, slope: Expr, names: set[str], frame: Frame) -> bool:
     if not frame.holds(Rel(f"{operator}=", slope, number(0))):
         return False
     if symbols_of(slope) == names:
-        return frame.decide(Statement((Rel("=", slope, number(0)),))).verdict == "refuted"
+        found = frame.decide(Statement((Rel("=", slope, number(0)),)))
+        # seen at points only, it may be zero on an interval, unless it is analytic
+        return found.verdict == "refuted" and (bool(found.domain) or not _has_roots(slope))
     known = coefficients(slope, next(iter(names))) or {}
     if any(frame.holds(Rel("!=", c, number(0))) for c in known.values()):
         return True
     raise Undecided("a slope that may be zero on an interval for some values of the other symbols")
+
+
+def _has_roots(expr: Expr) -> bool:
+    """Whether there are roots in it, absolute values among them: all else is analytic."""
+    return any(n.kind == "pow" and n.fraction.denominator != 1 for n in walk(expr))
 
 
 def _refuse_other_samples(subject: Expr, variable: str) -> None:
