@@ -29,14 +29,14 @@ def _updated_11_by_index(r: Rates) -> Any:
 
 def _updated_22_by_index(r: Rates) -> Any:
     square = r.x.cross * r.x.cross
-    first = r.squares(r.lead / r.sigma, (r.lead + 2) / r.sigma)
+    first = r.squares(r.lead / r.sigma, r.lead_and_two / r.sigma)
     return _by_index(r, _with_second(r, first, square, square))
 
 
 def updated_12_parts(r: Rates) -> Parts:
     """The growing and the falling part of the updated cross term as a function of Lambda."""
     grows = (r.share / r.sigma) * (r.lead / r.sigma) / r.x.one_end
-    falls = (r.turned / r.sigma) * ((r.lead + 2) / r.sigma) / r.x.eta
+    falls = (r.turned / r.sigma) * (r.lead_and_two / r.sigma) / r.x.eta
     one = r.x.cross * (r.velocity / r.sigma)
     other = r.x.cross * ((r.velocity + 2) / r.sigma)
     return _by_index(r, grows), _by_index(r, _with_second(r, falls, one, other))
@@ -57,8 +57,7 @@ def _predicted_12_by_index(r: Rates) -> Any:
         return (x.cross / x.index) * (r.sigma * 2 * both) / (x.eta * x.delta)
     t, own = x.velocity_index, x.one_end
     one = (x.cross / x.index) * ((own + r.updated["updated_22"] / own) / x.index)
-    width = x.ratio if x.level is None else x.ratio * x.level
-    both = one + r.turned * ((width + t * r.sigma) / (width * 2 + t * x.mean))
+    both = one + r.turned * ((r.width + t * r.sigma) / r.both)
     if x.noise.determinant:
         both = both + times(x.noise.determinant, x.cross * r.doubled / x.eta)
     return (x.index / x.delta) * (r.sigma * both)

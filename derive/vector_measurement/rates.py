@@ -5,7 +5,8 @@ that sum_k (l L^k w)(r L^k w) is a quarter wave of two points of the unit circle
 [ (l N w)(r N w)/c(-1) + (l A w)(r A w)/c(1) ] / (2 (1 - c(0))), A = adj(I - L), N = adj(I + L).
 With c(1) = Lambda w/sigma, c(-1) = eta/sigma and 1 - c(0) = delta/sigma every variance becomes a
 sum of two squares, and the entries of A w and N w have forms without a subtraction:
-1 - K12 - (1 - n) K22 = w h/Lambda, K22 - det K = P22/(sigma S)^2, 1 - K22 = (P11 + 1)/sigma^2.
+1 - K12 - (1 - n) K22 = w h/Lambda, K22 - det K = P22/(sigma S)^2, 1 - K22 = (P11 + 1)/sigma^2,
+and P11 - n P12 is sigma delta h/Lambda for n = 0, a product over 2 w S + t m for n = 1/2.
 Three outputs change their sign: the covariance of the updated state (so K21) and K12 as functions
 of Lambda, K12 as a function of S; each is one difference of two positive terms.
 """
@@ -60,15 +61,36 @@ class Rates:
         return (self.predicted["predicted_22"] / self.x.ratio) / self.x.ratio
 
     @cached_property
+    def width(self) -> Any:
+        """w S."""
+        return self.x.ratio if self.x.level is None else self.x.ratio * self.x.level
+
+    @cached_property
+    def both(self) -> Any:
+        """2 w S + t m."""
+        return self.width * 2 + self.x.velocity_index * self.x.mean
+
+    @cached_property
     def lead(self) -> Any:
-        """P11 - n P12, by its positive terms."""
-        noise, square = self.x.noise, self.x.index * self.x.index
-        return total(
-            self.updated["updated_11"],
-            times(2 - noise.n, self.updated["updated_12"]),
-            times(1 - noise.n, self.updated["updated_22"]),
-            times(noise.determinant, square) if noise.determinant else None,
-        )
+        """P11 - n P12."""
+        x = self.x
+        if not x.noise.interval:
+            return self.sigma * x.delta * (x.cross / x.index)
+        more = None
+        if x.noise.e:
+            area = times(x.noise.e, x.index * x.index)
+            more = x.eta * (area / (area + 16))
+        inner = total(x.one_end + x.delta * 2, more)
+        return (self.width / self.both) * ((x.eta / 4) * inner)
+
+    @cached_property
+    def lead_and_two(self) -> Any:
+        """P11 - n P12 + 2."""
+        x = self.x
+        if not x.noise.interval:
+            return self.lead + 2
+        inner = self.sigma * self.width + x.velocity_index
+        return (inner / self.both) * x.eta
 
     @cached_property
     def share(self) -> Any:
