@@ -81,6 +81,8 @@ class Local:
 
     def undefined(self, *exprs: Expr) -> str | None:
         """Why one of the expressions has no value here, or None."""
+        if not self._bad:
+            return None
         for node in walk(*exprs):
             if node.key in self._bad:
                 return self._bad[node.key]
@@ -88,7 +90,7 @@ class Local:
 
     def without_value(self, *exprs: Expr) -> list[Expr]:
         """The parts that have no value here, for example a quotient by zero."""
-        return [node for node in walk(*exprs) if node.key in self._bad]
+        return [node for node in walk(*exprs) if node.key in self._bad] if self._bad else []
 
     def reduce(self, p: Poly) -> Poly:
         """Remainder by the relations of the tower, of the place and of the roots that are zero

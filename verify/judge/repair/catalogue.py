@@ -32,9 +32,9 @@ def changes(
     formula: Printed, table: Table, numbers: frozenset[str], most: int = 3
 ) -> Iterator[Change]:
     """All formulas one edit away whose edit weighs at most `most`, each once."""
-    seen = {_key(formula)}
+    seen = {_key(formula, formula)}
     for change in _all(formula, table, numbers, most):
-        key = _key(change.printed)
+        key = _key(change.printed, formula)
         if change.weight <= most and key not in seen:
             seen.add(key)
             yield change
@@ -58,5 +58,9 @@ def _all(formula: Printed, table: Table, numbers: frozenset[str], most: int) -> 
     yield from changes_of_whole(formula, table, numbers, most)
 
 
-def _key(formula: Printed) -> tuple[object, ...]:
-    return (*[side.key for side in formula.sides], formula.links, formula.conditions)
+def _key(formula: Printed, first: Printed) -> tuple[object, ...]:
+    """Equal for formulas written alike, if all are compared with the same first one."""
+    sides = [side.key for side in formula.sides]
+    if formula.links is first.links and formula.conditions is first.conditions:
+        return tuple(sides)
+    return (*sides, formula.links, formula.conditions)

@@ -11,13 +11,14 @@ from typing import Any
 
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
+from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.chained import Chain, printed_bodies
 from gainproof.verify.judge.repair.points import Point, free_points
-from gainproof.verify.judge.repair.printed import Printed, printed
+from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
@@ -86,8 +87,7 @@ class DefinitionTask:
                 tried += 1
                 if tried > MOST_TRIED or time.perf_counter() > deadline:
                     break
-                body = change.printed.sides[change.printed.links[0].right]
-                if chain.agrees(body):
+                if chain.agrees(_body(change)):
                     survivors.append((suspect, change))
         survivors.sort(key=lambda pair: (pair[1].weight, -len(pair[0].wrong), _size(pair[1])))
         for suspect, change in survivors:
@@ -129,23 +129,26 @@ def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
     left = formula.sides[formula.links[0].left]
     table = table_of(setting, formula, (*suspect.wrong, *suspect.right))
     for change in changes(formula, table, sample_numbers(setting)):
-        circular = any(node[1:2] == [suspect.token] for node in _nodes(change.printed))
+        circular = any(
+            node.kind in ("symbol", "call") and node.name == suspect.token
+            for node in walk(_body(change))
+        )
         if change.printed.sides[formula.links[0].left] == left and not circular:
             yield change
 
 
-def _nodes(formula: Printed) -> list[list[Any]]:
-    relation = formula.reading().relations[0]
-    return [list(node) for node in relation.right["nodes"]]
+def _body(change: Change) -> Expr:
+    return change.printed.sides[change.printed.links[0].right]
 
 
 def _size(change: Change) -> int:
-    return len(_nodes(change.printed))
+    return sum(1 for _ in walk(_body(change)))
 
 
 def _points(claim: Claim, convention: Convention) -> list[Point]:
     scope = Scope(convention.setting, convention.environment)
-    assert claim.formula is not None
+    if claim.formula is None:
+        return []
     try:
         for token in reached(claim, convention.setting):
             scope.symbol(token)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph import graph_of, read_graph
@@ -36,7 +36,11 @@ class Printed:
 
     def with_side(self, number: int, side: Expr) -> Printed:
         """Another side in one place."""
-        return replace(self, sides=(*self.sides[:number], side, *self.sides[number + 1 :]))
+        return self.with_sides((*self.sides[:number], side, *self.sides[number + 1 :]))
+
+    def with_sides(self, sides: tuple[Expr, ...]) -> Printed:
+        """Other sides."""
+        return Printed(sides, self.links, self.conditions, self.connective)
 
     def claimed(self) -> tuple[int, ...]:
         """Numbers of the sides that the claim itself is about."""

@@ -91,7 +91,8 @@ def _everywhere(
 ) -> Iterator[Change]:
     """One symbol changed wherever it stands in the claim."""
     claimed = formula.claimed()
-    for name in sorted({s for n in claimed for s in symbols_of(formula.sides[n])}):
+    used = [symbols_of(side) for side in formula.sides]
+    for name in sorted({s for n in claimed for s in used[n]}):
         x = symbol(name)
         new: list[tuple[Expr, int, str]] = []
         for shift in (1, -1) if name in numbers else ():
@@ -100,7 +101,7 @@ def _everywhere(
                 for n, side in enumerate(formula.sides)
             )
             step = Step("the number of the first sample", x, shifted(x, name, shift))
-            yield Change(replace(formula, sides=sides), SLIGHT, (step,))
+            yield Change(formula.with_sides(sides), SLIGHT, (step,))
         if most < PLAIN:
             continue
         new.append((raised(x, Fraction(2)), PLAIN, "a deviation that is a variance"))
@@ -112,7 +113,7 @@ def _everywhere(
         ]
         for value, weight, what in new:
             sides = tuple(
-                substituted(side, {name: value}) if n in claimed else side
+                substituted(side, {name: value}) if n in claimed and name in used[n] else side
                 for n, side in enumerate(formula.sides)
             )
-            yield Change(replace(formula, sides=sides), weight, (Step(what, x, value),))
+            yield Change(formula.with_sides(sides), weight, (Step(what, x, value),))

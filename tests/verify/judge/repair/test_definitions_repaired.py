@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from claim_texts import algebra, judged
+from claim_texts import MODELS, algebra, claim_file, judged, steady
+
+from gainproof.verify.judge.judge import judge_file
 
 HEAD = (
     "'a' = { unit = 'm s^-2', meaning = 'acceleration' }\n"
@@ -26,6 +28,24 @@ def test_definition_is_repaired_by_what_the_claims_need() -> None:
         assert claim.verdict == "refuted"
         assert claim.repair is None
         assert "would be proved with w defined as w = v + a T" in claim.reason
+
+
+def test_a_claim_without_a_formula_is_no_obstacle() -> None:
+    """The poles of a closed loop are claimed by a polynomial."""
+    symbols = steady("random-velocity") + (
+        "[settings.s.symbols]\n"
+        "'g' = { definition = '2 - \\alpha + \\beta', meaning = 'trace of the closed loop' }\n"
+        "'z' = { unit = '1', meaning = 'a pole' }\n"
+    )
+    claim = "[[claims]]\nid = '{}'\nplace = 'p'\nkind = '{}'\nsetting = 's'\n"
+    more = claim.format("double", "identity") + "latex = '2 g = 4 - 2 \\alpha - 2 \\beta'\n"
+    more += claim.format("roots", "location") + "variable = 'z'\n"
+    more += "polynomial = 'z^2 - g z + 1 - \\alpha'\nwhere = 'inside the unit circle'\n"
+    found = claim_file(symbols, [("identity", r"g = 2 - \alpha - \beta")], more)
+    single, double, roots = judge_file(found, MODELS)
+    assert roots.verdict == "refuted"
+    for verdict in (single, double):
+        assert "would be proved with g defined as g = 2 - \\alpha - \\beta" in verdict.reason
 
 
 def test_dimensions_and_all_claims_have_to_agree() -> None:
