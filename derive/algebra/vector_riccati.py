@@ -32,7 +32,7 @@ def vector_riccati_evidence(step: Step, tower: Tower) -> dict[str, Any]:
     )
     precision, scale = _precision(tower, model["measurement_noise"])
     first, second = _wrapped(tower, before), _wrapped(tower, after)
-    index = tower.elements[parts["index"]]
+    index = tower.fraction(real(parts["index"]))
     one = _scalar(tower, tower.ring.one, size)
     strength = _scalar(tower, below * index.num**2, size)
     moved = first - transition * second * transition.transpose()

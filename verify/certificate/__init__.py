@@ -73,8 +73,9 @@ Root in a claim
     ["pow", i, "m/n"]: the base must be zero, a perfect n-th power of one term over factors, or
     equal to the radicand of a generator of power n.
 Derivative
-    By a parameter (generators follow: y' = radicand'/(n y^(n-1))) or a free symbol; by an element x
-    of a tower with one parameter p: (dE/dp)/(dx/dp).
+    By a parameter (generators follow: y' = radicand'/(n y^(n-1)); the other parameters held) or a
+    free symbol; by an element x in which one parameter p occurs and no other, also inside
+    generators: (dE/dp)/(dx/dp), the other parameters held.
 At
     The expression evaluated anew with another value of a parameter or free symbol, in elements too,
     every divisor shown nonzero there. Only in towers without generators; no derivative inside.
@@ -90,23 +91,34 @@ positive {"expression": graph}; {"value": fraction, "nonzero"}
 same_sign {"left": graph, "right": graph}; {"factor": fraction, "nonzero"}
     left = factor * right, not both zero; the factor is manifestly positive.
 limit {"expression": graph, "variable": name, "point": "0" | "infinity", "value": graph |
-"infinity"}; {"weights", "constants", "boundary", "nonzero"}
-    Towers with one parameter. The variable is the parameter or an element that tends to the point
-    with it and only then. "weights": {generator: integer w}: with the parameter as x (at 0) or 1/x
+"infinity"}; {"weights", "constants", "boundary", "nonzero"} and possibly "form": fraction
+    For every fixed value of the other parameters; nothing is said of parameters tending together.
+    The variable is a parameter, or an element of one parameter alone that tends to the point with
+    it and only then. "weights": {generator: integer w}: with the parameter as x (at 0) or 1/x
     (at infinity) the generator is Y x^(-w); w <= 0 at 0, w >= 0 at infinity. "constants":
-    [{"symbol", "power", "radicand"}, ...]: positive roots over earlier constants, exponents over
-    all constants. "boundary": {generator: polynomial over the constants}: the value of Y at x = 0,
-    manifestly nonnegative and a root of the rescaled relation at x = 0, which may hold no negative
-    power of x. Weights and boundary name every generator. The lowest powers of x above and below
-    the line give the limit; their coefficients at the boundary must have plain signs (all
-    coefficients positive, or all negative). "value" is made of numbers, whose roots must be
-    rational or among the constants.
+    [{"symbol", "power", "radicand"}, ...]: positive roots over the other parameters and earlier
+    constants, exponents over the other parameters, then all constants. "boundary": {generator:
+    polynomial over these}: the value of Y at x = 0, manifestly nonnegative and a root of the
+    rescaled relation at x = 0, which may hold no negative power of x. Weights and boundary name
+    every generator. The lowest powers of x above and below the line give the limit; their
+    coefficients at the boundary must have plain signs (positive or negative for all values of the
+    other parameters, manifestly). A "form" equals the expression and takes its place where its own
+    coefficients have no plain sign; one that is not needed is rejected. "value" is made of numbers,
+    of names in which the tending parameter does not occur, and of roots, which must be known: of
+    the radicands of the constants, or perfect.
 increasing_onto {"expression": graph, "variable": name, "from": graph, "to": graph | "infinity"};
-{"derivative": fraction, "start": limit evidence, "end": limit evidence, "nonzero"}
-    The expression increases strictly with the variable (the parameter, or an element that runs from
-    0 to infinity with it) and takes every value between the limits at the two ends of the domain,
-    "from" itself only if the domain is closed. The derivative equals the fraction, which is
-    positive inside. Limit evidence here is {"weights", "constants", "boundary"}.
+{"derivative": fraction, "start": limit evidence, "end": limit evidence, "nonzero"}, possibly "form"
+    For every fixed value of the other parameters the expression increases strictly with the
+    variable (a parameter, or an element of it alone that runs from 0 to infinity with it) and takes
+    every value between the limits at the two ends of its domain, "from" itself only if that domain
+    is closed. The derivative equals the fraction, which is positive along the variable: positive
+    inside, with a term that holds no closed end of another parameter. Limit evidence here is
+    {"weights", "constants", "boundary"}; values and form as for a limit.
+monotone {"expression": graph, "variable": name, "trend": "increasing" | "decreasing"};
+{"derivative": fraction, "nonzero"}
+    Strictly, for every fixed value of the other parameters. The variable is a parameter or an
+    element of one alone; the derivative by it, or for "decreasing" its negative, equals the
+    fraction, which is positive along the variable.
 riccati {"model": model, "predicted": [[names]], "updated": [[names]], "gain": [names] or [[names]],
 "index": name}
     M = F X F' + q Q0 with q = index^2, K (H M H' + R) = M H', X = M - K H M, and H M H' + R is
