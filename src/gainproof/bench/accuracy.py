@@ -17,8 +17,8 @@ Graph = Mapping[str, Any]
 Ball = Any  # flint.arb; python-flint ships no types
 
 
-def ball_outputs(graph: Graph, point: float, precision: int = 192) -> dict[str, Ball]:
-    """Balls round the exact outputs of a one-argument graph at a float."""
+def ball_outputs(graph: Graph, point: Mapping[str, float], precision: int = 192) -> dict[str, Ball]:
+    """Balls round the exact outputs of a graph at floats, one for each symbol."""
     with ctx.workprec(precision):
         values: list[Ball] = []
         for operation, *operands in graph["nodes"]:
@@ -30,12 +30,14 @@ def ball_outputs(graph: Graph, point: float, precision: int = 192) -> dict[str, 
     return ball_outputs(graph, point, 2 * precision)
 
 
-def _value(operation: str, operands: Sequence[Any], values: list[Ball], point: float) -> Ball:
+def _value(
+    operation: str, operands: Sequence[Any], values: list[Ball], point: Mapping[str, float]
+) -> Ball:
     if operation == "number":
         number = Fraction(operands[0])
         return arb(fmpq(number.numerator, number.denominator))
     if operation == "symbol":
-        return arb(point)
+        return arb(point[operands[0]])
     if operation == "call":
         name, *rest = operands
         chosen = [values[number] for number in rest]

@@ -6,7 +6,7 @@ import ctypes
 import os
 import shutil
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +23,8 @@ FLAGS = (
     "-fPIC",
 )
 
-Loop = Callable[[NDArray[np.float64], list[NDArray[np.float64]]], None]
+Arrays = Sequence[NDArray[np.float64]]
+Loop = Callable[[Arrays, Arrays], None]
 
 
 def compiler() -> str | None:
@@ -35,7 +36,7 @@ def compiler() -> str | None:
 
 
 def compiled(source: str, function: str, folder: Path) -> Loop:
-    """Compile `source` and wrap `function`(long n, const double *in, double *out0, ...).
+    """Compile `source` and wrap `function`(size_t n, const double *in0, ..., double *out0, ...).
 
     Raises subprocess.CalledProcessError when the compiler refuses the source.
     """
@@ -53,8 +54,8 @@ def compiled(source: str, function: str, folder: Path) -> Loop:
     loop = getattr(ctypes.CDLL(str(library)), function)
     loop.restype = None
 
-    def call(given: NDArray[np.float64], outputs: list[NDArray[np.float64]]) -> None:
-        pointers = [ctypes.c_void_p(array.ctypes.data) for array in (given, *outputs)]
-        loop(ctypes.c_size_t(given.size), *pointers)
+    def call(given: Arrays, outputs: Arrays) -> None:
+        pointers = [ctypes.c_void_p(array.ctypes.data) for array in (*given, *outputs)]
+        loop(ctypes.c_size_t(given[0].size), *pointers)
 
     return call

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -13,13 +12,13 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from gainproof.bench.accuracy import ball_outputs, error, log_uniform
-from gainproof.bench.compiler import compiled, compiler
+from gainproof.bench.compiler import Arrays, compiled, compiler
+from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
 from gainproof.derive.printer.c_source import c_source
 
 SIZE = 1_000_000
-SOLVER_POINTS = 40
 ERROR_POINTS = 400
 EPSILON = 2.0**-52
 BLOCK = 16384
@@ -47,9 +46,9 @@ class Figures:
 def figures(item: Measured, folder: Path) -> Figures:
     """Measure one kernel."""
     given = sample(item)
-    outputs = [np.empty_like(given) for _ in item.kernel.outputs]
+    outputs = [np.empty_like(given[0]) for _ in item.kernel.outputs]
     calls: dict[str, Callable[[], object]] = {
-        "kernel": lambda: item.function(given, out=tuple(outputs)),
+        "kernel": lambda: item.function(*given, out=tuple(outputs)),
         "passes": bare_passes(item, given),
     }
     if compiler() is not None:
@@ -57,14 +56,16 @@ def figures(item: Measured, folder: Path) -> Figures:
         place = folder / item.subject
         place.mkdir(exist_ok=True)
         loop = compiled(c_source(item.kernel), item.kernel.name, place)
-        targets = [np.empty_like(given) for _ in item.kernel.outputs]
+        targets = [np.empty_like(given[0]) for _ in item.kernel.outputs]
         calls["C"] = lambda: loop(given, targets)
     if item.textbook is not None:
         plain = lambdified(item)
-        calls["lambdify"] = lambda: plain(given)
+        calls["lambdify"] = lambda: plain(*given)
     with np.errstate(all="ignore"):  # textbook forms cancel, divide by zero and overflow
         best = best_times(calls)
-    solver = solver_seconds(item)
+    solver = None
+    if item.model is not None:
+        solver = solver_seconds(item.model, [each.name for each in item.kernel.inputs])
     worst, proved = worst_error(item)
     return Figures(
         best["kernel"] / best["C"] if "C" in best else None,
@@ -76,77 +77,68 @@ def figures(item: Measured, folder: Path) -> Figures:
     )
 
 
-def sample(item: Measured) -> NDArray[np.float64]:
-    """A million arguments inside the domain: indices from 1e-6 to 1e6, gains, sample numbers."""
+def sample(item: Measured) -> Arrays:
+    """A million arguments inside the domain: parameters from 1e-6 to 1e6, gains, sample numbers."""
     generator = np.random.default_rng(20)
-    low, high = item.bound.lowest, item.bound.highest
-    if item.kernel.inputs[0].integer:
+    return [
+        _arguments(given.integer, low, high, generator)
+        for given, (low, high) in zip(item.kernel.inputs, item.bound.inputs, strict=True)
+    ]
+
+
+def _arguments(
+    whole: bool, low: float, high: float, generator: np.random.Generator
+) -> NDArray[np.float64]:
+    if whole:
         return np.asarray(generator.integers(int(max(low, 3)), 10**6, SIZE), np.float64)
     if high > 10:
         return 10.0 ** generator.uniform(-6, 6, SIZE)
     return generator.uniform(0.001 * high, 0.999 * high, SIZE)
 
 
-def bare_passes(item: Measured, given: NDArray[np.float64]) -> Callable[[], object]:
+def bare_passes(item: Measured, given: Arrays) -> Callable[[], object]:
     """The block function of a kernel, run on one block as often as a million points need."""
-    part = given[:BLOCK]
-    outputs = [np.empty_like(part) for _ in item.kernel.outputs]
-    work = [np.empty_like(part) for _ in range(item.signature.work)]
+    parts = [each[:BLOCK] for each in given]
+    outputs = [np.empty_like(parts[0]) for _ in item.kernel.outputs]
+    work = [np.empty_like(parts[0]) for _ in range(item.signature.work)]
 
     def call() -> None:
         for _ in range(SIZE // BLOCK):
-            item.signature.block([part], outputs, work, False)
+            item.signature.block(parts, outputs, work, False)
 
     return call
 
 
-def lambdified(item: Measured) -> Callable[[NDArray[np.float64]], Any]:
+def lambdified(item: Measured) -> Callable[..., Any]:
     """SymPy's own printer on the textbook form, with common subexpressions shared."""
     assert item.textbook is not None
-    (argument,) = {symbol for value in item.textbook.values() for symbol in value.free_symbols}
-    function: Callable[[NDArray[np.float64]], Any] = sp.lambdify(
-        argument, list(item.textbook.values()), modules="numpy", cse=True
+    free = {symbol for value in item.textbook.values() for symbol in value.free_symbols}
+    if len(item.kernel.inputs) > 1:
+        named = {str(symbol): symbol for symbol in free}
+        arguments = [named[given.name] for given in item.kernel.inputs]
+    else:
+        arguments = list(free)
+    function: Callable[..., Any] = sp.lambdify(
+        arguments, list(item.textbook.values()), modules="numpy", cse=True
     )
     return function
-
-
-def solver_seconds(item: Measured) -> float | None:
-    """SciPy's Riccati solver, seconds a point; None without SciPy or without a model."""
-    if item.model is None or item.kernel.inputs[0].name != "tracking_index":
-        return None
-    try:
-        from scipy.linalg import solve_discrete_are
-    except ImportError:
-        return None
-    matrices = {
-        key: np.array([[float(sp.Rational(entry)) for entry in row] for row in item.model[key]])
-        for key in ("transition", "process_noise", "measurement", "measurement_noise")
-    }
-    start = perf_counter()
-    for index in np.geomspace(0.01, 100, SOLVER_POINTS):
-        solve_discrete_are(
-            matrices["transition"].T,
-            matrices["measurement"].T,
-            index**2 * matrices["process_noise"],
-            matrices["measurement_noise"],
-        )
-    return (perf_counter() - start) / SOLVER_POINTS
 
 
 def worst_error(item: Measured) -> tuple[float, float]:
     """The greatest error met, and the proved bound of the output where it was met."""
     generator = np.random.default_rng(21)
     worst, proved = 0.0, 0.0
+    names = [given.name for given in item.kernel.inputs]
     for number, output in enumerate(item.kernel.outputs):
         bound = item.bound.outputs[number]
-        whole = item.kernel.inputs[0].integer
-        lowest = max(bound.lowest, 1.0) if whole else bound.lowest
-        points = log_uniform(lowest, bound.highest, ERROR_POINTS, generator)
-        if whole:
-            points = [float(round(point)) for point in points]
-        values = item.function(np.array(points))[number]
-        for point, value in zip(points, values, strict=True):
-            exact = ball_outputs(item.kernel.graph, point)
+        columns = []
+        for given, (low, high) in zip(item.kernel.inputs, bound.domain, strict=True):
+            lowest = max(low, 1.0) if given.integer else low
+            points = log_uniform(lowest, high, ERROR_POINTS, generator)
+            columns.append([float(round(x)) for x in points] if given.integer else points)
+        values = item.function(*(np.array(column) for column in columns))[number]
+        for place, value in zip(zip(*columns, strict=True), values, strict=True):
+            exact = ball_outputs(item.kernel.graph, dict(zip(names, place, strict=True)))
             scale = exact[output.relative_to or output.name]
             found = error(float(value), exact[output.name], scale, EPSILON)
             if found > worst:

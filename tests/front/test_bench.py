@@ -1,0 +1,98 @@
+"""What `gainproof bench` measures of a kernel, by a small kernel of two inputs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from graph_kernels import module_of, several_of
+
+from gainproof.bench import measure
+from gainproof.bench.compiler import compiled, compiler
+from gainproof.bench.solver import matrix, solver_seconds
+from gainproof.bench.subjects import Measured
+from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.c_source import c_source
+from gainproof.derive.printer.formats import FLOAT64
+from gainproof.derive.printer.graph import GraphBuilder
+from gainproof.derive.printer.kernel import closed
+
+NAMES = ("tracking_index", "velocity_ratio")
+SQUARE = {"nodes": [["symbol", "velocity_ratio"], ["mul", 0, 0]], "outputs": {"value": 1}}
+MODEL: dict[str, Any] = {
+    "transition": [["1", "1"], ["0", "1"]],
+    "process_noise": [["1/3", "1/2"], ["1/2", "1"]],
+    "measurement": [["1", "0"], ["0", "1"]],
+    "measurement_noise": [["1", "0"], ["0", SQUARE]],
+}
+
+
+def item() -> Measured:
+    """sqrt(x^2 + z) and its quotient by z, not symmetric in the inputs."""
+    b = GraphBuilder()
+    x, z = (b.symbol(name) for name in NAMES)
+    root = b.sqrt(x * x + z)
+    graph = b.graph({"root": root, "share": root / z})
+    inputs = tuple(closed(name, "an argument", "1e-9", "1e9") for name in NAMES)
+    kernel = replace(several_of(graph, 1, 2), inputs=inputs)
+    space = module_of(kernel)
+    index, ratio = sp.symbols(NAMES)
+    plain = sp.sqrt(index**2 + ratio)
+    return Measured(
+        "made",
+        kernel,
+        space["kernel"],
+        space["_KERNEL"],
+        prove(kernel, FLOAT64),
+        {"root": plain, "share": plain / ratio},
+        MODEL,
+    )
+
+
+def test_a_kernel_of_two_inputs_is_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    found = measure.figures(item(), tmp_path)
+    for ratio in (found.passes_over_c, found.over_c):
+        assert (ratio is None) == (compiler() is None)
+        assert ratio is None or ratio > 0
+    for ratio in (found.under_lambdify, found.under_solver):
+        assert ratio is not None
+        assert ratio > 0
+    assert 0.4 < found.worst <= found.proved
+
+
+def test_what_is_compared_computes_the_same(tmp_path: Path) -> None:
+    made = item()
+    given = [np.array([3.0, 0.5, 7.0]), np.array([16.0, 2.0, 1e-3])]
+    expected = made.function(*given)
+    for found, reference in zip(measure.lambdified(made)(*given), expected, strict=True):
+        np.testing.assert_allclose(found, reference, rtol=1e-15)
+    if compiler() is not None:
+        outputs = [np.empty(3) for _ in expected]
+        compiled(c_source(made.kernel), "kernel", tmp_path)(given, outputs)
+        for found, reference in zip(outputs, expected, strict=True):
+            np.testing.assert_array_equal(found, reference)
+
+
+def test_a_wrong_value_is_seen() -> None:
+    made = item()
+    worst, proved = measure.worst_error(made)
+    assert worst <= proved
+    function: Any = made.function
+    spoiled = replace(made, function=lambda *xs: [y * (1 + 2.0**-50) for y in function(*xs)])
+    worst, proved = measure.worst_error(spoiled)
+    assert worst > proved
+
+
+def test_the_solver_gets_the_model_at_the_point() -> None:
+    assert matrix(MODEL["measurement_noise"], {"velocity_ratio": 3.0}).tolist() == [[1, 0], [0, 9]]
+    assert solver_seconds(MODEL, ("alpha",)) is None
+    seconds = solver_seconds(MODEL, NAMES)
+    assert seconds is not None
+    assert seconds > 0
