@@ -21,6 +21,8 @@ from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import SAMPLE, Environment
 
 PLAIN = ("=", "!=", "<", "<=", ">", ">=")
+OTHER = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
+"""What is true where a relation with values is not."""
 
 
 @dataclass(frozen=True)
@@ -103,6 +105,7 @@ def framed(
     frame = Frame(boxes, rest, environment.parameter, scope.labels(), environment)
     if scope.environment.assigned:
         frame = _without_implied(frame)
+        _refuse_other_model(frame, scope)
     return _with_required(frame, scope.required)
 
 
@@ -120,6 +123,19 @@ def _without_implied(frame: Frame) -> Frame:
     """Without the conditions that a model of the source's own makes true everywhere."""
     bare = replace(frame, conditions=())
     return replace(frame, conditions=tuple(c for c in frame.conditions if not bare.holds(c)))
+
+
+def _refuse_other_model(frame: Frame, scope: Scope) -> None:
+    """Raises Undecided where a symbol of the model lies outside of its domain whatever the model is.
+
+    With an intensity q < 0 there is none: nothing holds of its gain, be q in the formula or not.
+    """
+    bare = replace(frame, conditions=())
+    for token in scope.environment.assigned:
+        for rel in scope.setting.symbols[token].domain:
+            stated = scope.relation(rel)
+            if bare.holds(Rel(OTHER[stated.operator], stated.left, stated.right)):
+                raise Undecided(f"the model does not hold where {token} is said to lie")
 
 
 def _with_required(frame: Frame, required: Iterable[Rel]) -> Frame:

@@ -96,3 +96,15 @@ def test_an_order_on_the_left_is_of_that_on_the_right(latex: str, true: bool) ->
 @pytest.mark.parametrize("fields", DERIVATIVES)
 def test_a_slope_that_is_zero_with_its_base(fields: str) -> None:
     check(judged("identity", fields), "proved")
+
+
+@pytest.mark.parametrize(("domain", "true"), [("q < 0", False), ("q > 0", True)])
+def test_a_model_outside_of_its_domain_is_none(domain: str, true: bool) -> None:
+    symbols = {
+        "q": f"{{ unit = 'm^2', domain = '{domain}', meaning = 'intensity' }}",
+        "r": "{ unit = 'm^2', domain = 'r > 0', meaning = 'variance' }",
+        "P": "{ quantity = 'predicted_covariance.1.1', meaning = 'covariance' }",
+    }
+    matrices = "transition = [['1']]\nprocess_noise = [['q']]\nmeasurement = [['1']]"
+    setting = f"kind = 'steady_state'\n{matrices}\nmeasurement_noise = [['r']]"
+    assert (judged("inequality", "P > 0", symbols, setting).verdict == "proved") == true
