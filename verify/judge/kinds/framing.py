@@ -126,7 +126,7 @@ def _without_implied(frame: Frame) -> Frame:
 
 
 def _refuse_other_model(frame: Frame, scope: Scope) -> None:
-    """Raises Undecided where a symbol of the model lies outside of its domain whatever the model is.
+    """Raises Undecided where a symbol of the model cannot lie in its domain, whatever the model is.
 
     With an intensity q < 0 there is none: nothing holds of its gain, be q in the formula or not.
     """
