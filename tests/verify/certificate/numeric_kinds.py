@@ -51,41 +51,73 @@ def _same_sign(_: Data, claim: Data, truth: Truth, generator: random.Random, poi
     )
 
 
-def _tends(truth: Truth, expression: Data, wanted: Any, at_infinity: bool) -> bool:
-    """Close to the limit, at two distances from the end."""
-    (parameter,) = truth.tower["parameters"]
+def _tends(truth: Truth, expression: Data, wanted: Any, end: tuple[str, bool], place: Data) -> bool:
+    """Close to the limit, at two distances from the end; the other parameters are held."""
+    name, at_infinity = end
+    (parameter,) = (p for p in truth.tower["parameters"] if p["symbol"] == name)
     lower = mp.mpf(parameter.get("from", "0"))
     seen = []
-    for power in (6, 9):
+    # where another parameter is held far out the limit is reached later
+    for power in (6, 9) if len(truth.tower["parameters"]) == 1 else (10, 14):
         distance = mp.mpf(10) ** (power if at_infinity else -power)
-        seen.append(truth.value(expression, {parameter["symbol"]: lower + distance}))
+        seen.append(truth.value(expression, {**place, name: lower + distance}))
     if wanted == "infinity":
         return bool(seen[1] > seen[0] > 100)
-    target = truth.value(wanted, {parameter["symbol"]: lower + 1})
+    target = truth.value(wanted, {**place, name: lower + 1})
     return agree(seen[1], target, mp.mpf(10) ** -4)
 
 
 def _limit(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
-    del generator, points
     at_infinity = claim["point"] == "infinity"
     ends = {"nodes": [["symbol", claim["variable"]]], "outputs": {"value": 0}}
     zero = {"nodes": [["number", "0"]], "outputs": {"value": 0}}
-    return _tends(truth, ends, "infinity" if at_infinity else zero, at_infinity) and _tends(
-        truth, claim["expression"], claim["value"], at_infinity
+    for place in _points(truth, generator, _places(truth, points)):
+        end = truth.moving(claim["variable"], place), at_infinity
+        reached = _tends(truth, ends, "infinity" if at_infinity else zero, end, place)
+        if not reached or not _tends(truth, claim["expression"], claim["value"], end, place):
+            return False
+    return True
+
+
+def _places(truth: Truth, points: int) -> int:
+    """At how many points of the other parameters something is tried."""
+    return points if len(truth.tower["parameters"]) > 1 else 1
+
+
+def _ordered(
+    claim: Data, truth: Truth, generator: random.Random, place: Data, points: int
+) -> tuple[bool, str]:
+    """Whether the expression grows with the variable, and the parameter that moves it."""
+    symbol = truth.moving(claim["variable"], place)
+    places = [{**place, symbol: p[symbol]} for p in _points(truth, generator, points + 2)]
+    pairs = sorted(
+        (truth.names(p)[claim["variable"]], truth.value(claim["expression"], p)) for p in places
     )
+    return all(a[1] < b[1] for a, b in pairwise(pairs)), symbol
 
 
 def _increasing(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
-    symbol = truth.tower["parameters"][0]["symbol"]
-    places = sorted(_points(truth, generator, points + 2), key=lambda place: place[symbol])
-    values = [truth.value(claim["expression"], place) for place in places]
-    variable = [truth.names(place)[claim["variable"]] for place in places]
-    ordered = all(a < b for found in (values, variable) for a, b in pairwise(found))
-    return (
-        ordered
-        and _tends(truth, claim["expression"], claim["from"], False)
-        and _tends(truth, claim["expression"], claim["to"], True)
-    )
+    for place in _points(truth, generator, _places(truth, points)):
+        ordered, symbol = _ordered(claim, truth, generator, place, points)
+        if not (
+            ordered
+            and _tends(truth, claim["expression"], claim["from"], (symbol, False), place)
+            and _tends(truth, claim["expression"], claim["to"], (symbol, True), place)
+        ):
+            return False
+    return True
+
+
+def _monotone(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
+    for place in _points(truth, generator, points):
+        symbol = truth.moving(claim["variable"], place)
+        near = {**place, symbol: place[symbol] * 2 + 1}
+        first, second = truth.names(place), truth.names(near)
+        run = second[claim["variable"]] - first[claim["variable"]]
+        rise = truth.value(claim["expression"], near) - truth.value(claim["expression"], place)
+        if not (rise * run > 0 if claim["trend"] == "increasing" else rise * run < 0):
+            return False
+    return True
 
 
 def _matrix(rows: Any, names: Data | None = None) -> Any:
@@ -98,20 +130,38 @@ def _matrix(rows: Any, names: Data | None = None) -> Any:
     return mp.matrix([[entry(text) for text in row] for row in rows])
 
 
+def _model(claim: Data, truth: Truth, place: Data) -> list[Any]:
+    """Transition, process noise, measurement and measurement noise at a point."""
+
+    def entry(value: Any) -> Any:
+        if isinstance(value, dict):
+            return truth.value(value, place)
+        above, _, below = value.partition("/")
+        return mp.mpf(int(above)) / int(below or 1)
+
+    fields = ("transition", "process_noise", "measurement", "measurement_noise")
+    return [
+        mp.matrix([[entry(value) for value in row] for row in claim["model"][field]])
+        for field in fields
+    ]
+
+
+def _gain(claim: Data, names: Data) -> Any:
+    return _matrix([[row] if isinstance(row, str) else row for row in claim["gain"]], names)
+
+
 def _riccati(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
-    step, noise, seen, measured = (
-        _matrix(claim["model"][field])
-        for field in ("transition", "process_noise", "measurement", "measurement_noise")
-    )
     for place in _points(truth, generator, points):
+        step, noise, seen, measured = _model(claim, truth, place)
         names = truth.names(place)
         before, after = _matrix(claim["predicted"], names), _matrix(claim["updated"], names)
-        gain = _matrix([[name] for name in claim["gain"]], names)
-        variance = (seen * before * seen.T + measured)[0]
+        gain = _gain(claim, names)
+        variance = seen * before * seen.T + measured
         tolerance = mp.mpf(10) ** -20 * (1 + mp.mnorm(before))
         if not (
-            variance > 0
-            and agree(gain, before * seen.T / variance, tolerance)
+            all(mp.det(variance[:n, :n]) > 0 for n in range(1, variance.rows + 1))
+            and agree(measured, measured.T)
+            and agree(gain, before * seen.T * variance**-1, tolerance)
             and agree(after, before - gain * seen * before, tolerance)
             and agree(before, step * after * step.T + names[claim["index"]] ** 2 * noise, tolerance)
         ):
@@ -120,11 +170,13 @@ def _riccati(_: Data, claim: Data, truth: Truth, generator: random.Random, point
 
 
 def _stable(_: Data, claim: Data, truth: Truth, generator: random.Random, points: int) -> bool:
-    step, seen = _matrix(claim["model"]["transition"]), _matrix(claim["model"]["measurement"])
     for place in _points(truth, generator, points):
-        gain = _matrix([[name] for name in claim["gain"]], truth.names(place))
+        step, _noise, seen, _measured = _model(claim, truth, place)
+        gain = _gain(claim, truth.names(place))
         loop = step * (mp.eye(step.rows) - gain * seen)
-        if not all(abs(root) < 1 for root in mp.eig(loop, left=False, right=False)):
+        # mpmath gives the eigenvalue of a 1 by 1 matrix another shape
+        roots = [loop[0]] if loop.rows == 1 else mp.eig(loop, left=False, right=False)
+        if not all(abs(root) < 1 for root in roots):
             return False
     return True
 
@@ -183,6 +235,7 @@ _KINDS: dict[str, Any] = {
     "same_sign": _same_sign,
     "limit": _limit,
     "increasing_onto": _increasing,
+    "monotone": _monotone,
     "riccati": _riccati,
     "stable": _stable,
     "positive_definite": _definite,

@@ -121,16 +121,31 @@ class Truth:
         return base ** int(above)
 
     def _derivative(self, nodes: list[Any], index: int, symbol: str, place: Values) -> Any:
-        """By the parameter, or by a name of a tower with one parameter (central difference)."""
-        variable = symbol if symbol in place else next(iter(place))
+        """By a parameter, or by a name of one parameter alone (central difference)."""
+        variable = self.moving(symbol, place)
+        rate = self._slope(
+            lambda there: self._node(nodes, index, there, self.names(there)), variable, place
+        )
+        if symbol in place:
+            return rate
+        return rate / self._slope(lambda there: self.names(there)[symbol], variable, place)
+
+    def moving(self, symbol: str, place: Values) -> str:
+        """The parameter (or free symbol) behind a name: itself, or the one that moves it."""
+        if symbol in place:
+            return symbol
+        found = [
+            name
+            for name in place
+            if abs(self._slope(lambda there: self.names(there)[symbol], name, place)) > NEAR
+        ]
+        assert len(found) == 1, "a name that depends on one parameter alone is wanted"
+        return found[0]
+
+    def _slope(self, function: Callable[[Values], Any], variable: str, place: Values) -> Any:
         step = mp.mpf(10) ** -20 * max(1, abs(place[variable]))
-
-        def slope(function: Callable[[Values], Any]) -> Any:
-            up, down = ({**place, variable: place[variable] + sign * step} for sign in (1, -1))
-            return (function(up) - function(down)) / (2 * step)
-
-        rate = slope(lambda there: self._node(nodes, index, there, self.names(there)))
-        return rate if symbol in place else rate / slope(lambda there: self.names(there)[symbol])
+        up, down = ({**place, variable: place[variable] + sign * step} for sign in (1, -1))
+        return (function(up) - function(down)) / (2 * step)
 
 
 def agree(left: Any, right: Any, tolerance: Any = NEAR) -> bool:

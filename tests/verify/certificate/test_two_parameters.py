@@ -120,7 +120,7 @@ def test_a_limit_for_part_of_the_other_domain() -> None:
         "point": "infinity",
         "value": graph_of(sp.Integer(0)),
     }
-    proof = {"weights": {}, "constants": [], "boundary": {}, "nonzero": []}
+    proof: Data = {"weights": {}, "constants": [], "boundary": {}, "nonzero": []}
     data = {
         "format": "gainproof certificate 1",
         "subject": "part",
