@@ -15,7 +15,8 @@ from gainproof.verify.judge.exact.witness import inside
 
 PRECISIONS = (128, 512, 2048)
 AGREED_BITS = 400
-WANTED = 24
+WANTED = 35
+"""All scales of all patterns: what is false far out only shows at the last."""
 LEAST = 8
 PATTERNS = (
     (1, 2, 3, 5, 7, 11),

@@ -15,6 +15,10 @@ from gainproof.verify.judge.freed.flattening import flattened
 from gainproof.verify.judge.freed.ranges import Positive
 
 MOST_MULTIPLE = 12
+MOST_POWER = 1000
+"""Of a new variable: exponents that differ in their eleventh digit have a common part so small that
+polynomials in it could not be written out.
+"""
 MOST_STRICT = 2
 
 Pair = tuple[Expr, Expr]
@@ -119,6 +123,8 @@ def _product(node: Expr, atoms: Atoms) -> Expr:
         n = int(c * divisor)
         if key[1] == number(-1):
             n %= 2  # the square of (-1)^m is 1
+        if abs(n) > MOST_POWER:
+            raise Undecided(f"a power of a function value beyond {MOST_POWER}")
         if n:
             factors.append(variable if n == 1 else power(variable, n))
     return mul(*factors) if factors else number(1)
