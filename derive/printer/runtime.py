@@ -57,7 +57,7 @@ def evaluate(
     many as the outputs, of another shape or type, read-only, or that share memory.
     """
     inputs = _as_real(kernel, given)
-    shape = np.broadcast_shapes(*(x.shape for x in inputs))
+    shape = _common_shape(kernel, inputs)
     flat = [_flat(x, shape) for x in inputs]
     kind = inputs[0].dtype
     with np.errstate(all="ignore"):
@@ -149,6 +149,17 @@ def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
     single = all(x.dtype.type is np.float32 for x in arrays)
     kind: np.dtype[Any] = np.dtype(np.float32 if single else np.float64)
     return [x.astype(kind, copy=False) for x in arrays]
+
+
+def _common_shape(kernel: Signature, inputs: Sequence[Array]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(x.shape for x in inputs))
+    except ValueError:
+        each = zip(kernel.inputs, inputs, strict=True)
+        shapes = ", ".join(f"{domain.name} {x.shape}" for domain, x in each)
+        raise ValueError(
+            f"{kernel.name}: inputs must have shapes that broadcast, got {shapes}"
+        ) from None
 
 
 def _flat(x: Array, shape: tuple[int, ...]) -> Array:
