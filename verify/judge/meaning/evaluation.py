@@ -65,6 +65,10 @@ class Names(Protocol):
         """Raises Undecided if the token is a term of a sequence in the value."""
         ...
 
+    def require_at(self, token: str, values: Mapping[str, Expr]) -> None:
+        """Notes that sums and integrals must have values where a symbol is replaced, too."""
+        ...
+
     def bound(
         self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
     ) -> Value:
@@ -146,6 +150,7 @@ def _at(value: Value, token: str, place: Value, names: Names, bindings: Bindings
     if not isinstance(target, Expr) or target.kind != "symbol" or names.is_shared(target.name):
         raise Undecided(f"substitution for {token}, which is no free symbol")
     put_in = {target.name: number_of(place)}
+    names.require_at(token, put_in)
     return mapped(value, lambda entry: substituted(entry, put_in))
 
 

@@ -15,6 +15,7 @@ from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
@@ -95,6 +96,20 @@ class Table(Symbols):
             for r in self.required[required:]
         ]
         self.whole[whole:] = [substituted(e, values) for e in self.whole[whole:]]
+
+    def require_at(self, token: str, values: Mapping[str, Expr]) -> None:
+        """Notes that sums and integrals must have values where a symbol is replaced, too: their
+        closed forms have values beyond, as that of a geometric series at 2.
+        """
+        marks = len(self.needed), len(self.required), len(self.whole)
+        self.needed += self.needed
+        self.required += self.required
+        self.whole += self.whole
+        if max(len(self.needed), len(self.required), len(self.whole)) > MOST_CALLS:
+            raise Undecided("a formula with too many sums in which a symbol is replaced")
+        self._put_in(values, marks)
+        if self.setting.symbols[token].integer:
+            self.whole += values.values()
 
     def refuse_free_index(self, body: Expr, token: str) -> None:
         """Raises Undecided if a free symbol below has the token, a whole number, as its index."""
@@ -178,13 +193,16 @@ class Table(Symbols):
                 return environment.slope(entry, target)
             if target.kind == "symbol":
                 return differentiated(entry, target.name)
-            variables = symbols_of(target)
-            if len(variables) != 1 or not symbols_of(entry) <= variables:
+            plain = tidied(target)
+            variables = symbols_of(plain)
+            # a coordinate changes alone: everything else in the entry stays
+            alone = variables <= set(environment.coordinates)
+            if len(variables) != 1 or not (alone or symbols_of(entry) <= variables):
                 raise Undecided(
                     f"a derivative with respect to {token}, which depends on several variables"
                 )
             name = next(iter(variables))
-            return differentiated(entry, name) / differentiated(target, name)
+            return differentiated(entry, name) / differentiated(plain, name)
 
         return mapped(value, each)
 

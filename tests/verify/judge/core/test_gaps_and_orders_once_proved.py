@@ -108,3 +108,24 @@ def test_a_model_outside_of_its_domain_is_none(domain: str, true: bool) -> None:
     matrices = "transition = [['1']]\nprocess_noise = [['q']]\nmeasurement = [['1']]"
     setting = f"kind = 'steady_state'\n{matrices}\nmeasurement_noise = [['r']]"
     assert (judged("inequality", "P > 0", symbols, setting).verdict == "proved") == true
+
+
+@pytest.mark.parametrize(
+    ("fields", "true"),
+    [
+        (
+            r"latex = '\left. \sum_{i=0}^\infty x^i \right|_{x=2} = -1'" + "\ndomain = 'x^2 < 1'",
+            False,
+        ),
+        (r"latex = '\left. \int_0^\infty e^{-p t} \, dt \right|_{p=-1} = -1'", False),
+        (r"\left. \sum_{i=1}^n i \right|_{n=-5} = 10", False),
+        (r"\left. \sum_{i=1}^n i \right|_{n=1/2} = \frac{3}{8}", False),
+        (r"\left. \sum_{i=1}^n i \right|_{n=3} = 6", True),
+        (
+            r"latex = '\left. \sum_{i=0}^\infty x^i \right|_{x=1/2} = 2'" + "\ndomain = 'x^2 < 1'",
+            True,
+        ),
+    ],
+)
+def test_a_closed_form_is_not_put_beyond_its_sum(fields: str, true: bool) -> None:
+    assert (judged("identity", fields, {"p": P}).verdict == "proved") == true
