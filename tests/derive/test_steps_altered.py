@@ -47,6 +47,9 @@ def _altered(statement: dict[str, Any]) -> dict[str, Any]:
             _shift_value(claim, "value")
         case "increasing_onto":
             _shift_value(claim, "from")
+        case "monotone":
+            trends = {"increasing": "decreasing", "decreasing": "increasing"}
+            claim["trend"] = trends[claim["trend"]]
         case "riccati" | "stable":
             transition = claim["model"]["transition"]
             transition[0][1] = str(Fraction(transition[0][1]) + 3)
