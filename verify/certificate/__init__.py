@@ -162,7 +162,8 @@ cited {"theorem": text, "reference": text}; {}
 model is {"name", "title", "transition", "process_noise", "measurement", "measurement_noise"}: rows
 of number texts or graphs over names of the tower, in units that make T and the first measurement's
 deviation 1. F is n by n, H m by n, R m by m; process_noise is Q0, symmetric, its principal minors
-manifestly nonnegative; R is symmetric, its leading minors manifestly positive. All statements of a
+manifestly nonnegative; R is symmetric, its leading minors manifestly positive. A name in an entry
+stands for all values that the tower gives it: every one if it is a parameter. All statements of a
 certificate that have a model have the same one.
 """
 

@@ -15,7 +15,12 @@ from tests.verify.certificate.toy_writer import fraction, poly, statement
 
 from gainproof.verify.certificate import check_statement
 from gainproof.verify.certificate.field import Field
-from gainproof.verify.certificate.matrix import Matrix, characteristic_polynomial, determinant
+from gainproof.verify.certificate.matrix import (
+    Matrix,
+    characteristic_polynomial,
+    determinant,
+    principal_coefficients,
+)
 from gainproof.verify.certificate.polynomial import Ring
 from gainproof.verify.certificate.ratio import number
 from gainproof.verify.certificate.rejection import Meter
@@ -48,6 +53,8 @@ def test_characteristic_polynomial(rows: list[list[Fraction]]) -> None:
     found = [c.constant_value() for c in characteristic_polynomial(Matrix(entries))]
     wanted = matrix.charpoly(x).all_coeffs()[::-1]
     assert [sp.Rational(c.numerator, c.denominator) for c in found if c is not None] == wanted
+    same = [c.constant_value() for c in principal_coefficients(Matrix(entries))]
+    assert same == found
     value = determinant(entries).constant_value()
     assert value is not None
     assert sp.Rational(value.numerator, value.denominator) == matrix.det()
