@@ -50,9 +50,7 @@ def close(run: SteadyState, model: StateSpace, truth: SteadyState) -> bool:
     allowed = allowance(model, truth)
     found, known = exactly(run), exactly(truth)
     return all(
-        float(abs(found[name] - known[name]))
-        <= allowed[name.split("_")[0]]
-        for name in known
+        float(abs(found[name] - known[name])) <= allowed[name.split("_")[0]] for name in known
     )
 
 
