@@ -5,12 +5,13 @@ from __future__ import annotations
 import flint
 import numpy as np
 import pytest
-from graph_kernels import node_balls, several_of
+from graph_kernels import function_of, node_balls, several_of
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from gainproof.derive.printer import boxes, corners
 from gainproof.derive.printer.adjoint import Adjoint
+from gainproof.derive.printer.behaviour import Behaviour
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.frontier import Frontier, Waiting
@@ -121,6 +122,23 @@ def test_ranges_ratios_and_slopes_hold(
                         quotient = point[number] / point[other]
                         assert not quotient < least
                         assert not quotient > most
+
+
+@given(st.tuples(SHARE, SHARE), st.floats(0, 8))
+@settings(max_examples=40, deadline=None)
+def test_computed_values_lie_in_their_ranges(shares: tuple[float, float], size: float) -> None:
+    b = GraphBuilder()
+    x, z = b.symbol("x"), b.symbol("z")
+    graph = b.graph({"y": b.sqrt(x) / (x + z * 3), "w": b.absolute(5 - z) * x})
+    steps, function = program(graph), function_of(several_of(graph, "1/64", "4"))
+    grid = boxes.grid(np.full((2, 1), 1.0), np.full((2, 1), 1.0 + size / 3))
+    with np.errstate(all="ignore"):
+        behaviour = Behaviour(Forward(steps, grid, FLOAT64))
+    point = [1.0 + size / 3 * share for share in shares]
+    for name, value in zip("yw", function(*point), strict=True):
+        number = steps.outputs[name]
+        assert behaviour.low[number][0] <= value <= behaviour.high[number][0]
+        assert not behaviour.lost[number][0]
 
 
 def test_rows_and_extremes_agree_on_corners() -> None:

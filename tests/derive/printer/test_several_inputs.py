@@ -154,6 +154,14 @@ def test_what_leaves_the_range_in_one_corner_is_refused() -> None:
         prove(inner, FLOAT32)
 
 
+def test_a_value_just_below_the_normal_numbers_is_refused() -> None:
+    """It would be held well enough: the promise is a normal number, and relative digits."""
+    kernel = two_inputs(lambda _, x, z: x * z, lower="1e-19", upper="1e18")
+    with pytest.raises(PrintingError, match=r"between 1e-38 and 1e-38, may be no normal number"):
+        prove(kernel, FLOAT32)
+    assert only(two_inputs(lambda _, x, z: x * z, lower="1.1e-19", upper="1e18"), FLOAT32) < 1
+
+
 def test_a_bound_may_fail_inside_only() -> None:
     """4 - x vanishes at x = 4, far from any corner: its square has no normal value there."""
     with pytest.raises(PrintingError, match=r"output y, input \(4.0, .*no normal number"):
