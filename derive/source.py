@@ -56,6 +56,13 @@ GAUSS_MARKOV = Source(
     "Prentice-Hall, 2000",
     "recursive least squares is the Kalman filter without process noise",
 )
+ELEMENTARY = Source(
+    "rudin-1976",
+    "W. Rudin",
+    "Principles of Mathematical Analysis",
+    "McGraw-Hill, 1976",
+    "crossings of monotone functions follow their limit",
+)
 SUZUKI = Source(
     "suzuki-position-velocity",
     "C. Suzuki",
@@ -64,4 +71,4 @@ SUZUKI = Source(
     "the closed form of the steady state with position and velocity measured",
 )
 
-SOURCES: tuple[Source, ...] = (KALATA, RICCATI, SPECTRAL, LECTURE, GAUSS_MARKOV, SUZUKI)
+SOURCES: tuple[Source, ...] = (KALATA, RICCATI, SPECTRAL, LECTURE, GAUSS_MARKOV, ELEMENTARY, SUZUKI)

@@ -8,6 +8,9 @@ sigma c(1) and sigma c(-1), c being the closed-loop polynomial; their mean m is 
 delta is sigma - 1/sigma. The cross covariances are h sigma (predicted) and h/sigma (updated), and
 g = Lambda w - h. Every predicted entry becomes the updated one when sigma and 1/sigma change
 places. e = noise(4)/noise(0), n = Q12/Q22, d = det Q/Q22^2 with Q in these units.
+
+Computed are the products with S: S w, S eta and S delta stay finite where w, eta and delta do not,
+so that squares over- or underflow only far outside the range of any radar.
 """
 
 from __future__ import annotations
@@ -59,14 +62,37 @@ class Noise:
 
 @dataclass(frozen=True)
 class Basis:
-    """Lambda and S with the three roots made from them: w (None where it is 1), eta and delta."""
+    """Lambda and S with the three roots made from them, times S.
+
+    level_scaled: S w, None where w is 1. eta_scaled, delta_scaled: S eta, S delta.
+    """
 
     index: Any
     ratio: Any
-    level: Any
-    eta: Any
-    delta: Any
+    level_scaled: Any
+    eta_scaled: Any
+    delta_scaled: Any
     noise: Noise
+
+    @property
+    def level(self) -> Any:
+        """w; None where it is 1."""
+        return None if self.level_scaled is None else self.level_scaled / self.ratio
+
+    @property
+    def eta(self) -> Any:
+        """eta = sigma c(-1)."""
+        return self.eta_scaled / self.ratio
+
+    @property
+    def delta(self) -> Any:
+        """delta = sigma - 1/sigma."""
+        return self.delta_scaled / self.ratio
+
+    @property
+    def width(self) -> Any:
+        """S w."""
+        return self.ratio if self.level_scaled is None else self.level_scaled
 
     @property
     def velocity_index(self) -> Any:
@@ -76,7 +102,7 @@ class Basis:
     @property
     def one_end(self) -> Any:
         """Lambda w = sigma c(1)."""
-        return self.index if self.level is None else self.index * self.level
+        return self.index if self.level_scaled is None else self.index * self.level
 
     @property
     def mean(self) -> Any:
@@ -84,104 +110,125 @@ class Basis:
         return (self.one_end + self.eta) / 2
 
     @property
+    def sigma_scaled(self) -> Any:
+        """S sigma."""
+        return ((self.index * self.width + self.eta_scaled) / 2 + self.delta_scaled) / 2
+
+    @property
     def sigma(self) -> Any:
         """sigma, the root of det(P + R)/det R."""
-        return (self.mean + self.delta) / 2
+        return self.sigma_scaled / self.ratio
+
+    @property
+    def coupling_scaled(self) -> Any:
+        """S kappa."""
+        if self.noise.interval:
+            square = self.index * self.index + (self.ratio * self.ratio) * 4
+            return (self.index * self.eta_scaled) / square
+        return ((self.index * self.sigma_scaled) / self.ratio) / self.ratio
 
     @property
     def coupling(self) -> Any:
         """kappa with h (w + kappa) = Lambda."""
-        t = self.velocity_index
-        share = self.eta / (t * t + 4) if self.noise.interval else self.sigma
-        return (t * share) / self.ratio
+        return self.coupling_scaled / self.ratio
+
+    @property
+    def cross_share(self) -> Any:
+        """h/S."""
+        return self.index / (self.coupling_scaled + self.width)
 
     @property
     def cross(self) -> Any:
         """h, the geometric mean of both cross covariances."""
-        return self.index / (self.coupling + (1 if self.level is None else self.level))
+        return self.cross_share * self.ratio
+
+    @property
+    def rest_scaled(self) -> Any:
+        """S g."""
+        product = self.width * self.coupling_scaled
+        if self.level_scaled is not None:
+            product = times(self.noise.determinant, self.index * self.index) + product
+        return self.cross_share * product
 
     @property
     def rest(self) -> Any:
         """g = Lambda w - h = sigma det(U)/S^2."""
-        if self.level is None:
-            return self.cross * self.coupling
-        t = self.velocity_index
-        more = times(self.noise.determinant, t * t)
-        return self.cross * (more + self.level * self.coupling)
+        return self.rest_scaled / self.ratio
 
 
 def level_squared(noise: Noise, index: Any, ratio: Any) -> Any:
-    """w^2 = 1 + d t^2; None where d = 0."""
-    t = index / ratio
-    return times(noise.determinant, t * t) + 1 if noise.determinant else None
+    """S^2 w^2 = S^2 + d Lambda^2; None where d = 0."""
+    if not noise.determinant:
+        return None
+    return ratio * ratio + times(noise.determinant, index * index)
 
 
 def eta_squared(noise: Noise, index: Any, ratio: Any) -> Any:
-    """eta^2 = 16 + e Lambda^2 + 4 t^2 + d Lambda^2 t^2; for n = 1/2 a product."""
-    t = index / ratio
-    first = times(noise.e, index * index) + 16 if noise.e else None
+    """S^2 eta^2 = S^2 (16 + e Lambda^2) + Lambda^2 (4 + d Lambda^2); for n = 1/2 a product."""
+    area, square = index * index, ratio * ratio
+    first = times(noise.e, area) + 16 if noise.e else None
     if noise.interval:
-        second = t * t + 4
+        second = square * 4 + area
         return second * 4 if first is None else first * (second / 4)
-    return first + (t * t) * 4
+    return first * square + area * 4
 
 
-def delta_squared(noise: Noise, index: Any, ratio: Any, level: Any, eta: Any) -> Any:
-    """delta^2 = m^2 - 4, without a subtraction."""
-    t = index / ratio
-    square = t * t
-    if not noise.interval:
-        return square + index * ((index + eta) / 2)
+def delta_squared(noise: Noise, index: Any, ratio: Any, width: Any, eta_scaled: Any) -> Any:
+    """S^2 delta^2 = S^2 (m^2 - 4), without a subtraction; `width` is S w."""
     area = index * index
-    weight = area * (noise.determinant / 2) + 1 if noise.determinant else None
-    return total(
-        times((1 + noise.e) / 4, area),
-        square if weight is None else square * weight,
-        (index if level is None else index * level) * eta / 2,
+    if not noise.interval:
+        return area + (index * ratio) * ((index * ratio + eta_scaled) / 2)
+    own = area * (noise.determinant / 2) + 1 if noise.determinant else 1
+    return area * (times((1 + noise.e) / 4, ratio * ratio) + own) + (index * width) * (
+        eta_scaled / 2
     )
 
 
 def _position_step(x: Basis) -> Any:
     """P11 - U11 = 2 U12 + U22 + Q11, what one interval adds to the position's variance."""
     own = times(x.noise.first, x.index * x.index) if x.noise.first else None
-    return total((x.cross / x.sigma) * 2, _velocity(x), own)
+    return total(_cross(x) * 2, _velocity(x), own)
+
+
+def _cross(x: Basis) -> Any:
+    """U12 = h/sigma."""
+    return (x.cross_share / x.sigma_scaled) * (x.ratio * x.ratio)
 
 
 def _velocity_gain(x: Basis) -> Any:
     """K22 = U22/S^2."""
-    t = x.velocity_index
     if not x.noise.interval:
-        return (x.delta * (x.cross / x.ratio)) / x.ratio
-    return (x.rest + (t * t) / x.sigma) / x.delta
+        return ((x.delta_scaled * x.cross_share) / x.ratio) / x.ratio
+    return (x.rest_scaled + (x.index * x.index) / x.sigma_scaled) / x.delta_scaled
 
 
 def _velocity(x: Basis) -> Any:
     """U22."""
     if not x.noise.interval:
-        return x.delta * x.cross
+        return x.delta_scaled * x.cross_share
     return (x.ratio * x.ratio) * _velocity_gain(x)
+
+
+def _first_updated(x: Basis) -> Any:
+    step = (x.ratio * x.ratio) * (_position_step(x) / x.sigma_scaled)
+    return (x.rest_scaled + step) / x.delta_scaled
 
 
 def gains(x: Basis) -> dict[str, Any]:
     """Filter gain K = U R^-1; K12 times T and K21 over T in units."""
-    cross = x.cross / x.sigma
     return {
         "gain_11": _first_updated(x),
-        "gain_12": (cross / x.ratio) / x.ratio,
-        "gain_21": cross,
+        "gain_12": x.cross_share / x.sigma_scaled,
+        "gain_21": _cross(x),
         "gain_22": _velocity_gain(x),
     }
-
-
-def _first_updated(x: Basis) -> Any:
-    return (x.rest + _position_step(x) / x.sigma) / x.delta
 
 
 def updated_covariance(x: Basis) -> dict[str, Any]:
     """Entries of the updated covariance in units of sigma_o^2 and T."""
     return {
         "updated_11": _first_updated(x),
-        "updated_12": x.cross / x.sigma,
+        "updated_12": _cross(x),
         "updated_22": _velocity(x),
     }
 
@@ -189,7 +236,7 @@ def updated_covariance(x: Basis) -> dict[str, Any]:
 def predicted_covariance(x: Basis) -> dict[str, Any]:
     """Entries of the predicted covariance in units of sigma_o^2 and T."""
     return {
-        "predicted_11": (x.rest + x.sigma * _position_step(x)) / x.delta,
-        "predicted_12": x.cross * x.sigma,
-        "predicted_22": x.delta * x.cross + times(1 - x.noise.n, x.index * x.index),
+        "predicted_11": (x.rest_scaled + x.sigma_scaled * _position_step(x)) / x.delta_scaled,
+        "predicted_12": x.cross_share * x.sigma_scaled,
+        "predicted_22": x.delta_scaled * x.cross_share + times(1 - x.noise.n, x.index * x.index),
     }

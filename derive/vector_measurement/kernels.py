@@ -16,19 +16,20 @@ INPUTS = ("tracking_index", "velocity_ratio")
 def graph_basis(builder: GraphBuilder, noise: Noise) -> tuple[Basis, dict[str, Node]]:
     """The inputs and the roots made from them as nodes, with their names."""
     index, ratio = (builder.symbol(name) for name in INPUTS)
-    names: dict[str, Node] = {"velocity_index": index / ratio}
+    names: dict[str, Node] = {}
     level = None
     if noise.determinant:
-        level = names["level"] = builder.sqrt(forms.level_squared(noise, index, ratio))
-    eta = names["eta"] = builder.sqrt(forms.eta_squared(noise, index, ratio))
-    square = forms.delta_squared(noise, index, ratio, level, eta)
-    delta = names["delta"] = builder.sqrt(square)
+        level = names["level_scaled"] = builder.sqrt(forms.level_squared(noise, index, ratio))
+    eta = names["eta_scaled"] = builder.sqrt(forms.eta_squared(noise, index, ratio))
+    width = ratio if level is None else level
+    square = forms.delta_squared(noise, index, ratio, width, eta)
+    delta = names["delta_scaled"] = builder.sqrt(square)
     basis = Basis(index, ratio, level, eta, delta, noise)
     names |= {
-        "innovation_ratio": basis.sigma,
-        "coupling": basis.coupling,
-        "cross_mean": basis.cross,
-        "cross_rest": basis.rest,
+        "sigma_scaled": basis.sigma_scaled,
+        "coupling_scaled": basis.coupling_scaled,
+        "cross_share": basis.cross_share,
+        "rest_scaled": basis.rest_scaled,
     }
     return basis, names
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 import sympy
 
@@ -64,36 +65,52 @@ def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
 
 
 def inputs(c: Context) -> tuple[Input, Input]:
-    """Both dimensionless parameters, as they follow from the model's quantities."""
+    """Both dimensionless parameters, as they follow from the model's quantities.
+
+    Everything is normal in float32 too on this domain. Without noise in the position the updated
+    cross covariance falls like S^4/Lambda^2, which ends the domain earlier.
+    """
     (ratio,) = c.model.ratios.values()
+    largest, least = (10**8, 8) if c.noise.interval else (4 * 10**6, 6)
     return (
-        Input("tracking_index", f"Lambda, with Lambda^2 = {c.model.noise_ratio}"),
-        Input("velocity_ratio", f"S = {ratio}"),
+        _closed("tracking_index", f"Lambda, with Lambda^2 = {c.model.noise_ratio}", 8, largest),
+        _closed("velocity_ratio", f"S = {ratio}", least, 10**8),
     )
+
+
+def _closed(name: str, meaning: str, decades: int, largest: int) -> Input:
+    """From 10^-decades to the largest, both admitted."""
+    lower = Fraction(1, 10**decades)
+    return Input(name, meaning, lower, largest, lower_open=False, upper_open=False)
 
 
 def _equations(c: Context, name: str) -> tuple[str, ...]:
-    d, e, n = c.noise.determinant, c.noise.e, c.noise.n
-    first = f"{c.noise.first} Lambda^2" if c.noise.first else "0"
+    e, d, n = c.noise.e, c.noise.determinant, c.noise.n
     own = {
-        "gains": ("gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,",),
+        "gains": "gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,",
         "predicted_covariance": (
-            "predicted_11 = P11 = (g + sigma s)/delta, predicted_12 = h sigma,",
-            f"predicted_22 = delta h + {1 - n} Lambda^2,",
+            "predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, "
+            f"predicted_22 = delta h + {_product(1 - n)},"
         ),
-        "updated_covariance": (),
+        "updated_covariance": "updated_11 = U11, updated_12 = U12, updated_22 = U22,",
     }
-    level = f"w^2 = 1 + {d} t^2, " if d else "w = 1, "
+    first = f" + {_product(c.noise.first)}" if c.noise.first else ""
+    level = f"w^2 = 1 + {d} t^2" if d else "w = 1"
     if c.noise.interval:
-        near = f"16 + {e} Lambda^2" if e else "16"
-        eta, coupling = f"eta^2 = ({near}) (4 + t^2)/4", "kappa = t eta/((4 + t^2) S)"
+        near = f"(16 + {_product(e)})" if e else "16"
+        eta, share = f"{near} (1 + t^2/4)", "eta/(4 + t^2)"
     else:
-        eta, coupling = "eta^2 = 16 + Lambda^2 + 4 t^2", "kappa = t sigma/S"
+        eta, share = "16 + Lambda^2 + 4 t^2", "sigma"
+    rate = "U22 = (S^2 g + Lambda^2/sigma)/delta" if n else "U22 = delta h"
     return (
-        *own[name],
-        f"U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h - {n} Lambda^2,",
-        f"s = 2 U12 + U22 + {first}, t = Lambda/S, {level}{eta},",
-        "m = (Lambda w + eta)/2 = sigma + 1/sigma, delta = sqrt(m^2 - 4) = sigma - 1/sigma,",
-        f"{coupling}, h = Lambda/(w + kappa), g = Lambda w - h",
-        "(each computed without a subtraction)",
+        own[name],
+        f"U11 = (g + s/sigma)/delta, U12 = h/sigma, {rate}, s = 2 U12 + U22{first},",
+        f"h = Lambda/(w + kappa), g = Lambda w - h, kappa = t {share}/S, t = Lambda/S,",
+        "sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,",
+        f"{level}, eta^2 = {eta}; all computed without a subtraction",
     )
+
+
+def _product(number: Fraction) -> str:
+    """A number times Lambda^2."""
+    return "Lambda^2" if number == 1 else f"Lambda^2/{1 / number}"

@@ -15,13 +15,23 @@ from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 from gainproof.derive.subject import Program, Subject
 from gainproof.derive.vector_measurement.context import Context, context
+from gainproof.derive.vector_measurement.corners import LATEX as CORNER_LATEX
+from gainproof.derive.vector_measurement.corners import fixed_index_tower, narrow_tower
+from gainproof.derive.vector_measurement.ends import LATEX as END_LATEX
+from gainproof.derive.vector_measurement.ends import ends_tower, index_tower
 from gainproof.derive.vector_measurement.kernels import INPUTS, steady_graph
 from gainproof.derive.vector_measurement.module import STEADY_KERNELS, kernel_module
 from gainproof.derive.vector_measurement.names import LATEX
+from gainproof.derive.vector_measurement.steps_corners import corner_steps
 from gainproof.derive.vector_measurement.steps_entries import cross_steps, position_steps
+from gainproof.derive.vector_measurement.steps_limits import limit_steps
 from gainproof.derive.vector_measurement.steps_model import model_steps
 from gainproof.derive.vector_measurement.steps_proof import form_steps, proof_steps
+from gainproof.derive.vector_measurement.steps_ratio import improvement_steps
 from gainproof.derive.vector_measurement.steps_spectrum import spectrum_steps
+from gainproof.derive.vector_measurement.steps_trends import trend_steps
+from gainproof.derive.vector_measurement.steps_width import LATEX as WIDTH_LATEX
+from gainproof.derive.vector_measurement.steps_width import outer_tower, width_steps
 from gainproof.derive.vector_measurement.textbook import textbook_forms
 from gainproof.derive.vector_measurement.towers import graph_roots
 
@@ -62,15 +72,25 @@ def derive_position_velocity(
         *proof_steps(c),
         *form_steps(c),
         *printed.steps(c),
+        *limit_steps(c),
+        *improvement_steps(c),
+        *trend_steps(c),
+        *corner_steps(c),
+        *width_steps(c),
         *_program_steps(c, graphs),
     )
     symbols = {quantity.name: quantity.latex for quantity in model.quantities}
-    towers = (c.tower,)
+    towers = _towers(c)
     return Subject(
         name=model.name,
         title=model.title,
         model=c.model,
-        derivation=Derivation(OPENING, steps, sources, {**LATEX, **printed.latex, **symbols}),
+        derivation=Derivation(
+            OPENING,
+            steps,
+            sources,
+            {**LATEX, **END_LATEX, **CORNER_LATEX, **WIDTH_LATEX, **printed.latex, **symbols},
+        ),
         towers={tower.name: tower for tower in towers},
         programs={
             name: Program({entry: entry for entry in INPUTS}, graph)
@@ -79,6 +99,13 @@ def derive_position_velocity(
         module=kernel_module(c, graphs),
         textbook=lambda: textbook_forms(c),
     )
+
+
+def _towers(c: Context) -> tuple[Tower, ...]:
+    """All towers of a family."""
+    noise = c.noise
+    towers = (c.tower, ends_tower(noise), fixed_index_tower(noise), narrow_tower(noise))
+    return (*towers, index_tower(noise), outer_tower()) if noise.determinant else towers
 
 
 def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:

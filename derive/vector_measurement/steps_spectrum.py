@@ -14,6 +14,7 @@ from gainproof.derive.vector_measurement.names import (
     INDEX,
     LEVEL,
     MEAN,
+    RATIO,
     SIGMA,
     SPEED,
     Z,
@@ -111,12 +112,13 @@ def _level_steps(c: Context, one: sp.Expr) -> list[Step]:
         )
     ]
     if c.noise.determinant:
+        noise = symbolic_noise(c.noise)
         steps.append(
             Step(
                 "level",
                 "w is near 1 while the velocity is measured badly, S > Lambda, and grows when it "
                 "is measured well.",
-                equal(LEVEL**2, forms.level_squared(symbolic_noise(c.noise), INDEX, INDEX / SPEED)),
+                equal(LEVEL**2, _over_square(forms.level_squared(noise, INDEX, RATIO))),
                 "Divide by Lambda^2.",
             )
         )
@@ -124,7 +126,8 @@ def _level_steps(c: Context, one: sp.Expr) -> list[Step]:
 
 
 def _eta_steps(c: Context, other: sp.Expr) -> list[Step]:
-    form = forms.eta_squared(symbolic_noise(c.noise), INDEX, INDEX / SPEED)
+    form = _over_square(forms.eta_squared(symbolic_noise(c.noise), INDEX, RATIO))
+    form = sp.factor(form) if c.noise.interval else form
     shape = "a product" if c.noise.interval else "a sum of positive terms"
     return [
         Step(
@@ -140,5 +143,10 @@ def _eta_steps(c: Context, other: sp.Expr) -> list[Step]:
 
 
 def _delta_squared(c: Context) -> sp.Expr:
-    level = LEVEL if c.noise.determinant else None
-    return forms.delta_squared(symbolic_noise(c.noise), INDEX, INDEX / SPEED, level, ETA)
+    form = forms.delta_squared(symbolic_noise(c.noise), INDEX, RATIO, RATIO * c.level, RATIO * ETA)
+    return _over_square(form)
+
+
+def _over_square(form: sp.Expr) -> sp.Expr:
+    """A form that is S^2 times a quantity, as this quantity over Lambda and t."""
+    return sp.expand(sp.expand(form).subs(RATIO, INDEX / SPEED) * SPEED**2 / INDEX**2)

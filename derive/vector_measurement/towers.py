@@ -20,7 +20,6 @@ from gainproof.derive.vector_measurement.names import (
     LEVEL,
     MEAN,
     RATIO,
-    REST,
     ROOT,
     SIGMA,
     SPEED,
@@ -40,42 +39,9 @@ def symbolic_noise(noise: Noise) -> Noise:
 
 
 def symbolic_basis(noise: Noise) -> Basis:
-    """The basis of the stable forms over the named quantities."""
-    level = LEVEL if noise.determinant else None
-    return Basis(INDEX, RATIO, level, ETA, DELTA, symbolic_noise(noise))
-
-
-class NamedBasis(Basis):
-    """The basis with what is made from it by name, each name's own form being shown before."""
-
-    @property
-    def velocity_index(self) -> sp.Expr:
-        return SPEED
-
-    @property
-    def mean(self) -> sp.Expr:
-        return MEAN
-
-    @property
-    def sigma(self) -> sp.Expr:
-        return SIGMA
-
-    @property
-    def coupling(self) -> sp.Expr:
-        return COUPLING
-
-    @property
-    def cross(self) -> sp.Expr:
-        return CROSS
-
-    @property
-    def rest(self) -> sp.Expr:
-        return REST
-
-
-def named_basis(noise: Noise) -> NamedBasis:
-    """The basis of forms as they are shown."""
-    return NamedBasis(**vars(symbolic_basis(noise)))
+    """The basis of the stable forms over the named roots."""
+    level = RATIO * LEVEL if noise.determinant else None
+    return Basis(INDEX, RATIO, level, RATIO * ETA, RATIO * DELTA, symbolic_noise(noise))
 
 
 def main_tower(noise: Noise, more: Mapping[str, sp.Expr] | None = None) -> Tower:
@@ -89,17 +55,17 @@ def main_tower(noise: Noise, more: Mapping[str, sp.Expr] | None = None) -> Tower
 
 
 def steady_generators(noise: Noise) -> tuple[Generator, ...]:
-    """The roots of the steady state, times S."""
+    """The roots of the steady state, times S, the last over p."""
     numbers, index = symbolic_noise(noise), ROOT**2
     generators = []
-    level = None
+    width: sp.Expr = RATIO
     if noise.determinant:
-        square = RATIO**2 * forms.level_squared(numbers, index, RATIO)
+        square = forms.level_squared(numbers, index, RATIO)
         generators.append(Generator("level_scaled", sp.expand(square)))
-        level = LEVEL_SCALED / RATIO
-    square = RATIO**2 * forms.eta_squared(numbers, index, RATIO)
+        width = LEVEL_SCALED
+    square = forms.eta_squared(numbers, index, RATIO)
     generators.append(Generator("eta_scaled", sp.expand(square)))
-    square = RATIO**2 * forms.delta_squared(numbers, index, RATIO, level, ETA_SCALED / RATIO)
+    square = forms.delta_squared(numbers, index, RATIO, width, ETA_SCALED)
     generators.append(Generator("delta_scaled", sp.expand(square / index)))
     return tuple(generators)
 
@@ -111,7 +77,8 @@ def steady_elements(noise: Noise) -> dict[str, sp.Expr]:
     Without delta below the line the residuals are ten times shorter. The stable forms are proved
     equal to these.
     """
-    x = symbolic_basis(noise)
+    one_end = INDEX * (LEVEL if noise.determinant else 1)
+    share = ETA / (4 + SPEED**2) if noise.interval else SIGMA
     n, first = rational(noise.n), rational(noise.first)
     inverse = (MEAN - DELTA) / 2
     area = INDEX**2
@@ -123,11 +90,11 @@ def steady_elements(noise: Noise) -> dict[str, sp.Expr]:
     return elements | {
         "eta": ETA_SCALED / RATIO,
         "delta": ROOT * DELTA_SCALED / RATIO,
-        "mean_root": x.mean,
+        "mean_root": (one_end + ETA) / 2,
         "innovation_ratio": (MEAN + DELTA) / 2,
-        "coupling": x.coupling,
-        "cross_mean": x.cross,
-        "cross_rest": x.one_end - CROSS,
+        "coupling": SPEED * share / RATIO,
+        "cross_mean": INDEX / (COUPLING + (LEVEL if noise.determinant else 1)),
+        "cross_rest": one_end - CROSS,
         "updated_12": CROSS * inverse,
         "updated_22": DELTA * CROSS - n * area,
         "updated_11": 1 - (u22 + area + RATIO**2) * inverse**2 / RATIO**2,
@@ -143,5 +110,5 @@ def steady_elements(noise: Noise) -> dict[str, sp.Expr]:
 
 def graph_roots(noise: Noise) -> dict[str, sp.Expr]:
     """Tower values of the roots in `kernels.graph_basis`."""
-    roots = {"eta": ETA, "delta": DELTA}
-    return {"level": LEVEL, **roots} if noise.determinant else roots
+    roots = {"eta_scaled": RATIO * ETA, "delta_scaled": RATIO * DELTA}
+    return {"level_scaled": RATIO * LEVEL, **roots} if noise.determinant else roots
