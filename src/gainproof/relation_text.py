@@ -99,6 +99,12 @@ def _increasing_onto(claim: Claim, w: Writer) -> list[str]:
     return [rise + way]
 
 
+def _monotone(claim: Claim, w: Writer) -> list[str]:
+    value, variable = w.value(claim["expression"]), w.name(claim["variable"])
+    verb = {"increasing": " increases with ", "decreasing": " decreases with "}[claim["trend"]]
+    return [f"{value}{w.words(verb)}{variable}"]
+
+
 def _riccati(claim: Claim, w: Writer) -> list[str]:
     return [
         f"M = F X F' + {w.name(claim['index'])}^2 Q0",
@@ -152,6 +158,7 @@ _KINDS: Mapping[str, Callable[[Claim, Writer], list[str]]] = {
     "same_sign": _same_sign,
     "limit": _limit,
     "increasing_onto": _increasing_onto,
+    "monotone": _monotone,
     "riccati": _riccati,
     "stable": _stable,
     "positive_definite": _definite,
