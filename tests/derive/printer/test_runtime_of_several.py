@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -10,7 +11,10 @@ import numpy as np
 import pytest
 from graph_kernels import function_of, several_of
 
+from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
+from gainproof.derive.printer.kernel import closed
 from gainproof.derive.printer.runtime import SIZE
 
 
@@ -154,3 +158,16 @@ def test_no_warning_on_the_whole_domain() -> None:
         warnings.simplefilter("error")
         found = pair()(ends[:, None], ends)
         assert all(np.isfinite(y).all() for y in found)
+
+
+def test_three_inputs_are_taken() -> None:
+    """sqrt(x y + z): the product weighs half where it is large, the sum half, the root one."""
+    b = GraphBuilder()
+    x, y, z = (b.symbol(name) for name in "xyz")
+    graph = b.graph({"root": b.sqrt(x * y + z)})
+    inputs = tuple(closed(name, "an argument", "1e-3", "1e3") for name in "xyz")
+    kernel = replace(several_of(graph, 1, 2), inputs=inputs)
+    assert 0.96 <= prove(kernel, FLOAT64).outputs[0].bound <= 1.04
+    found = function_of(kernel)(np.ones((2, 1, 1)), np.ones((3, 1)), [3.0, 8.0])
+    assert found[0].shape == (2, 3, 2)
+    assert found[0][1, 2].tolist() == [2, 3]
