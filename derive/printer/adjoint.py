@@ -20,6 +20,7 @@ from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array, Interval
 from gainproof.derive.printer.program import Step
 from gainproof.derive.printer.ratio import ratio
+from gainproof.derive.printer.structural import measured_by_parts
 from gainproof.derive.printer.value import MARGIN, Mask, Value, none_as_zero, true_size
 
 
@@ -74,6 +75,9 @@ class Adjoint:
         if output == scale and not value.loose:
             one: Interval = np.full(self.shape[1], 0.0), np.full(self.shape[1], 1.0)
             one[0][:] = 1.0 / (1.0 + value.drift)
+        elif measured_by_parts(self.program, output, scale) and not reference.loose:
+            # sizes of a named difference are those of the sum, which is the scale
+            one = np.zeros(self.shape[1]), np.ones(self.shape[1])
         elif value.loose or reference.loose:
             (_, high), (low, _) = value.size, true_size(reference)
             one = np.zeros(self.shape[1]), np.fmin(interval.up(high[0] / low[0]), np.inf)

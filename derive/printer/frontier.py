@@ -13,7 +13,7 @@ from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.value import Grid, Mask
 
 TOLERANCE = 0.01  # a box is done when its bounds are this close to their least possible maximum
-BUDGET = 32_000  # boxes of one kernel in one format
+WORK = 240_000  # boxes of one kernel in one format, times the steps of its program
 BATCH = 1_024  # boxes bisected at a time
 
 
@@ -38,8 +38,10 @@ class Frontier:
     time; bisection only brings it down.
     """
 
-    def __init__(self, outputs: int, others: int, form: Format, greatest: float) -> None:
-        self.form, self.greatest = form, greatest
+    def __init__(
+        self, outputs: int, others: int, form: Format, greatest: float, budget: int
+    ) -> None:
+        self.form, self.greatest, self.budget = form, greatest, budget
         self.settled, self.least, self.other = (
             np.zeros(outputs),
             np.zeros(outputs),
@@ -64,7 +66,7 @@ class Frontier:
         promising = (excess > 1.0) & with_room
         self._settle(waiting.part(~promising))
         waiting, excess = waiting.part(promising), excess[promising]
-        count = min(BATCH, (BUDGET - self.total) // 4, waiting.grid.count)
+        count = min(BATCH, (self.budget - self.total) // 4, waiting.grid.count)
         if count <= 0:
             self._settle(waiting)
             return None

@@ -64,6 +64,7 @@ class Proof:
         if any(value.over is not None for value in forward.values):
             Behaviour(forward).settle_overflow()
         adjoint = Adjoint(forward, self.ends)
+        adjoint.upper = np.minimum(adjoint.upper, self.ceiling(forward))
         for row, ((_, scale), domain) in enumerate(zip(self.ends, self.domains, strict=True)):
             size = true_size(forward.values[scale])
             normal = size[0][0] >= self.form.least_normal * LEAST_NORMAL
@@ -73,6 +74,10 @@ class Proof:
             adjoint.upper[row, without] = 0.0
             adjoint.lower[row, without] = 0.0
         return adjoint
+
+    def ceiling(self, forward: Forward) -> Array:
+        """What else is known of the errors: nothing, unless a proof says so."""
+        return np.full((len(self.ends), forward.count), np.inf)
 
     def refuse(self, adjoint: Adjoint, failed: Mask) -> None:
         """PrintingError with the reason if any output failed in any box."""

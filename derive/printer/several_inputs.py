@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from gainproof.derive.printer import boxes
+from gainproof.derive.printer import boxes, frontier
 from gainproof.derive.printer.behaviour import exclude_nan
 from gainproof.derive.printer.domain import product
 from gainproof.derive.printer.formats import Format
-from gainproof.derive.printer.frontier import Frontier, Waiting
+from gainproof.derive.printer.forward import Forward
+from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.proof import Proof, Settled
+from gainproof.derive.printer.structural import Structural
 from gainproof.derive.printer.value import Grid
 
 WORST = 2.0**7  # epsilons: a larger bound tells of an underflow on the way, and is refused
@@ -36,6 +38,10 @@ class SeveralInputs(Proof):
         exclude_nan(grid, self.forward, self.ends, self.domains)
         return self._refine(grid)
 
+    def ceiling(self, forward: Forward) -> Array:
+        """Bounds from the program's shape, which hold in wide boxes too."""
+        return Structural(forward, self.kernel.cancellations).bounds(self.ends)
+
     def _corners(self) -> Grid:
         """The corners of the domain as boxes."""
         places = np.indices([2] * len(self.inputs)).reshape(len(self.inputs), -1)
@@ -43,15 +49,16 @@ class SeveralInputs(Proof):
         return boxes.grid(ends, ends)
 
     def _refine(self, grid: Grid) -> Settled:
-        count = len(self.ends)
-        frontier = Frontier(count, count * len(self.kernel.cancellations), self.form, self.greatest)
+        count, budget = len(self.ends), frontier.WORK // len(self.program.steps)
+        others = count * len(self.kernel.cancellations)
+        progress = frontier.Frontier(count, others, self.form, self.greatest, budget)
         following: Grid | None = grid
         while following is not None:
             adjoint = self.adjoint(following)
-            found = Waiting(following, adjoint.upper, self.cancellations(adjoint))
-            frontier.add(found, adjoint.lower)
-            following = frontier.finer()
-        if frontier.failed is not None:
-            adjoint = self.adjoint(frontier.failed)
+            found = frontier.Waiting(following, adjoint.upper, self.cancellations(adjoint))
+            progress.add(found, adjoint.lower)
+            following = progress.finer()
+        if progress.failed is not None:
+            adjoint = self.adjoint(progress.failed)
             self.refuse(adjoint, adjoint.upper > self.greatest)
-        return self.settled(frontier.settled, frontier.other, frontier.total)
+        return self.settled(progress.settled, progress.other, progress.total)

@@ -164,7 +164,7 @@ def test_waiting_boxes_count_with_their_own_bounds() -> None:
     """With one box bisected and three waiting, the result is the largest of all."""
     kernel = several_of(GraphBuilderOfSum().graph, "1/64", "4")
     proof = Proof(kernel, FLOAT64, ((1 / 64, 4.0), (1 / 64, 4.0)))
-    frontier = Frontier(1, 0, FLOAT64, 100.0)
+    frontier = Frontier(1, 0, FLOAT64, 100.0, 1_000)
     grid = boxes.grid(np.full((2, 4), 1.0), np.full((2, 4), 2.0))
     upper = np.array([[3.0, 9.0, 5.0, 7.0]])
     frontier.add(Waiting(grid, upper, np.zeros((0, 4))), upper / 9)
