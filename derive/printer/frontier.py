@@ -62,7 +62,8 @@ class Frontier:
         waiting = self.waiting
         assert waiting is not None
         with_room = (waiting.grid.low < waiting.grid.high).any(axis=0)
-        excess = (waiting.upper / (self.least[:, None] * (1.0 + TOLERANCE))).max(axis=0)
+        # 0/0 of an exact output is NaN, which fmax leaves out
+        excess = np.fmax.reduce(waiting.upper / (self.least[:, None] * (1.0 + TOLERANCE)))
         promising = (excess > 1.0) & with_room
         self._settle(waiting.part(~promising))
         waiting, excess = waiting.part(promising), excess[promising]

@@ -186,6 +186,21 @@ def test_less_work_gives_a_larger_bound(monkeypatch: pytest.MonkeyPatch) -> None
     assert found[0] < 2 * found[2]
 
 
+def test_an_exact_output_leaves_the_bisection_of_others_alone() -> None:
+    """Its bounds are 0, and 0/0 must not hide what is to be bisected."""
+    b = GraphBuilder()
+    x, z = b.symbol("x"), b.symbol("z")
+    s = b.sqrt(x + z)
+    y = x * s / (x * s + z * z) + s / (s + x * z)
+    alone, both = (
+        prove(several_of(b.graph(outputs), "1e-6", "1e6"), FLOAT64)
+        for outputs in ({"y": y}, {"exact": 2 * z, "y": y})
+    )
+    assert both.outputs[0].bound == 0
+    assert both.outputs[1].bound == alone.outputs[0].bound
+    assert both.boxes == alone.boxes > 100
+
+
 def test_the_proof_is_the_same_every_time() -> None:
     kernel = two_inputs(lambda b, x, z: b.sqrt(x * z) / (3 + x * b.sqrt(7 + z)))
     assert prove(kernel, FLOAT64) == prove(kernel, FLOAT64)
