@@ -106,9 +106,9 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
             if name in quantities:
                 quantities[name] = power(quantities[name], 2)
     name = environment.name + chosen.in_words()
-    # a chart says what the quantities are under the usual conventions
-    chart = environment.chart if chosen == Chosen() else None
-    chart = None if chart is None else with_conventions(chart, chosen)
+    chart = None if environment.chart is None else with_conventions(environment.chart, chosen)
+    # a quantity that is squared is no coordinate any more
+    squares = environment.squares if chosen.noise == "deviation" else {}
     return replace(
         environment,
         name=name,
@@ -116,6 +116,7 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
         boxes=boxes,
         continued=continued,
         chart=chart,
+        squares=squares,
     )
 
 

@@ -20,6 +20,7 @@ from gainproof.verify.judge.exact.expression import (
 from gainproof.verify.judge.exact.limit import decide_limit, sides_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.formula import Graph, Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame
 from gainproof.verify.judge.kinds.one_way import is_one_way
@@ -113,6 +114,7 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
             raise Undecided("a limit in the intensity of the noise other than zero and infinity")
         # the source's other symbols stay, so the index alone goes
         variable = environment.quantities[INDEX]
+    variable = tidied(variable)
     if variable.kind == "symbol":
         name = variable.name
         if not isinstance(point, str) and name in symbols_of(point):

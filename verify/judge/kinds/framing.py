@@ -43,7 +43,9 @@ class Frame:
     def decide_alone(self, statement: Statement) -> Outcome:
         """The statement without the conditions of the frame, its equations solved and put in."""
         if self.environment.decide is not None:
-            return self.environment.decide(statement, self.boxes, self.labels)
+            own = self.environment.decide(statement, self.boxes, self.labels)
+            if own is not None:
+                return own
         if statement.connective == "if":
             statement = without_equations(statement, self.boxes, self.parameter, self.labels)
         return decided(statement, self.boxes, self.parameter, self.labels)

@@ -11,6 +11,7 @@ from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbol
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import Frame, framed
@@ -40,6 +41,8 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         return _from_sample_to_sample(claim, subject, variable, operator, scope, stated)
     slope = number_of(scope.derivative(subject, claim.about[1], scope.root))
     frame = framed(claim, scope, stated)
+    if not scope.environment.is_coordinate(variable):
+        variable = tidied(variable)
     names = symbols_of(variable)
     _refuse_gaps(frame, names)
     if claim.about[1] == scope.environment.intensity:

@@ -17,7 +17,10 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import rational
 from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading, Relation
+from gainproof.verify.judge.kinds.approach import approach_of, arrow_of, end_of
 from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain
+from gainproof.verify.judge.kinds.limit import limit_by_expansion
+from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
 
@@ -26,6 +29,8 @@ PRECISION = 512
 
 def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether every printed number is the rounded value of the other side."""
+    if any(condition.operator == "->" for condition in reading.conditions):
+        return _of_limit(claim, reading, scope)
     printed_numbers = [_turned(relation, scope) for relation in reading.relations]
     printed = tuple(scope.relation(r) for r in reading.conditions)
     only_plain(printed)
@@ -39,6 +44,33 @@ def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     if finding is None:
         raise Undecided("no number is printed")
     return finding
+
+
+def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """The same for the limit of the other side, where the arrow says."""
+    arrow, others = arrow_of(reading)
+    exact, shown, decimals = _turned(reading.relations[0], scope)
+    variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
+    printed = tuple(scope.relation(r) for r in others)
+    only_plain(printed)
+    frame = framed(claim, scope, printed)
+    approach = approach_of(variable, point, frame)
+    around, dropped = others_frame(frame, approach)
+    if dropped:
+        raise Undecided("a limit under conditions on its variable")
+    half = Fraction(1, 2) / Fraction(10) ** decimals
+    finding: Finding | None = None
+    for side in open_sides(approach, frame, around):
+        found = limit_by_expansion(approach.moved(exact, side), around)
+        if isinstance(found, str):
+            raise Undecided(f"a printed number for a limit that is {found}")
+        finding = _within(found, shown, half, around)
+        if finding.verdict != "proved":
+            break
+    if finding is None:
+        raise Undecided("the point is not in the domain")
+    domain = f"as {approach.label} {approach.text}"
+    return replace(finding, domain=domain, method=f"expansion near the limit; {finding.method}")
 
 
 def _turned(relation: Relation, scope: Scope) -> tuple[Expr, Fraction, int]:

@@ -22,14 +22,28 @@ def repair_tasks(
     verdicts: Iterable[ClaimVerdict],
     environments: Sequence[str],
 ) -> list[RepairTask]:
-    """One for each claim with a formula that is not true as stated."""
-    wrong = {verdict.id for verdict in verdicts if verdict.verdict in NOT_TRUE}
+    """One for each claim with a formula that is not true as stated. One that is true wherever it
+    has a value has no slip but in its conditions.
+    """
+    wrong = {v.id: v for v in verdicts if v.verdict in NOT_TRUE}
     found = []
     for claim in claims:
         if claim.id in wrong and claim.formula is not None and claim.kind != "definition":
+            if _lacks_values_only(wrong[claim.id]) and not _has_conditions(claim):
+                continue
             others = tuple(c for c in claims if c.setting == claim.setting and c.id != claim.id)
             found.append(RepairTask(claim, setting, others, tuple(environments)))
     return found
+
+
+def _lacks_values_only(verdict: ClaimVerdict) -> bool:
+    sides = [(verdict.witness or {}).get(side, {}) for side in ("left", "right")]
+    return verdict.verdict == "conditional" and any("undefined" in side for side in sides)
+
+
+def _has_conditions(claim: Claim) -> bool:
+    readings = () if claim.formula is None else claim.formula.readings
+    return bool(claim.domain or claim.given or any(r.conditions for r in readings))
 
 
 def with_repair(verdict: ClaimVerdict, trial: Trial) -> ClaimVerdict:

@@ -71,7 +71,8 @@ def _searches(task: RepairTask, convention: Convention, deadline: float) -> list
         return []
     fitting, _ = fitting_readings(claim.formula, setting)
     found: list[Search] = []
-    for reading in fitting or claim.formula.readings[:1]:
+    # where no reading has dimensions that agree, any may be the one with the slip
+    for reading in fitting or claim.formula.readings:
         try:
             found.append(Search(claim, reading, setting, environment, task.others, deadline))
         except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):

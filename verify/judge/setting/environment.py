@@ -36,8 +36,10 @@ class Fact:
     certificate: Mapping[str, Any] = field(default_factory=dict)
 
 
-Decide = Callable[[Statement, Mapping[str, Box], Mapping[str, str]], Outcome]
-"""Decides a statement on domains, with labels for its witness. Raises Undecided."""
+Decide = Callable[[Statement, Mapping[str, Box], Mapping[str, str]], Outcome | None]
+"""Decides a statement on domains, with labels for its witness; None for one that is decided as
+usual. Raises Undecided.
+"""
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from gainproof.verify.judge.exact.expression import Expr, mul, number, power, sq
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.rational_root import integer_root
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials
 from gainproof.verify.judge.meaning.reach import Reach, names_in
@@ -147,7 +148,9 @@ def _intensity(shared: Monomial, last: Fraction) -> tuple[Fraction, dict[str, Ex
 
 def _root(powers: Mapping[Expr, int], unknown: Expr, last: Fraction) -> Expr:
     """The square root of index^2 / (last * the other powers), all of which are positive."""
-    factors = [symbol(INDEX), sqrt(number(1 / last))]
+    top, bottom = (integer_root(n, 2) for n in (last.denominator, last.numerator))
+    whole = None if top is None or bottom is None else number(Fraction(top, bottom))
+    factors = [symbol(INDEX), whole or sqrt(number(1 / last))]
     for base, n in powers.items():
         if base != unknown:
             factors.append(power(base, Fraction(-n, 2)))

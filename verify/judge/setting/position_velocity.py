@@ -5,16 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import (
     Expr,
     number,
     power,
     sqrt,
     symbol,
+    walk,
 )
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.points import try_points
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.exact.tidy import expression_of
 from gainproof.verify.judge.meaning.square import determinant
 from gainproof.verify.judge.setting.chart_decision import Plane
@@ -62,11 +66,11 @@ def position_velocity(noise: Noise, name: str) -> Environment:
     over = field_over({LOW, HIGH}, {})
     charted = _charted(over)
     index2, ratio2 = squares()
-    facts = _facts(over, charted, closed, noise)
     ends = {
         "exact_velocity_covariance.1.1": entries(index, ZERO, ONE, noise).predicted[0],
         "no_velocity_covariance.1.1": entries(index, ONE, ZERO, noise).predicted[0],
     }
+    facts = (*_facts(over, charted, closed, noise), _continuous(charted, ends, noise))
     boxes = {INTERVAL: POSITIVE, DEVIATION: POSITIVE}
     chart = Environment(
         name,
@@ -82,10 +86,48 @@ def position_velocity(noise: Noise, name: str) -> Environment:
         name,
         quantities,
         {**boxes, INDEX: POSITIVE, RATIO: POSITIVE},
+        parameter=INDEX,
         facts=facts,
         coordinates=(INDEX, RATIO),
         chart=chart,
+        decide=_outside,
     )
+
+
+def _continuous(charted: Entries, ends: Mapping[str, Expr], noise: Noise) -> Fact:
+    """That the closed form for S = 0, and the one in 1/S for 1/S = 0, are the limits: it is the
+    same form in 1/S, and all its divisors and radicands are positive there. Raises NotEstablished.
+    """
+    sentence = "the closed form is continuous down to S = 0 and up to 1/S = 0"
+    index2, ratio2 = squares()
+    turned = entries(sqrt(index2), ONE, 1 / sqrt(ratio2), noise).predicted[0]
+    same = Plane((INDEX, RATIO)).decide(
+        Statement((Rel("=", turned, charted.predicted[0]),)), {}, {}
+    )
+    below = [
+        node.parts[1] if node.kind == "div" else node.parts[0]
+        for node in walk(*ends.values())
+        if node.kind == "div" or (node.kind == "pow" and node.fraction.denominator != 1)
+    ]
+    positive = [Rel(">", expr, ZERO) for expr in below if expr.kind != "number"]
+    found = decide(Statement(tuple(positive)), {INDEX: POSITIVE}, INDEX)
+    if same.verdict != "proved" or found.verdict != "proved":
+        raise NotEstablished(sentence)
+    return Fact(sentence, found.method, found.certificate)
+
+
+def _outside(
+    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+) -> Outcome | None:
+    """Points alone for both parameters: their nested roots are too much for cells, and what can be
+    proved is proved in the chart. Raises Undecided.
+    """
+    if not {INDEX, RATIO} <= statement.symbols():
+        return None
+    found = try_points(statement, boxes, labels)
+    if found is None:
+        raise Undecided("nested roots of two parameters, which no chart covers")
+    return found
 
 
 def with_assigned(environment: Environment, assigned: Mapping[str, Expr]) -> Environment:

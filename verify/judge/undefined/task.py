@@ -21,6 +21,8 @@ from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
+from gainproof.verify.judge.undefined.opened import opened
+from gainproof.verify.judge.undefined.polynomial import as_polynomial
 from gainproof.verify.judge.undefined.recognised import recognised
 from gainproof.verify.judge.undefined.solve import Solution, shortened, solutions
 
@@ -46,7 +48,7 @@ class SolveTask:
             # as it came, it has a value only where the equation says what the symbol is
             formula = self._proved(solution.value, models, solved)
             if formula is not None:
-                short = self._proved(shortened(solution.value), models, solved) or formula
+                short = self._shorter(solution, models, solved) or formula
                 how = {"unique": solution.unique, "how": solution.how}
                 found = {"definition": short.latex, **how}
                 break
@@ -56,11 +58,26 @@ class SolveTask:
         positive = _is_positive(self.setting, self.token)
         for relation in self._relations():
             try:
-                left, right = read_graph(relation.left), read_graph(relation.right)
+                shown = opened(relation, self.setting, self.token)
+                left, right = read_graph(shown.left), read_graph(shown.right)
             except Malformed:
                 continue
             yield from solutions(left, right, self.token, positive=positive)
         yield from self._recognised(models, solved)
+
+    def _shorter(self, solution: Solution, models: Models, solved: Solved) -> Formula | None:
+        """The only solution as a polynomial of two symbols, or with its terms put together: what
+        satisfies the claim is the same.
+        """
+        for convention in _conventions(self.setting, models, solved) if solution.unique else ():
+            try:
+                value = as_polynomial(self.claim, solution.value, convention)
+            except (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError):
+                continue
+            formula = None if value is None else self._proved(value, models, solved)
+            if formula is not None:
+                return formula
+        return self._proved(shortened(solution.value), models, solved)
 
     def _relations(self) -> Sequence[Relation]:
         """The one equation of each reading."""

@@ -17,7 +17,7 @@ def used_up_verdict(claim: Claim, fixed: Sequence[Fixed]) -> ClaimVerdict:
     others = ", ".join(name for name in symbol.users if name != claim.id)
     reason = (
         f"used up to say what {symbol.token} is, which the source never defines: "
-        f"{symbol.solution} ({symbol.reason}); judged with it: {others}"
+        f"{symbol.solution}, the only solution ({symbol.reason}); judged with it: {others}"
     )
     return verdict_of(claim, Finding("definition", reason), None, 0.0)
 
