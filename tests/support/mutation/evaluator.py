@@ -25,17 +25,24 @@ Values = Mapping[str, Any]
 Point = Fraction
 
 
+class UnknownName(LookupError):
+    """A symbol of which the oracles say nothing: with it nothing can be said to be false."""
+
+
 @dataclass
 class Subject:
-    """What symbols are worth at a point; `variable` is what derivatives and shifts are taken in."""
+    """What symbols are worth at a point; `variable` is what derivatives and shifts are taken in,
+    `short` are names for expressions.
+    """
 
     variable: str
     quantities: Callable[[Fraction], Values]
     roots: Mapping[str, tuple[int, Tree]] = field(default_factory=dict)
     free: Mapping[str, Any] = field(default_factory=dict)
+    short: Mapping[str, Tree] = field(default_factory=dict)
 
     def value(self, tree: Tree, point: Fraction) -> Any:
-        """The number (or matrix, as rows) of a tree. Raises NoValue."""
+        """The number (or matrix, as rows) of a tree. Raises NoValue, UnknownName."""
         with mpmath.workdps(DIGITS):
             return self._value(tree, point)
 
@@ -47,9 +54,11 @@ class Subject:
         if name in self.roots:
             order, radicand = self.roots[name]
             return root(self._value(radicand, point), Fraction(1, order))
+        if name in self.short:
+            return self._value(self.short[name], point)
         values = self.quantities(point)
         if name not in values:
-            raise NoValue(name)
+            raise UnknownName(name)
         return values[name]
 
     def _value(self, tree: Tree, point: Fraction) -> Any:
@@ -124,11 +133,14 @@ def steady_subject(
     model: Mapping[str, Any],
     roots: Mapping[str, tuple[int, Tree]] | None = None,
     free: Values | None = None,
+    short: Mapping[str, Tree] | None = None,
 ) -> Subject:
     """Symbols of a steady state as functions of the tracking index."""
     names = ("transition", "process_noise", "measurement", "measurement_noise")
     frozen = tuple((name, tuple(tuple(row) for row in model[name])) for name in names)
-    return Subject("tracking_index", lambda point: _steady(frozen, point), roots or {}, free or {})
+    return Subject(
+        "tracking_index", lambda point: _steady(frozen, point), roots or {}, free or {}, short or {}
+    )
 
 
 def memory_subject(degree: int, free: Values | None = None) -> Subject:

@@ -23,35 +23,41 @@ from mutation.evaluator import Subject, memory_subject, steady_subject
 from mutation.tree import Tree, number, symbols, to_graph, to_tree
 
 DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}
+SHORT = ("kappa", "rho")
+"""Names of the derivations that no oracle gives a value."""
 UNKNOWN_TO_ORACLES = ("information_", "pole", "program")
 CLAIMS = Path(__file__).parents[3] / "verify" / "claims"
 
 
 def derived_relations() -> Iterator[Relation]:
-    """Equations and signs of every derivation whose symbols the oracles know, in the main tower of
-    each.
+    """Equations of every derivation whose symbols the oracles know, where one quantity is
+    measured.
     """
     for entry in CATALOGUE:
         subject = entry.build()
         certificate = subject.certificate()
         degree = DEGREES.get(entry.name)
         model = subject.model_data if degree is None else None
-        around = {n: surroundings(model, degree, t) for n, t in certificate["towers"].items()}
+        if model is not None and not _of_one_measurement(model):
+            continue
+        towers = certificate["towers"]
+        around = {n: surroundings(model, degree, tower) for n, tower in towers.items()}
         for statement in certificate["statements"]:
-            tower = certificate["towers"][statement["tower"]]
-            if statement["kind"] == "equal" and _known(statement, tower):
-                yield _derived(
-                    entry.name, statement, tower, model, degree, around[statement["tower"]]
-                )
+            place = statement["tower"]
+            if statement["kind"] == "equal" and _known(statement, towers[place]):
+                yield _derived(entry.name, statement, towers[place], model, degree, around[place])
+
+
+def _of_one_measurement(model: Mapping[str, Any]) -> bool:
+    return len(model["measurement"]) == 1
 
 
 def _known(statement: Mapping[str, Any], tower: Mapping[str, Any]) -> bool:
     """The oracles give the tracking index itself, and so know the main tower, whose parameter is
     its root, only.
     """
-    names = symbols(to_tree(statement["claim"]["left"])) | symbols(
-        to_tree(statement["claim"]["right"])
-    )
+    left, right = (to_tree(statement["claim"][side]) for side in ("left", "right"))
+    names = symbols(left) | symbols(right)
     if any(name.startswith(UNKNOWN_TO_ORACLES) for name in names):
         return False
     at_start = any(
@@ -86,7 +92,7 @@ def _derived(
         subject, points, variable = memory_subject(degree, free), SAMPLE_POINTS, "k"
     else:
         subject, points, variable = (
-            steady_subject(model, _roots(tower), free),
+            steady_subject(model, _roots(tower), free, _short(tower)),
             INDEX_POINTS,
             "tracking_index",
         )
@@ -95,19 +101,30 @@ def _derived(
 
 def _roots(tower: Mapping[str, Any]) -> dict[str, tuple[int, Tree]]:
     """The tower's parameter p is the root of the index; each generator the root of its radicand."""
-    names = ["p", *[g["symbol"] for g in tower["generators"]]]
     found: dict[str, tuple[int, Tree]] = {"p": (2, ("symbol", "tracking_index"))}
     for generator in tower["generators"]:
-        terms: list[Tree] = []
-        for coefficient, exponents in generator["radicand"]:
-            powers = [
-                ("pow", ("symbol", n), Fraction(e))
-                for n, e in zip(names, exponents, strict=True)
-                if e
-            ]
-            terms.append(("mul", number(coefficient), *powers))
-        found[generator["symbol"]] = (generator["power"], ("add", number(0), *terms))
+        found[generator["symbol"]] = (generator["power"], _sum(generator["radicand"], tower))
     return found
+
+
+def _short(tower: Mapping[str, Any]) -> dict[str, Tree]:
+    """The names of a derivation's own that stand for an expression of the index and the roots."""
+    return {
+        name: ("div", *(_sum(tower["elements"][name][part], tower) for part in ("num", "den")))
+        for name in SHORT
+        if name in tower["elements"]
+    }
+
+
+def _sum(polynomial: Sequence[Any], tower: Mapping[str, Any]) -> Tree:
+    names = ["p", *[g["symbol"] for g in tower["generators"]]]
+    terms: list[Tree] = []
+    for coefficient, exponents in polynomial:
+        powers = [
+            ("pow", ("symbol", n), Fraction(e)) for n, e in zip(names, exponents, strict=True) if e
+        ]
+        terms.append(("mul", number(coefficient), *powers))
+    return ("add", number(0), *terms)
 
 
 QUANTITY_NAMES = {
@@ -122,9 +139,8 @@ def claimed_relations() -> Iterator[Relation]:
     """Identities of the claim files about gains; for a searched model a mutant must be false under
     all models.
     """
-    models = [
-        m for entry in CATALOGUE if (m := entry.build().model_data) and entry.name not in DEGREES
-    ]
+    built = [e.build().model_data for e in CATALOGUE if e.name not in DEGREES]
+    models = [model for model in built if model is not None and _of_one_measurement(model)]
     for path in sorted(CLAIMS.glob("*.toml")):
         claim_file = read_claim_file(path)
         for claim in claim_file.claims:

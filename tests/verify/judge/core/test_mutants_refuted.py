@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 from mutation.campaign import REFUSED, Relation, is_false, report, run
-from mutation.evaluator import steady_subject
+from mutation.evaluator import UnknownName, steady_subject
 from mutation.mutants import misprints, near_misses
 from mutation.relations import claimed_relations, derived_relations
 from mutation.tree import Tree, number, to_graph, to_tree
@@ -70,6 +70,21 @@ def test_evaluator_tells_a_relation_of_one_family_from_that_of_another() -> None
             "", left, right, "", (subject,), (Fraction(2),), lambda *_: Finding("undecided", "")
         )
         assert is_false(relation, left, right) is expected
+
+
+def test_a_true_mutant_is_not_called_false(relations: list[Relation]) -> None:
+    """The square does not mind the sign. Names that only a derivation gives are known too; with one
+    that is not known, nothing is said.
+    """
+    (roots,) = (r for r in relations if r.name == "random-velocity roots-in-the-index")
+    (subject,) = roots.subjects
+    rho: Tree = ("symbol", "rho")
+    square, other = ("pow", rho, Fraction(2)), ("pow", ("neg", rho), Fraction(2))
+    assert not is_false(roots, roots.left, roots.right)
+    assert not is_false(roots, square, other)
+    assert is_false(roots, square, ("mul", rho, other))
+    with pytest.raises(UnknownName, match="omega"):
+        subject.value(("symbol", "omega"), Fraction(1))
 
 
 def test_mutants_are_many_and_differ() -> None:
