@@ -5,11 +5,10 @@ is 1, e(a b) = e(a) + e(b) + 1, e(sqrt a) = e(a)/2 + 1, and of terms of one sign
 e(a + b) = s e(a) + (1 - s) e(b) + 1 with the share s = a/(a + b) of an intermediate point (mean
 value theorem), which the forward pass encloses for every rounding. Nothing of second order is
 neglected. Errors that a node sends along several ways are added, never set off: x/x costs
-1 + 2 e(x). It holds in boxes where no step under- or overflows; in the others it
-proves nothing.
+1 + 2 e(x). All this holds in boxes where no step under- or overflows; in others nothing is proved.
 
-The adjoint pass is better in narrow boxes, since there errors of one node cancel; in wide ones its
-ranges of quotients are.
+The adjoint pass is better in narrow boxes, where errors that a node sends along several ways are set
+off. In wide ones its ranges of quotients are too wide for that.
 """
 
 from __future__ import annotations

@@ -43,10 +43,9 @@ def updated_12_parts(r: Rates) -> Parts:
 
 
 def _predicted_11_by_index(r: Rates) -> Any:
-    rate = r.gain["gain_22"]
     turned = r.turned if r.x.noise.interval else r.share
     first = r.squares(r.sigma * r.share, r.sigma * turned)
-    one, other = r.sigma * rate, r.sigma * r.doubled
+    one, other = r.rate, r.sigma * r.doubled
     return _by_index(r, _with_second(r, first, one * one, other * other))
 
 
@@ -55,9 +54,10 @@ def _predicted_12_by_index(r: Rates) -> Any:
     if not x.noise.interval:
         both = total(r.predicted["predicted_11"], r.gain["gain_11"], r.gain["gain_21"])
         return (x.cross / x.index) * (r.sigma * 2 * both) / (x.eta * x.delta)
-    t, own = x.velocity_index, x.one_end
+    own = x.one_end
     one = (x.cross / x.index) * ((own + r.updated["updated_22"] / own) / x.index)
-    both = one + r.turned * ((r.width + t * r.sigma) / r.both)
+    weight = (x.ratio * x.ratio) * x.width + x.index * x.sigma_scaled
+    both = one + r.turned * (weight / r.both_scaled)
     if x.noise.determinant:
         both = both + times(x.noise.determinant, x.cross * r.doubled / x.eta)
     return (x.index / x.delta) * (r.sigma * both)

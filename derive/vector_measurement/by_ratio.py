@@ -15,20 +15,15 @@ def _by_ratio(r: Rates, value: Any) -> Any:
 
 
 def _fast(r: Rates) -> Any:
-    """sigma (2 K12 + K22)."""
-    x = r.x
-    return 2 * ((x.cross / x.ratio) / x.ratio) + r.sigma * r.gain["gain_22"]
-
-
-def _slow(r: Rates) -> Any:
-    """sigma (2 K22 - det K)."""
-    return r.sigma * r.gain["gain_22"] + r.velocity / r.sigma
+    """sigma (2 K12 + K22); for n = 1/2 the sum is twice K12 + K22/2."""
+    if r.x.noise.interval:
+        return (r.sigma * r.turned) * 2
+    return 2 * ((r.x.cross / r.x.ratio) / r.x.ratio) + r.rate
 
 
 def predicted_by_ratio(r: Rates) -> dict[str, Any]:
     """Derivatives of the predicted covariance with respect to S."""
-    rate = r.sigma * r.gain["gain_22"]
-    fast, slow, rest = _fast(r), _slow(r), r.x.rest
+    rate, fast, slow, rest = r.rate, _fast(r), r.slow, r.x.rest
     return {
         "predicted_11": _by_ratio(r, r.squares(rate, fast)),
         "predicted_12": _by_ratio(r, r.wave(rate * rest, fast * slow)),
@@ -41,12 +36,10 @@ def updated_by_ratio(r: Rates) -> dict[str, Any]:
     if not r.x.noise.interval:
         first, cross = _first_with_independent_noise(r), _cross_with_independent_noise(r)
     else:
-        one = r.velocity / r.sigma
-        both = 2 * r.updated["updated_12"] + r.updated["updated_22"]
-        minus_one = ((both / r.x.ratio) / r.x.ratio) / r.sigma
+        one, minus_one = r.velocity / r.sigma, (r.turned / r.sigma) * 2
         first = _by_ratio(r, r.squares(one, minus_one))
-        cross = _by_ratio(r, r.wave(one * r.x.rest, minus_one * _slow(r)))
-    rate = _by_ratio(r, r.squares(r.x.rest, _slow(r)))
+        cross = _by_ratio(r, r.wave(one * r.x.rest, minus_one * r.slow))
+    rate = _by_ratio(r, r.squares(r.x.rest, r.slow))
     return {"updated_11": first, "updated_12": cross, "updated_22": rate}
 
 

@@ -5,8 +5,8 @@ that sum_k (l L^k w)(r L^k w) is a quarter wave of two points of the unit circle
 [ (l N w)(r N w)/c(-1) + (l A w)(r A w)/c(1) ] / (2 (1 - c(0))), A = adj(I - L), N = adj(I + L).
 With c(1) = Lambda w/sigma, c(-1) = eta/sigma and 1 - c(0) = delta/sigma every variance becomes a
 sum of two squares, and the entries of A w and N w have forms without a subtraction:
-1 - K12 - (1 - n) K22 = w h/Lambda, K22 - det K = P22/(sigma S)^2, 1 - K22 = (P11 + 1)/sigma^2,
-and P11 - n P12 is sigma delta h/Lambda for n = 0, a product over 2 w S + t m for n = 1/2.
+1 - K12 - (1 - n) K22 = w h/Lambda = w/(w + kappa), sigma (K22 - det K) = P22/(sigma S^2), and
+P11 - n P12 is sigma delta h/Lambda for n = 0, a product over 2 w S + t m for n = 1/2.
 Three outputs change their sign: the covariance of the updated state (so K21) and K12 as functions
 of Lambda, K12 as a function of S; each is one difference of two positive terms.
 """
@@ -61,14 +61,23 @@ class Rates:
         return (self.predicted["predicted_22"] / self.x.ratio) / self.x.ratio
 
     @cached_property
-    def width(self) -> Any:
-        """w S."""
-        return self.x.ratio if self.x.level is None else self.x.ratio * self.x.level
+    def rate(self) -> Any:
+        """sigma K22, which for n = 1/2 has fewer roundings as g + P22/(sigma S^2)."""
+        if not self.x.noise.interval:
+            return self.sigma * self.gain["gain_22"]
+        return self.x.rest + self.velocity / self.sigma
 
     @cached_property
-    def both(self) -> Any:
-        """2 w S + t m."""
-        return self.width * 2 + self.x.velocity_index * self.x.mean
+    def slow(self) -> Any:
+        """sigma (2 K22 - det K) = g + 2 P22/(sigma S^2)."""
+        return self.x.rest + (self.velocity / self.sigma) * 2
+
+    @cached_property
+    def both_scaled(self) -> Any:
+        """S^2 (2 w S + t m)."""
+        x = self.x
+        mean = (x.index * x.width + x.eta_scaled) / 2
+        return (x.ratio * x.ratio) * (x.width * 2) + x.index * mean
 
     @cached_property
     def lead(self) -> Any:
@@ -79,9 +88,9 @@ class Rates:
         more = None
         if x.noise.e:
             area = times(x.noise.e, x.index * x.index)
-            more = x.eta * (area / (area + 16))
-        inner = total(x.one_end + x.delta * 2, more)
-        return (self.width / self.both) * ((x.eta / 4) * inner)
+            more = x.eta_scaled * (area / (area + 16))
+        inner = total(x.index * x.width + x.delta_scaled * 2, more)
+        return (x.width * ((x.eta_scaled / 4) * inner)) / self.both_scaled
 
     @cached_property
     def lead_and_two(self) -> Any:
@@ -89,29 +98,23 @@ class Rates:
         x = self.x
         if not x.noise.interval:
             return self.lead + 2
-        inner = self.sigma * self.width + x.velocity_index
-        return (inner / self.both) * x.eta
+        return ((x.sigma_scaled * x.width + x.index) * x.eta_scaled) / self.both_scaled
 
     @cached_property
     def share(self) -> Any:
-        """1 - K12 - (1 - n) K22 = w h/Lambda."""
-        part = self.x.cross / self.x.index
-        return part if self.x.level is None else self.x.level * part
+        """1 - K12 - (1 - n) K22 = w h/Lambda = w/(w + kappa)."""
+        return self.x.width / (self.x.coupling_scaled + self.x.width)
 
     @cached_property
     def turned(self) -> Any:
-        """K12 + (1 - n) K22 + (1 - 2n)."""
-        noise = self.x.noise
-        return total(
-            self.gain["gain_12"],
-            times(1 - noise.n, self.gain["gain_22"]),
-            None if noise.interval else 1,
-        )
+        """K12 + (1 - n) K22 + (1 - 2n) = 2 (1 - n) - w h/Lambda = 1 - 2n + kappa/(w + kappa)."""
+        own = self.x.coupling_scaled / (self.x.coupling_scaled + self.x.width)
+        return own if self.x.noise.interval else own + 1
 
     @cached_property
     def doubled(self) -> Any:
-        """2 - K22."""
-        return 1 + (self.predicted["predicted_11"] + 1) / self.sigma / self.sigma
+        """2 - K22 for n = 1/2."""
+        return (self.gain["gain_12"] + self.share) * 2
 
     def wave(self, one: Any, minus_one: Any) -> Any:
         """one/(sigma c(1)) + minus_one/(sigma c(-1))."""
