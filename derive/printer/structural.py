@@ -7,8 +7,8 @@ value theorem), which the forward pass encloses for every rounding. Nothing of s
 neglected. Errors that a node sends along several ways are added, never set off: x/x costs
 1 + 2 e(x). All this holds in boxes where no step under- or overflows; in others nothing is proved.
 
-The adjoint pass is better in narrow boxes, where errors that a node sends along several ways are set
-off. In wide ones its ranges of quotients are too wide for that.
+The adjoint pass is better in narrow boxes, where errors that a node sends along several ways are
+set off. In wide ones its ranges of quotients are too wide for that.
 """
 
 from __future__ import annotations
