@@ -41,7 +41,12 @@ from gainproof.verify.judge.setting.plane_chart import (
     squares,
 )
 from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
-from gainproof.verify.judge.setting.two_measurements import Entries, Noise, entries
+from gainproof.verify.judge.setting.two_measurements import (
+    Entries,
+    Noise,
+    entries,
+    exact_velocity,
+)
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 ONE, ZERO = number(1), number(0)
@@ -75,12 +80,14 @@ def position_velocity(noise: Noise, name: str) -> Environment:
     chart = Environment(
         name,
         _quantities(charted, sqrt(index2), sqrt(ratio2)),
-        {**boxes, LOW: POSITIVE, HIGH: POSITIVE},
+        # index and S are no base variables there; their boxes are for their labels
+        {**boxes, **dict.fromkeys((LOW, HIGH, INDEX, RATIO), POSITIVE)},
         facts=facts,
         decide=Plane((INDEX, RATIO)).decide,
         squares={INDEX: index2, RATIO: ratio2},
     )
     quantities = _quantities(closed, index, ratio)
+    ends["exact_velocity_covariance.1.1"] = exact_velocity(index, noise)
     quantities |= {key: value * power(SIGMA, 2) for key, value in ends.items()}
     return Environment(
         name,
@@ -110,7 +117,9 @@ def _continuous(charted: Entries, ends: Mapping[str, Expr], noise: Noise) -> Fac
         if node.kind == "div" or (node.kind == "pow" and node.fraction.denominator != 1)
     ]
     positive = [Rel(">", expr, ZERO) for expr in below if expr.kind != "number"]
-    found = decide(Statement(tuple(positive)), {INDEX: POSITIVE}, INDEX)
+    first = ends["exact_velocity_covariance.1.1"]
+    plain = Rel("=", first, exact_velocity(symbol(INDEX), noise))
+    found = decide(Statement((*positive, plain)), {INDEX: POSITIVE}, INDEX)
     if same.verdict != "proved" or found.verdict != "proved":
         raise NotEstablished(sentence)
     return Fact(sentence, found.method, found.certificate)

@@ -82,3 +82,16 @@ def entries(index: Expr, top: Expr, bottom: Expr, noise: Noise) -> Entries:
         (add(updated_11, step), predicted_12, add(updated_22, index2)),
         (updated_11, updated_12, updated_22),
     )
+
+
+def exact_velocity(index: Expr, noise: Noise) -> Expr:
+    """The predicted variance of the position where velocities are measured exactly.
+
+    What is left to be filtered is the position, whose noise given that of the velocity has the
+    variance d = index^2 determinant: of the variance m before the update, m / (m + 1) is left, so
+    that m^2 = d (m + 1).
+    """
+    index2 = power(index, 2)
+    d = mul(number(noise.determinant), index2)
+    before = mul(HALF, add(d, sqrt(add(power(d, 2), mul(number(4), d)))))
+    return add(before, mul(number(noise.mixed**2), index2))
