@@ -23,6 +23,8 @@ _PAIRS = {
     "CONDITION_OPEN": "CONDITION_CLOSE",
 }
 _CLOSES = frozenset(_PAIRS.values())
+_ARGUMENTS = frozenset(("SYMBOL", "FRAC", "SQRT", "LEFT_BRACE", "BAR_OPEN", "MATRIX_OPEN"))
+"""What an argument without brackets may be."""
 _UNCLEAR_AFTER = frozenset(
     (
         *("SYMBOL", "NUMBER", "FUNCTION", "FRAC", "SQRT", "SLASH", "TRANSPOSE", "AT", "UNDER"),
@@ -103,11 +105,11 @@ def _after_one(tokens: Sequence[FormulaToken], number: int, ends: dict[int, int]
 
 
 def _argument_end(tokens: Sequence[FormulaToken], start: int, ends: dict[int, int]) -> int:
-    """The number after a number, a symbol, a fraction or a root, or one of these after a number."""
+    """The number after a number, or after what `_ARGUMENTS` begin, be it after a number."""
     number = start
     if number < len(tokens) and tokens[number].kind == "NUMBER":
         number = _after_power(tokens, number + 1, ends)
-    if number < len(tokens) and tokens[number].kind in ("SYMBOL", "FRAC", "SQRT", "LEFT_BRACE"):
+    if number < len(tokens) and tokens[number].kind in _ARGUMENTS:
         number = _after_power(tokens, _after_one(tokens, number, ends), ends)
     return number
 

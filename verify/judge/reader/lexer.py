@@ -26,6 +26,7 @@ from gainproof.verify.judge.reader.scan import (
     scan_sized,
 )
 from gainproof.verify.judge.reader.special import (
+    declared_kind,
     function_named,
     sign_in_braces,
     sign_of_branch,
@@ -100,7 +101,7 @@ class _Lexer:
         self.position = end
 
     def _symbol(self, name: str, end: int) -> None:
-        self._add("FUNCTION" if self.vocabulary.is_function(name) else "SYMBOL", name, end)
+        self._add(declared_kind(self.text, name, end, self.vocabulary), name, end)
 
     def _letters(self) -> None:
         found = self.names.longest(self.position, self.tokens.single)

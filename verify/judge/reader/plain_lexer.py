@@ -8,7 +8,7 @@ from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds
 from gainproof.verify.judge.reader.scan import scan_number
-from gainproof.verify.judge.reader.special import special_name
+from gainproof.verify.judge.reader.special import declared_kind, special_name
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import FUNCTION_WORDS, JOINING_WORDS, PLAIN_FORMS
@@ -72,7 +72,7 @@ class _PlainLexer:
     def _letters(self) -> None:
         name, end = self._declared()
         if name:
-            kind = "FUNCTION" if self.vocabulary.is_function(name) else "SYMBOL"
+            kind = declared_kind(self.text, name, end, self.vocabulary)
             self._add(kind, name, end)
             return
         text, start = self.text, self.position

@@ -8,6 +8,7 @@ from gainproof.verify.judge.reader.alphabet import braced_sign_end, command_at, 
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.scan import Scanned
 from gainproof.verify.judge.reader.tokens import SIZES
+from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (
     EULER_NAMES,
     EXPECTATION_NAMES,
@@ -29,6 +30,21 @@ def special_name(text: str, name: str, end: int) -> Scanned | None:
     if name in EULER_NAMES and following == "^":
         return Scanned("EULER", "exp", end)
     return None
+
+
+def declared_kind(text: str, name: str, end: int, vocabulary: Vocabulary) -> str:
+    """The kind of a declared name. ReaderError for `E[x]` with a declared number E: it is hardly
+    meant to be a product.
+    """
+    if vocabulary.is_function(name):
+        return "FUNCTION"
+    if name in EXPECTATION_NAMES and _bracket_after(text, end) in ("[", "\\{"):
+        problem = (
+            f"{name} is declared, so that this is no expectation: leave it undeclared for one, "
+            f"write {name} ( ) for a product"
+        )
+        raise ReaderError(problem, text, skip_space(text, end), name)
+    return "SYMBOL"
 
 
 def function_named(base: str, end: int) -> Scanned | None:

@@ -8,7 +8,7 @@ import pytest
 
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token
-from gainproof.verify.judge.reader.reader import read_conditions, read_formula
+from gainproof.verify.judge.reader.reader import read_conditions, read_formula, read_plain
 
 
 @dataclass(frozen=True)
@@ -134,6 +134,18 @@ def test_refused(text: str, column: int, problem: str) -> None:
     error = refusal(text)
     assert problem in error.problem
     assert (error.line, error.column) == (1, column)
+
+
+@pytest.mark.parametrize("text", ["a = E[b^2]", r"a = 2 E \left[ b \right]", r"a = b + E\{c\}"])
+def test_a_declared_letter_before_square_brackets_is_no_expectation(text: str) -> None:
+    declared = {**SYMBOLS, "E": Declared()}
+    with pytest.raises(ReaderError, match="leave it undeclared"):
+        read_formula(text, declared)
+    assert read_formula(text, SYMBOLS).readings
+    assert read_formula("a = E(b^2) + E [b]", {**SYMBOLS, "E": Declared(("x",))}).readings
+    assert read_formula("a = E(b + c)", declared).readings
+    with pytest.raises(ReaderError, match="leave it undeclared"):
+        read_plain("a = 2 E [b]", declared)
 
 
 @pytest.mark.parametrize(
