@@ -99,13 +99,14 @@ def limit(noise: Noise, tracking_index: Index, name: str, side: str, digits: int
     Raises NotConverged when the two disagree, as they do where the limit is 0 or infinite.
     """
     index = exact(tracking_index)
-    room = len(str(max(index.numerator, index.denominator)))
+    room = len(str(int(max(index, 1 / index))))
     far = digits + 4 * room
     sign = {"zero": -1, "infinity": 1}[side]
     values = []
     for power in (far, far + 5):
         ratio = Fraction(10) ** (sign * power)
-        state = doubling.steady_state(model(noise, index, ratio), digits + 5).state
+        # enough digits for a closed loop that comes as close to the unit circle as S^2 to 0
+        state = doubling.steady_state(model(noise, index, ratio), 2 * power + 10).state
         values.append(named(state)[name])
     own = context(bits_for(digits) + 60)
     near, farther = (carried(value, own) for value in values)
