@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from gainproof.derive.families import (
     continuous_white_acceleration,
     least_squares,
+    position_velocity,
+    position_velocity_random_acceleration,
+    position_velocity_random_velocity,
     random_acceleration,
     random_velocity,
 )
@@ -36,5 +39,16 @@ CATALOGUE: tuple[Entry, ...] = (
             least_squares.NAMES[degree], least_squares.TITLES[degree], least_squares.builder(degree)
         )
         for degree in range(3)
+    ),
+    Entry(position_velocity.NAME, position_velocity.TITLE, position_velocity.build),
+    Entry(
+        position_velocity_random_acceleration.NAME,
+        position_velocity_random_acceleration.TITLE,
+        position_velocity_random_acceleration.build,
+    ),
+    Entry(
+        position_velocity_random_velocity.NAME,
+        position_velocity_random_velocity.TITLE,
+        position_velocity_random_velocity.build,
     ),
 )

@@ -42,3 +42,17 @@ def steady_graph(noise: Noise, *parts: FormsOf) -> Graph:
     for part in parts:
         outputs |= part(basis)
     return builder.graph(outputs, names)
+
+
+def known_graph(noise: Noise) -> Graph:
+    """The position's variances where the velocity is known exactly; for d > 0."""
+    builder = GraphBuilder()
+    index = builder.symbol("tracking_index")
+    area = index * index
+    far = builder.sqrt(area + 16 / noise.e)
+    updated = (index * 2) / (index + far)
+    outputs = {
+        "predicted_11": updated + forms.times(noise.first, area),
+        "updated_11": updated,
+    }
+    return builder.graph(outputs, {"far": far})

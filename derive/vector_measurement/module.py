@@ -8,10 +8,17 @@ from fractions import Fraction
 import sympy
 
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
+from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.vector_measurement import forms
 from gainproof.derive.vector_measurement.context import Context
-from gainproof.derive.vector_measurement.kernels import FormsOf
+from gainproof.derive.vector_measurement.derivative_kernels import (
+    DERIVATIVES,
+    SCALE,
+    derivative_graph,
+    difference,
+)
+from gainproof.derive.vector_measurement.forms import Noise
+from gainproof.derive.vector_measurement.kernels import FormsOf, known_graph, steady_graph
 
 STEADY_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
     "gains": (forms.gains,),
@@ -23,7 +30,9 @@ SUMMARIES = {
     "gains": "Steady-state filter gain, position and velocity measured.",
     "predicted_covariance": "Predicted covariance in units of sigma_o^2 and T.",
     "updated_covariance": "Updated covariance in units of sigma_o^2 and T.",
+    "known_velocity": "The position's variances where the velocity is known exactly, S = 0.",
 }
+CHANGES = "its sign changes: the error is relative to the sum of both terms"
 
 MEANINGS = {
     "gain_11": "position's gain on the measured position",
@@ -39,6 +48,24 @@ MEANINGS = {
 }
 
 
+VALUES = {True: (("1e-8", "1e8"), ("1e-8", "1e8")), False: (("1e-8", "4e6"), ("1e-6", "1e8"))}
+"""Domains in float32 of Lambda and S by whether the noise acts all through the interval.
+
+Without noise in the position the updated cross covariance falls like S^4/Lambda^2, and is no normal
+number of float32 beyond.
+"""
+RATES = (("1e-5", "1e5"), ("1e-5", "1e5"))
+NARROW_RATES = (("1e-4", "1e4"), ("1e-4", "1e4"))
+KNOWN = "known_velocity"
+
+
+def graphs(noise: Noise) -> dict[str, Graph]:
+    """The graphs of all kernels of a family by name."""
+    found = {name: steady_graph(noise, *parts) for name, parts in STEADY_KERNELS.items()}
+    found |= {name: derivative_graph(noise, name) for name in DERIVATIVES}
+    return {**found, KNOWN: known_graph(noise)} if noise.determinant else found
+
+
 def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
     """The module of a family."""
     return Module(
@@ -47,41 +74,52 @@ def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
         command=f"gainproof generate {c.model.name}",
         derivation=f"gainproof derive {c.model.name}, SymPy {sympy.__version__}",
         kernels=tuple(_kernel(c, name, graph) for name, graph in graphs.items()),
-        results="_position_velocity_results",
     )
 
 
 def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
+    base, by, variable = name.partition("_by_")
+    derivative = f"derivative by {variable} of the " if by else ""
+    outputs = [output for output in graph["outputs"] if not output.endswith(SCALE)]
+    scaled = {output for output in outputs if output + SCALE in graph["outputs"]}
     return Kernel(
         name=name,
         result="".join(word.capitalize() for word in name.split("_")),
-        summary=SUMMARIES[name],
-        equations=_equations(c, name),
-        inputs=inputs(c),
-        outputs=tuple(Output(output, MEANINGS[output]) for output in graph["outputs"]),
+        summary=f"First derivatives by {variable} of {_group(base)}." if by else SUMMARIES[name],
+        equations=_equations(c, base) if name != KNOWN else _known_equations(c),
+        inputs=_inputs(c, name),
+        outputs=tuple(
+            Output(
+                output,
+                derivative + MEANINGS[output],
+                relative_to=output + SCALE if output in scaled else None,
+            )
+            for output in outputs
+        ),
         graph=graph,
         source=f"derivation {c.model.name}",
+        cancellations={difference(output): CHANGES for output in sorted(scaled)},
     )
 
 
-def inputs(c: Context) -> tuple[Input, Input]:
-    """Both dimensionless parameters, as they follow from the model's quantities.
+def _group(base: str) -> str:
+    return {"gains": "the filter gain"}.get(base, f"the {base.replace('_', ' ')}")
 
-    Everything is normal in float32 too on this domain. Without noise in the position the updated
-    cross covariance falls like S^4/Lambda^2, which ends the domain earlier.
-    """
+
+def _inputs(c: Context, name: str) -> tuple[Input, ...]:
+    """The dimensionless parameters, as they follow from the model's quantities."""
     (ratio,) = c.model.ratios.values()
-    largest, least = (10**8, 8) if c.noise.interval else (4 * 10**6, 6)
+    index = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
+    if name == KNOWN:
+        return (closed("tracking_index", index, "1e-12", "1e12", ("1e-8", "1e8")),)
+    if "_by_" not in name:
+        single = VALUES[c.noise.interval]
+    else:
+        single = RATES if c.noise.interval else NARROW_RATES
     return (
-        _closed("tracking_index", f"Lambda, with Lambda^2 = {c.model.noise_ratio}", 8, largest),
-        _closed("velocity_ratio", f"S = {ratio}", least, 10**8),
+        closed("tracking_index", index, "1e-12", "1e12", single[0]),
+        closed("velocity_ratio", f"S = {ratio}", "1e-12", "1e12", single[1]),
     )
-
-
-def _closed(name: str, meaning: str, decades: int, largest: int) -> Input:
-    """From 10^-decades to the largest, both admitted."""
-    lower = Fraction(1, 10**decades)
-    return Input(name, meaning, lower, largest, lower_open=False, upper_open=False)
 
 
 def _equations(c: Context, name: str) -> tuple[str, ...]:
@@ -108,6 +146,14 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
         f"h = Lambda/(w + kappa), g = Lambda w - h, kappa = t {share}/S, t = Lambda/S,",
         "sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,",
         f"{level}, eta^2 = {eta}; all computed without a subtraction",
+    )
+
+
+def _known_equations(c: Context) -> tuple[str, ...]:
+    far = 16 / c.noise.e
+    return (
+        f"updated_11 = 2 Lambda/(Lambda + sqrt(Lambda^2 + {far})),",
+        f"predicted_11 = updated_11 + {_product(c.noise.first)}: the limits for S -> 0",
     )
 
 

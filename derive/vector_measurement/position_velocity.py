@@ -9,23 +9,21 @@ import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Derivation, Step
-from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.relation import Relation
 from gainproof.derive.subject import Program, Subject
+from gainproof.derive.vector_measurement import module
 from gainproof.derive.vector_measurement.context import Context, context
 from gainproof.derive.vector_measurement.corners import LATEX as CORNER_LATEX
 from gainproof.derive.vector_measurement.corners import fixed_index_tower, narrow_tower
 from gainproof.derive.vector_measurement.ends import LATEX as END_LATEX
 from gainproof.derive.vector_measurement.ends import ends_tower, index_tower
-from gainproof.derive.vector_measurement.kernels import INPUTS, steady_graph
-from gainproof.derive.vector_measurement.module import STEADY_KERNELS, kernel_module
 from gainproof.derive.vector_measurement.names import LATEX
 from gainproof.derive.vector_measurement.steps_corners import corner_steps
 from gainproof.derive.vector_measurement.steps_entries import cross_steps, position_steps
 from gainproof.derive.vector_measurement.steps_limits import limit_steps
 from gainproof.derive.vector_measurement.steps_model import model_steps
+from gainproof.derive.vector_measurement.steps_program import program_steps
 from gainproof.derive.vector_measurement.steps_proof import form_steps, proof_steps
 from gainproof.derive.vector_measurement.steps_ratio import improvement_steps
 from gainproof.derive.vector_measurement.steps_spectrum import spectrum_steps
@@ -33,7 +31,6 @@ from gainproof.derive.vector_measurement.steps_trends import trend_steps
 from gainproof.derive.vector_measurement.steps_width import LATEX as WIDTH_LATEX
 from gainproof.derive.vector_measurement.steps_width import outer_tower, width_steps
 from gainproof.derive.vector_measurement.textbook import textbook_forms
-from gainproof.derive.vector_measurement.towers import graph_roots
 
 OPENING = (
     "A radar measures a target's position and, by its Doppler shift, the velocity, at a fixed "
@@ -63,7 +60,7 @@ def derive_position_velocity(
     Raises ModelError, naming the reason, for a model outside the method's reach.
     """
     c = context(model, printed.elements)
-    graphs = {name: steady_graph(c.noise, *parts) for name, parts in STEADY_KERNELS.items()}
+    graphs = module.graphs(c.noise)
     steps = (
         *model_steps(c),
         *spectrum_steps(c),
@@ -77,7 +74,7 @@ def derive_position_velocity(
         *trend_steps(c),
         *corner_steps(c),
         *width_steps(c),
-        *_program_steps(c, graphs),
+        *program_steps(c, graphs),
     )
     symbols = {quantity.name: quantity.latex for quantity in model.quantities}
     towers = _towers(c)
@@ -93,10 +90,10 @@ def derive_position_velocity(
         ),
         towers={tower.name: tower for tower in towers},
         programs={
-            name: Program({entry: entry for entry in INPUTS}, graph)
+            name: Program({entry: entry for entry in _symbols(graph)}, graph)
             for name, graph in graphs.items()
         },
-        module=kernel_module(c, graphs),
+        module=module.kernel_module(c, graphs),
         textbook=lambda: textbook_forms(c),
     )
 
@@ -108,19 +105,5 @@ def _towers(c: Context) -> tuple[Tower, ...]:
     return (*towers, index_tower(noise), outer_tower()) if noise.determinant else towers
 
 
-def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
-    """Every kernel computes what its outputs are called."""
-    return [
-        Step(
-            f"kernel-{name.replace('_', '-')}",
-            f"The kernel {name} computes what it says.",
-            Relation(
-                "program",
-                {"program": name, "outputs": {output: real(output) for output in graph["outputs"]}},
-            ),
-            "Evaluate the kernel's graph in the tower.",
-            hint={"graph": graph, "roots": graph_roots(c.noise)},
-            shown=False,
-        )
-        for name, graph in graphs.items()
-    ]
+def _symbols(graph: Graph) -> list[str]:
+    return [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.verify.certificate import check
+from gainproof.verify.certificate import check, check_statement
 
 UNDECIDABLE = {"definition", "cited"}
 
@@ -114,7 +114,9 @@ def test_every_step_is_proved(name: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
 def test_an_altered_step_fails_and_only_it(name: str) -> None:
+    """Every altered step fails; of a long derivation only some are checked with all the others."""
     certificate = _certificate(name)
+    stride = 1 + len(certificate["statements"]) // 15
     original = {result.id: result.status for result in check(certificate).statements}
     for number, statement in enumerate(certificate["statements"]):
         if statement["kind"] in UNDECIDABLE:
@@ -122,6 +124,10 @@ def test_an_altered_step_fails_and_only_it(name: str) -> None:
         statements = list(certificate["statements"])
         statements[number] = _altered(statement)
         altered = {**certificate, "statements": statements}
+        if number % stride:
+            alone = check_statement(altered, statement["id"])
+            assert alone.status == "rejected", statement["id"]
+            continue
         after = {result.id: result.status for result in check(altered).statements}
         assert after == {**original, statement["id"]: "rejected"}, statement["id"]
 

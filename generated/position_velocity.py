@@ -1,0 +1,1520 @@
+# Made by: gainproof generate position-velocity
+# From: gainproof derive position-velocity, SymPy 1.14.0
+"""Position and velocity measured, continuous white acceleration: steady state."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Arrays, Real
+
+__all__ = [
+    "Gains",
+    "GainsByTrackingIndex",
+    "GainsByVelocityRatio",
+    "KnownVelocity",
+    "PredictedCovariance",
+    "PredictedCovarianceByTrackingIndex",
+    "PredictedCovarianceByVelocityRatio",
+    "UpdatedCovariance",
+    "UpdatedCovarianceByTrackingIndex",
+    "UpdatedCovarianceByVelocityRatio",
+    "gains",
+    "gains_by_tracking_index",
+    "gains_by_velocity_ratio",
+    "known_velocity",
+    "predicted_covariance",
+    "predicted_covariance_by_tracking_index",
+    "predicted_covariance_by_velocity_ratio",
+    "updated_covariance",
+    "updated_covariance_by_tracking_index",
+    "updated_covariance_by_velocity_ratio",
+]
+
+_TRACKING_INDEX_DOMAIN = Domain(
+    "tracking_index",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8",
+    (1e-12, 1000000000000.0),
+    (9.99999993922529e-09, 100000000.0),
+)
+_VELOCITY_RATIO_DOMAIN = Domain(
+    "velocity_ratio",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8",
+    (1e-12, 1000000000000.0),
+    (9.99999993922529e-09, 100000000.0),
+)
+_TRACKING_INDEX_DOMAIN_2 = Domain(
+    "tracking_index",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5",
+    (1e-12, 1000000000000.0),
+    (9.999999747378752e-06, 100000.0),
+)
+_VELOCITY_RATIO_DOMAIN_2 = Domain(
+    "velocity_ratio",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5",
+    (1e-12, 1000000000000.0),
+    (9.999999747378752e-06, 100000.0),
+)
+
+
+class Gains(NamedTuple):
+    """Result of `gains`."""
+
+    gain_11: Real
+    """Position's gain on the measured position."""
+    gain_12: Real
+    """Position's gain on the measured velocity over T."""
+    gain_21: Real
+    """Velocity's gain on the measured position times T."""
+    gain_22: Real
+    """Velocity's gain on the measured velocity."""
+
+
+def gains(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+) -> Gains:
+    """Steady-state filter gain, position and velocity measured.
+
+        gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+
+    gain_11: position's gain on the measured position. Relative error at most 16.83 * 2^-52
+        (float64), 16.77 * 2^-23 (float32), proved for every input.
+    gain_12: position's gain on the measured velocity over T. Relative error at most 7.54 * 2^-52
+        (float64), 7.30 * 2^-23 (float32), proved for every input.
+    gain_21: velocity's gain on the measured position times T. Relative error at most 8.54 * 2^-52
+        (float64), 8.25 * 2^-23 (float32), proved for every input.
+    gain_22: velocity's gain on the measured velocity. Relative error at most 11.12 * 2^-52
+        (float64), 11.18 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out))
+
+
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    gain_11, gain_12, gain_21, gain_22 = out
+    w0, w1, w2, w3, w4, w5 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, gain_12)
+    t6 = np.add(t2, t5, w2)
+    level_scaled = np.sqrt(t6, gain_21)
+    t9 = np.divide(t3, 3.0, gain_11)
+    t11 = np.add(t9, 16.0, w2)
+    t13 = np.multiply(t2, 4.0, w3)
+    t14 = np.add(t13, t3, w4)
+    t15 = np.multiply(t14, 0.25, w4)
+    t16 = np.multiply(t11, t15, w2)
+    eta_scaled = np.sqrt(t16, gain_22)
+    t19 = np.multiply(t3, 0.041666666666666664, w2)
+    t21 = np.add(t19, 1.0, w2)
+    t22 = np.divide(t2, 3.0, w4)
+    t23 = np.add(t22, t21, w4)
+    t24 = np.multiply(t3, t23, w4)
+    t25 = np.multiply(tracking_index, level_scaled, w2)
+    t27 = np.multiply(eta_scaled, 0.5, w5)
+    t28 = np.multiply(t25, t27, w5)
+    t29 = np.add(t24, t28, w4)
+    delta_scaled = np.sqrt(t29, w4)
+    t31 = np.add(t25, eta_scaled, w2)
+    t32 = np.multiply(t31, 0.5, w2)
+    t33 = np.add(t32, delta_scaled, w2)
+    sigma_scaled = np.multiply(t33, 0.5, w2)
+    t35 = np.add(t3, t13, w3)
+    t36 = np.multiply(tracking_index, eta_scaled, gain_22)
+    coupling_scaled = np.divide(t36, t35, gain_22)
+    t38 = np.add(coupling_scaled, level_scaled, w3)
+    cross_share = np.divide(tracking_index, t38, w3)
+    t40 = np.multiply(level_scaled, coupling_scaled, gain_21)
+    t41 = np.add(t5, t40, gain_12)
+    rest_scaled = np.multiply(cross_share, t41, w5)
+    np.divide(cross_share, sigma_scaled, gain_12)
+    np.multiply(gain_12, t2, gain_21)
+    t45 = np.multiply(gain_21, 2.0, w3)
+    t46 = np.divide(t3, sigma_scaled, w1)
+    t47 = np.add(rest_scaled, t46, w1)
+    np.divide(t47, delta_scaled, gain_22)
+    t49 = np.multiply(t2, gain_22, w1)
+    t50 = np.add(t45, t49, w3)
+    t51 = np.add(t50, t9, w3)
+    t52 = np.divide(t51, sigma_scaled, w3)
+    t53 = np.multiply(t2, t52, w0)
+    t54 = np.add(rest_scaled, t53, w5)
+    np.divide(t54, delta_scaled, gain_11)
+
+
+_GAINS = Signature(
+    "gains",
+    (_TRACKING_INDEX_DOMAIN, _VELOCITY_RATIO_DOMAIN),
+    ("gain_11", "gain_12", "gain_21", "gain_22"),
+    6,
+    _gains_block,
+)
+
+
+class PredictedCovariance(NamedTuple):
+    """Result of `predicted_covariance`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_o^2."""
+    predicted_12: Real
+    """Covariance of predicted position and velocity times T/sigma_o^2."""
+    predicted_22: Real
+    """Variance of the predicted velocity times T^2/sigma_o^2."""
+
+
+def predicted_covariance(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictedCovariance:
+    """Predicted covariance in units of sigma_o^2 and T.
+
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+
+    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 16.73 *
+        2^-52 (float64), 16.75 * 2^-23 (float32), proved for every input.
+    predicted_12: covariance of predicted position and velocity times T/sigma_o^2. Relative error at
+        most 7.33 * 2^-52 (float64), 6.18 * 2^-23 (float32), proved for every input.
+    predicted_22: variance of the predicted velocity times T^2/sigma_o^2. Relative error at most
+        6.99 * 2^-52 (float64), 6.86 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return PredictedCovariance(
+        *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, predicted_11)
+    t6 = np.add(t2, t5, w2)
+    level_scaled = np.sqrt(t6, predicted_12)
+    t9 = np.divide(t3, 3.0, predicted_22)
+    t11 = np.add(t9, 16.0, w2)
+    t13 = np.multiply(t2, 4.0, w3)
+    t14 = np.add(t13, t3, w4)
+    t15 = np.multiply(t14, 0.25, w4)
+    t16 = np.multiply(t11, t15, w2)
+    eta_scaled = np.sqrt(t16, w2)
+    t19 = np.multiply(t3, 0.041666666666666664, w4)
+    t21 = np.add(t19, 1.0, w4)
+    t22 = np.divide(t2, 3.0, w5)
+    t23 = np.add(t22, t21, w5)
+    t24 = np.multiply(t3, t23, w5)
+    t25 = np.multiply(tracking_index, level_scaled, w4)
+    t27 = np.multiply(eta_scaled, 0.5, w6)
+    t28 = np.multiply(t25, t27, w6)
+    t29 = np.add(t24, t28, w5)
+    delta_scaled = np.sqrt(t29, w5)
+    t31 = np.add(t25, eta_scaled, w4)
+    t32 = np.multiply(t31, 0.5, w4)
+    t33 = np.add(t32, delta_scaled, w4)
+    sigma_scaled = np.multiply(t33, 0.5, w4)
+    t35 = np.add(t3, t13, w3)
+    t36 = np.multiply(tracking_index, eta_scaled, w2)
+    coupling_scaled = np.divide(t36, t35, w2)
+    t38 = np.add(coupling_scaled, level_scaled, w3)
+    cross_share = np.divide(tracking_index, t38, w3)
+    t40 = np.multiply(level_scaled, coupling_scaled, predicted_12)
+    t41 = np.add(t5, t40, predicted_11)
+    rest_scaled = np.multiply(cross_share, t41, predicted_11)
+    t43 = np.divide(cross_share, sigma_scaled, w2)
+    t44 = np.multiply(t43, t2, w2)
+    t45 = np.multiply(t44, 2.0, w2)
+    t46 = np.divide(t3, sigma_scaled, w6)
+    t47 = np.add(rest_scaled, t46, w6)
+    t48 = np.divide(t47, delta_scaled, w6)
+    t49 = np.multiply(t2, t48, w0)
+    t50 = np.add(t45, t49, w2)
+    t51 = np.add(t50, t9, w2)
+    t52 = np.multiply(sigma_scaled, t51, w2)
+    t53 = np.add(rest_scaled, t52, predicted_11)
+    t56 = np.multiply(delta_scaled, cross_share, w0)
+    t57 = np.multiply(t3, 0.5, w1)
+    np.divide(t53, delta_scaled, predicted_11)
+    np.multiply(cross_share, sigma_scaled, predicted_12)
+    np.add(t56, t57, predicted_22)
+
+
+_PREDICTED_COVARIANCE = Signature(
+    "predicted_covariance",
+    (_TRACKING_INDEX_DOMAIN, _VELOCITY_RATIO_DOMAIN),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    7,
+    _predicted_covariance_block,
+)
+
+
+class UpdatedCovariance(NamedTuple):
+    """Result of `updated_covariance`."""
+
+    updated_11: Real
+    """Variance of the updated position over sigma_o^2."""
+    updated_12: Real
+    """Covariance of updated position and velocity times T/sigma_o^2."""
+    updated_22: Real
+    """Variance of the updated velocity times T^2/sigma_o^2."""
+
+
+def updated_covariance(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> UpdatedCovariance:
+    """Updated covariance in units of sigma_o^2 and T.
+
+        updated_11 = U11, updated_12 = U12, updated_22 = U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+
+    updated_11: variance of the updated position over sigma_o^2. Relative error at most 16.83 *
+        2^-52 (float64), 16.77 * 2^-23 (float32), proved for every input.
+    updated_12: covariance of updated position and velocity times T/sigma_o^2. Relative error at
+        most 8.54 * 2^-52 (float64), 8.35 * 2^-23 (float32), proved for every input.
+    updated_22: variance of the updated velocity times T^2/sigma_o^2. Relative error at most 11.77 *
+        2^-52 (float64), 11.80 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out))
+
+
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, updated_12)
+    t6 = np.add(t2, t5, w2)
+    level_scaled = np.sqrt(t6, updated_22)
+    t9 = np.divide(t3, 3.0, updated_11)
+    t11 = np.add(t9, 16.0, w2)
+    t13 = np.multiply(t2, 4.0, w3)
+    t14 = np.add(t13, t3, w4)
+    t15 = np.multiply(t14, 0.25, w4)
+    t16 = np.multiply(t11, t15, w2)
+    eta_scaled = np.sqrt(t16, w2)
+    t19 = np.multiply(t3, 0.041666666666666664, w4)
+    t21 = np.add(t19, 1.0, w4)
+    t22 = np.divide(t2, 3.0, w5)
+    t23 = np.add(t22, t21, w5)
+    t24 = np.multiply(t3, t23, w5)
+    t25 = np.multiply(tracking_index, level_scaled, w4)
+    t27 = np.multiply(eta_scaled, 0.5, w6)
+    t28 = np.multiply(t25, t27, w6)
+    t29 = np.add(t24, t28, w5)
+    delta_scaled = np.sqrt(t29, w5)
+    t31 = np.add(t25, eta_scaled, w4)
+    t32 = np.multiply(t31, 0.5, w4)
+    t33 = np.add(t32, delta_scaled, w4)
+    sigma_scaled = np.multiply(t33, 0.5, w4)
+    t35 = np.add(t3, t13, w3)
+    t36 = np.multiply(tracking_index, eta_scaled, w2)
+    coupling_scaled = np.divide(t36, t35, w2)
+    t38 = np.add(coupling_scaled, level_scaled, w3)
+    cross_share = np.divide(tracking_index, t38, w3)
+    t40 = np.multiply(level_scaled, coupling_scaled, updated_22)
+    t41 = np.add(t5, t40, updated_12)
+    rest_scaled = np.multiply(cross_share, t41, w2)
+    t43 = np.divide(cross_share, sigma_scaled, w3)
+    np.multiply(t43, t2, updated_12)
+    t45 = np.multiply(updated_12, 2.0, w3)
+    t46 = np.divide(t3, sigma_scaled, w1)
+    t47 = np.add(rest_scaled, t46, w1)
+    t48 = np.divide(t47, delta_scaled, w1)
+    np.multiply(t2, t48, updated_22)
+    t50 = np.add(t45, updated_22, w3)
+    t51 = np.add(t50, t9, w3)
+    t52 = np.divide(t51, sigma_scaled, w3)
+    t53 = np.multiply(t2, t52, w0)
+    t54 = np.add(rest_scaled, t53, w2)
+    np.divide(t54, delta_scaled, updated_11)
+
+
+_UPDATED_COVARIANCE = Signature(
+    "updated_covariance",
+    (_TRACKING_INDEX_DOMAIN, _VELOCITY_RATIO_DOMAIN),
+    ("updated_11", "updated_12", "updated_22"),
+    7,
+    _updated_covariance_block,
+)
+
+
+class GainsByTrackingIndex(NamedTuple):
+    """Result of `gains_by_tracking_index`."""
+
+    gain_11: Real
+    """Derivative by tracking_index of the position's gain on the measured position."""
+    gain_12: Real
+    """Derivative by tracking_index of the position's gain on the measured velocity over T."""
+    gain_21: Real
+    """Derivative by tracking_index of the velocity's gain on the measured position times T."""
+    gain_22: Real
+    """Derivative by tracking_index of the velocity's gain on the measured velocity."""
+
+
+def gains_by_tracking_index(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+) -> GainsByTrackingIndex:
+    """First derivatives by tracking_index of the filter gain.
+
+        gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    gain_11: derivative by tracking_index of the position's gain on the measured position. Relative
+        error at most 38.82 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every input.
+    gain_12: derivative by tracking_index of the position's gain on the measured velocity over T.
+        Error over gain_12_scale at most 39.70 * 2^-52 (float64), 39.01 * 2^-23 (float32), proved
+        for every input. Cancellation in gain_12_difference, condition number 1: its sign changes:
+        the error is relative to the sum of both terms.
+    gain_21: derivative by tracking_index of the velocity's gain on the measured position times T.
+        Error over gain_21_scale at most 38.70 * 2^-52 (float64), 38.01 * 2^-23 (float32), proved
+        for every input. Cancellation in gain_21_difference, condition number 1: its sign changes:
+        the error is relative to the sum of both terms.
+    gain_22: derivative by tracking_index of the velocity's gain on the measured velocity. Relative
+        error at most 46.74 * 2^-52 (float64), 44.78 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return GainsByTrackingIndex(
+        *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    gain_11, gain_12, gain_21, gain_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, gain_22)
+    t6 = np.add(t2, t5, gain_22)
+    level_scaled = np.sqrt(t6, gain_11)
+    t9 = np.divide(t3, 3.0, gain_12)
+    t11 = np.add(t9, 16.0, gain_22)
+    t13 = np.multiply(t2, 4.0, w2)
+    t14 = np.add(t13, t3, w3)
+    t15 = np.multiply(t14, 0.25, w3)
+    t16 = np.multiply(t11, t15, w3)
+    eta_scaled = np.sqrt(t16, gain_21)
+    t19 = np.multiply(t3, 0.041666666666666664, w3)
+    t21 = np.add(t19, 1.0, w3)
+    t22 = np.divide(t2, 3.0, w4)
+    t23 = np.add(t22, t21, w4)
+    t24 = np.multiply(t3, t23, w4)
+    t25 = np.multiply(tracking_index, level_scaled, w3)
+    t27 = np.multiply(eta_scaled, 0.5, w5)
+    t28 = np.multiply(t25, t27, w5)
+    t29 = np.add(t24, t28, w4)
+    delta_scaled = np.sqrt(t29, w4)
+    t31 = np.add(t25, eta_scaled, w5)
+    t32 = np.multiply(t31, 0.5, w5)
+    t33 = np.add(t32, delta_scaled, w6)
+    sigma_scaled = np.multiply(t33, 0.5, w6)
+    t35 = np.add(t3, t13, w2)
+    t36 = np.multiply(tracking_index, eta_scaled, w7)
+    coupling_scaled = np.divide(t36, t35, w7)
+    t38 = np.add(coupling_scaled, level_scaled, w2)
+    cross_share = np.divide(tracking_index, t38, w8)
+    t40 = np.divide(level_scaled, t38, w9)
+    t41 = np.divide(sigma_scaled, velocity_ratio, w10)
+    t42 = np.divide(t40, t41, w9)
+    t43 = np.divide(t9, t11, gain_12)
+    t44 = np.multiply(eta_scaled, t43, gain_12)
+    t45 = np.multiply(delta_scaled, 2.0, gain_22)
+    t46 = np.add(t25, t45, w3)
+    t47 = np.add(t46, t44, w3)
+    t48 = np.multiply(eta_scaled, 0.25, gain_12)
+    t49 = np.multiply(t48, t47, gain_12)
+    t50 = np.multiply(level_scaled, t49, gain_12)
+    t51 = np.multiply(level_scaled, 2.0, w3)
+    t52 = np.multiply(t2, t51, w0)
+    t53 = np.multiply(tracking_index, t32, w5)
+    t54 = np.add(t52, t53, w0)
+    t55 = np.divide(t50, t54, gain_12)
+    t56 = np.divide(t55, t41, gain_12)
+    t57 = np.multiply(t42, t56, w3)
+    t58 = np.divide(level_scaled, velocity_ratio, w5)
+    t59 = np.multiply(tracking_index, t58, w5)
+    t60 = np.divide(t57, t59, w3)
+    t61 = np.divide(coupling_scaled, t38, w7)
+    t62 = np.divide(t61, t41, w7)
+    t63 = np.multiply(sigma_scaled, level_scaled, w6)
+    t64 = np.add(t63, tracking_index, w6)
+    t65 = np.multiply(t64, eta_scaled, w6)
+    t66 = np.divide(t65, t54, w6)
+    t67 = np.divide(t66, t41, w6)
+    t68 = np.multiply(t62, t67, w0)
+    t69 = np.divide(eta_scaled, velocity_ratio, gain_21)
+    t70 = np.divide(t68, t69, w0)
+    t71 = np.multiply(cross_share, velocity_ratio, w2)
+    t72 = np.multiply(delta_scaled, cross_share, w8)
+    t73 = np.multiply(t3, 0.5, w1)
+    t74 = np.add(t72, t73, w8)
+    t75 = np.divide(t74, velocity_ratio, w8)
+    t76 = np.divide(t75, velocity_ratio, w8)
+    t77 = np.divide(t76, t41, w1)
+    t78 = np.multiply(t71, t77, gain_11)
+    t79 = np.add(t76, 2.0, w8)
+    t80 = np.divide(t79, t41, w8)
+    t81 = np.multiply(t71, t80, w10)
+    t82 = np.divide(delta_scaled, velocity_ratio, w4)
+    t83 = np.divide(tracking_index, t82, w4)
+    t84 = np.multiply(t83, t60, w3)
+    t85 = np.divide(t78, t59, gain_11)
+    t86 = np.divide(t81, t69, w10)
+    t87 = np.add(t85, t86, gain_11)
+    t88 = np.divide(t87, 12.0, gain_11)
+    t89 = np.add(t70, t88, w0)
+    t90 = np.multiply(t83, t89, w0)
+    t91 = np.divide(t84, velocity_ratio, w10)
+    t92 = np.divide(t91, velocity_ratio, w10)
+    t93 = np.divide(t90, velocity_ratio, gain_11)
+    t94 = np.divide(t93, velocity_ratio, w11)
+    t95 = np.square(t71, w2)
+    t96 = np.square(t56, gain_12)
+    t97 = np.square(t67, w6)
+    t98 = np.divide(t96, t59, gain_12)
+    t99 = np.divide(t97, t69, w6)
+    t100 = np.add(t98, t99, gain_12)
+    t101 = np.divide(t95, t59, w6)
+    t102 = np.divide(t95, t69, w2)
+    t103 = np.add(t101, t102, w6)
+    t104 = np.divide(t103, 12.0, w6)
+    t105 = np.add(t100, t104, gain_12)
+    t106 = np.multiply(t83, t105, gain_12)
+    t107 = np.divide(t106, velocity_ratio, gain_12)
+    t109 = np.square(t42, w9)
+    t110 = np.square(t62, w7)
+    t111 = np.divide(t109, t59, w9)
+    t112 = np.divide(t110, t69, w7)
+    t113 = np.add(t111, t112, w9)
+    t114 = np.square(t77, w1)
+    t115 = np.square(t80, w8)
+    t116 = np.divide(t114, t59, w1)
+    t117 = np.divide(t115, t69, w8)
+    t118 = np.add(t116, t117, w1)
+    t119 = np.divide(t118, 12.0, w1)
+    t120 = np.add(t113, t119, w9)
+    np.divide(t107, velocity_ratio, gain_22)
+    np.multiply(t83, t120, gain_11)
+    np.subtract(t92, t94, gain_12)
+    np.subtract(t84, t90, gain_21)
+
+
+_GAINS_BY_TRACKING_INDEX = Signature(
+    "gains_by_tracking_index",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("gain_11", "gain_12", "gain_21", "gain_22"),
+    12,
+    _gains_by_tracking_index_block,
+)
+
+
+class GainsByVelocityRatio(NamedTuple):
+    """Result of `gains_by_velocity_ratio`."""
+
+    gain_11: Real
+    """Derivative by velocity_ratio of the position's gain on the measured position."""
+    gain_12: Real
+    """Derivative by velocity_ratio of the position's gain on the measured velocity over T."""
+    gain_21: Real
+    """Derivative by velocity_ratio of the velocity's gain on the measured position times T."""
+    gain_22: Real
+    """Derivative by velocity_ratio of the velocity's gain on the measured velocity."""
+
+
+def gains_by_velocity_ratio(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+) -> GainsByVelocityRatio:
+    """First derivatives by velocity_ratio of the filter gain.
+
+        gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    gain_11: derivative by velocity_ratio of the position's gain on the measured position. Relative
+        error at most 36.57 * 2^-52 (float64), 35.36 * 2^-23 (float32), proved for every input.
+    gain_12: derivative by velocity_ratio of the position's gain on the measured velocity over T.
+        Error over gain_12_scale at most 37.97 * 2^-52 (float64), 36.94 * 2^-23 (float32), proved
+        for every input. Cancellation in gain_12_difference, condition number 1: its sign changes:
+        the error is relative to the sum of both terms.
+    gain_21: derivative by velocity_ratio of the velocity's gain on the measured position times T.
+        Relative error at most 36.47 * 2^-52 (float64), 35.44 * 2^-23 (float32), proved for every
+        input.
+    gain_22: derivative by velocity_ratio of the velocity's gain on the measured velocity. Relative
+        error at most 48.74 * 2^-52 (float64), 46.78 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return GainsByVelocityRatio(
+        *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    gain_11, gain_12, gain_21, gain_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, gain_21)
+    t6 = np.add(t2, t5, w2)
+    level_scaled = np.sqrt(t6, gain_11)
+    t9 = np.divide(t3, 3.0, gain_22)
+    t11 = np.add(t9, 16.0, w2)
+    t13 = np.multiply(t2, 4.0, w3)
+    t14 = np.add(t13, t3, w4)
+    t15 = np.multiply(t14, 0.25, w4)
+    t16 = np.multiply(t11, t15, w4)
+    eta_scaled = np.sqrt(t16, gain_12)
+    t19 = np.multiply(t3, 0.041666666666666664, w4)
+    t21 = np.add(t19, 1.0, w4)
+    t22 = np.divide(t2, 3.0, w5)
+    t23 = np.add(t22, t21, w5)
+    t24 = np.multiply(t3, t23, w5)
+    t25 = np.multiply(tracking_index, level_scaled, w4)
+    t27 = np.multiply(eta_scaled, 0.5, w6)
+    t28 = np.multiply(t25, t27, w6)
+    t29 = np.add(t24, t28, w5)
+    delta_scaled = np.sqrt(t29, w5)
+    t31 = np.add(t25, eta_scaled, w6)
+    t32 = np.multiply(t31, 0.5, w6)
+    t33 = np.add(t32, delta_scaled, w7)
+    sigma_scaled = np.multiply(t33, 0.5, w7)
+    t35 = np.add(t3, t13, w3)
+    t36 = np.multiply(tracking_index, eta_scaled, w8)
+    coupling_scaled = np.divide(t36, t35, w8)
+    t38 = np.add(coupling_scaled, level_scaled, w3)
+    cross_share = np.divide(tracking_index, t38, w9)
+    t40 = np.multiply(level_scaled, coupling_scaled, w10)
+    t41 = np.add(t5, t40, gain_21)
+    rest_scaled = np.multiply(cross_share, t41, gain_21)
+    t43 = np.divide(cross_share, sigma_scaled, w10)
+    t44 = np.multiply(delta_scaled, cross_share, w11)
+    t45 = np.multiply(t3, 0.5, w1)
+    t46 = np.add(t44, t45, w11)
+    t47 = np.divide(t46, velocity_ratio, w11)
+    t48 = np.divide(t47, velocity_ratio, w11)
+    t49 = np.divide(sigma_scaled, velocity_ratio, w1)
+    t50 = np.divide(t48, t49, w11)
+    t51 = np.divide(coupling_scaled, t38, w8)
+    t52 = np.divide(t51, t49, w8)
+    t53 = np.multiply(t52, 2.0, w8)
+    t54 = np.square(t50, w3)
+    t55 = np.square(t53, w12)
+    t56 = np.divide(level_scaled, velocity_ratio, w13)
+    t57 = np.multiply(tracking_index, t56, w13)
+    t58 = np.divide(t54, t57, w3)
+    t59 = np.divide(eta_scaled, velocity_ratio, w14)
+    t60 = np.divide(t55, t59, w12)
+    t61 = np.add(t58, t60, w3)
+    t62 = np.divide(delta_scaled, velocity_ratio, w12)
+    t63 = np.divide(velocity_ratio, t62, w15)
+    t65 = np.divide(rest_scaled, velocity_ratio, gain_21)
+    t66 = np.multiply(t50, t65, w16)
+    t67 = np.multiply(t50, 2.0, w11)
+    t68 = np.add(t65, t67, gain_21)
+    t69 = np.multiply(t53, t68, w8)
+    t70 = np.divide(t66, t57, w16)
+    t71 = np.divide(t69, t59, w8)
+    t72 = np.add(t70, t71, w16)
+    np.multiply(t63, t72, gain_21)
+    t74 = np.divide(tracking_index, t62, w8)
+    t75 = np.multiply(cross_share, velocity_ratio, w9)
+    t76 = np.square(t75, w11)
+    t77 = np.divide(t9, t11, gain_22)
+    t78 = np.multiply(eta_scaled, t77, gain_22)
+    t79 = np.multiply(delta_scaled, 2.0, w5)
+    t80 = np.add(t25, t79, w4)
+    t81 = np.add(t80, t78, w4)
+    t82 = np.multiply(eta_scaled, 0.25, w2)
+    t83 = np.multiply(t82, t81, w2)
+    t84 = np.multiply(level_scaled, t83, w2)
+    t85 = np.multiply(level_scaled, 2.0, w4)
+    t86 = np.multiply(t2, t85, w0)
+    t87 = np.multiply(tracking_index, t32, w6)
+    t88 = np.add(t86, t87, w0)
+    t89 = np.divide(t84, t88, w2)
+    t90 = np.divide(t89, t49, w2)
+    t91 = np.multiply(sigma_scaled, level_scaled, w7)
+    t92 = np.add(t91, tracking_index, w7)
+    t93 = np.multiply(t92, eta_scaled, w7)
+    t94 = np.divide(t93, t88, w7)
+    t95 = np.divide(t94, t49, w7)
+    t96 = np.square(t90, w2)
+    t97 = np.square(t95, w7)
+    t98 = np.divide(t96, t57, w2)
+    t99 = np.divide(t97, t59, w7)
+    t100 = np.add(t98, t99, w2)
+    t101 = np.divide(t76, t57, w13)
+    t102 = np.divide(t76, t59, w11)
+    t103 = np.add(t101, t102, w13)
+    t104 = np.divide(t103, 12.0, w13)
+    t105 = np.add(t100, t104, w2)
+    t106 = np.multiply(t74, t105, w8)
+    t107 = np.multiply(t106, 0.5, w8)
+    t108 = np.multiply(tracking_index, t107, w8)
+    t109 = np.multiply(t75, 2.0, w0)
+    t110 = np.multiply(t62, t59, w12)
+    t111 = np.divide(t75, t110, w9)
+    t112 = np.multiply(t109, t111, w0)
+    t113 = np.add(t112, t108, w0)
+    t114 = np.divide(2.0, velocity_ratio, w1)
+    t115 = np.divide(t114, velocity_ratio, w1)
+    t116 = np.divide(t113, velocity_ratio, w0)
+    t117 = np.multiply(t115, t116, w1)
+    t119 = np.divide(gain_21, velocity_ratio, w0)
+    t120 = np.divide(t119, velocity_ratio, w0)
+    t121 = np.divide(t43, velocity_ratio, w10)
+    t122 = np.multiply(t121, 2.0, w10)
+    np.multiply(t63, t61, gain_11)
+    np.negative(t117, gain_22)
+    np.subtract(t120, t122, gain_12)
+
+
+_GAINS_BY_VELOCITY_RATIO = Signature(
+    "gains_by_velocity_ratio",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("gain_11", "gain_12", "gain_21", "gain_22"),
+    17,
+    _gains_by_velocity_ratio_block,
+)
+
+
+class PredictedCovarianceByTrackingIndex(NamedTuple):
+    """Result of `predicted_covariance_by_tracking_index`."""
+
+    predicted_11: Real
+    """Derivative by tracking_index of the variance of the predicted position over sigma_o^2."""
+    predicted_12: Real
+    """Derivative by tracking_index of the covariance of predicted position and velocity times
+    T/sigma_o^2."""
+    predicted_22: Real
+    """Derivative by tracking_index of the variance of the predicted velocity times
+    T^2/sigma_o^2."""
+
+
+def predicted_covariance_by_tracking_index(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictedCovarianceByTrackingIndex:
+    """First derivatives by tracking_index of the predicted covariance.
+
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    predicted_11: derivative by tracking_index of the variance of the predicted position over
+        sigma_o^2. Relative error at most 34.78 * 2^-52 (float64), 33.24 * 2^-23 (float32), proved
+        for every input.
+    predicted_12: derivative by tracking_index of the covariance of predicted position and velocity
+        times T/sigma_o^2. Relative error at most 32.33 * 2^-52 (float64), 25.45 * 2^-23 (float32),
+        proved for every input.
+    predicted_22: derivative by tracking_index of the variance of the predicted velocity times
+        T^2/sigma_o^2. Relative error at most 41.32 * 2^-52 (float64), 35.11 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return PredictedCovarianceByTrackingIndex(
+        *evaluate(_PREDICTED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _predicted_covariance_by_tracking_index_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    tracking_index, velocity_ratio = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, predicted_11)
+    t6 = np.add(t2, t5, w2)
+    level_scaled = np.sqrt(t6, predicted_12)
+    t9 = np.divide(t3, 3.0, predicted_22)
+    t11 = np.add(t9, 16.0, w2)
+    t13 = np.multiply(t2, 4.0, w3)
+    t14 = np.add(t13, t3, w4)
+    t15 = np.multiply(t14, 0.25, w4)
+    t16 = np.multiply(t11, t15, w4)
+    eta_scaled = np.sqrt(t16, w4)
+    t19 = np.multiply(t3, 0.041666666666666664, w5)
+    t21 = np.add(t19, 1.0, w5)
+    t22 = np.divide(t2, 3.0, w6)
+    t23 = np.add(t22, t21, w6)
+    t24 = np.multiply(t3, t23, w6)
+    t25 = np.multiply(tracking_index, level_scaled, w5)
+    t27 = np.multiply(eta_scaled, 0.5, w7)
+    t28 = np.multiply(t25, t27, w7)
+    t29 = np.add(t24, t28, w6)
+    delta_scaled = np.sqrt(t29, w6)
+    t31 = np.add(t25, eta_scaled, w7)
+    t32 = np.multiply(t31, 0.5, w7)
+    t33 = np.add(t32, delta_scaled, w8)
+    sigma_scaled = np.multiply(t33, 0.5, w8)
+    t35 = np.add(t3, t13, w3)
+    t36 = np.multiply(tracking_index, eta_scaled, w9)
+    coupling_scaled = np.divide(t36, t35, w9)
+    t38 = np.add(coupling_scaled, level_scaled, w3)
+    cross_share = np.divide(tracking_index, t38, w10)
+    t40 = np.multiply(level_scaled, coupling_scaled, w11)
+    t41 = np.add(t5, t40, predicted_11)
+    rest_scaled = np.multiply(cross_share, t41, predicted_11)
+    t43 = np.divide(coupling_scaled, t38, w9)
+    t44 = np.divide(sigma_scaled, velocity_ratio, w11)
+    t45 = np.divide(level_scaled, t38, w3)
+    t46 = np.multiply(t44, t45, w12)
+    t47 = np.multiply(t44, t43, w13)
+    t48 = np.square(t46, w12)
+    t49 = np.square(t47, w13)
+    t50 = np.divide(level_scaled, velocity_ratio, w14)
+    t51 = np.multiply(tracking_index, t50, w14)
+    t52 = np.divide(t48, t51, w12)
+    t53 = np.divide(eta_scaled, velocity_ratio, w15)
+    t54 = np.divide(t49, t53, w13)
+    t55 = np.add(t52, t54, w12)
+    t56 = np.divide(rest_scaled, velocity_ratio, w13)
+    t57 = np.divide(cross_share, sigma_scaled, w16)
+    t58 = np.divide(t3, sigma_scaled, w17)
+    t59 = np.add(rest_scaled, t58, predicted_11)
+    t60 = np.divide(t59, delta_scaled, predicted_11)
+    t61 = np.multiply(t2, t60, predicted_11)
+    t62 = np.multiply(delta_scaled, cross_share, w17)
+    t63 = np.multiply(t3, 0.5, w1)
+    t64 = np.add(t62, t63, w17)
+    t65 = np.divide(t64, velocity_ratio, w17)
+    t66 = np.divide(t65, velocity_ratio, w17)
+    t67 = np.divide(t66, t44, w17)
+    t68 = np.add(t56, t67, w13)
+    t69 = np.add(t57, t45, w16)
+    t70 = np.multiply(t69, 2.0, w16)
+    t71 = np.multiply(t44, t70, w1)
+    t72 = np.square(t68, w13)
+    t73 = np.square(t71, w1)
+    t74 = np.divide(t72, t51, w13)
+    t75 = np.divide(t73, t53, w1)
+    t76 = np.add(t74, t75, w13)
+    t77 = np.divide(t76, 12.0, w13)
+    t78 = np.add(t55, t77, w12)
+    t79 = np.divide(delta_scaled, velocity_ratio, w1)
+    t80 = np.divide(tracking_index, t79, w1)
+    t82 = np.multiply(cross_share, velocity_ratio, w10)
+    t83 = np.divide(t82, tracking_index, w3)
+    t84 = np.divide(t61, t51, predicted_11)
+    t85 = np.add(t51, t84, predicted_11)
+    t86 = np.divide(t85, tracking_index, predicted_11)
+    t87 = np.multiply(t83, t86, w3)
+    t88 = np.multiply(t2, level_scaled, w13)
+    t89 = np.multiply(tracking_index, sigma_scaled, w17)
+    t90 = np.add(t88, t89, w13)
+    t91 = np.multiply(level_scaled, 2.0, w17)
+    t92 = np.multiply(t2, t91, w0)
+    t93 = np.multiply(tracking_index, t32, w7)
+    t94 = np.add(t92, t93, w0)
+    t95 = np.divide(t90, t94, w13)
+    t96 = np.multiply(t43, t95, w9)
+    t97 = np.add(t87, t96, w3)
+    t98 = np.multiply(t82, t70, w16)
+    t99 = np.divide(t98, t53, w16)
+    t100 = np.divide(t99, 12.0, w16)
+    t101 = np.add(t97, t100, w3)
+    t102 = np.multiply(t44, t101, w3)
+    t104 = np.square(t82, w10)
+    t105 = np.divide(t9, t11, predicted_22)
+    t106 = np.multiply(eta_scaled, t105, predicted_22)
+    t107 = np.multiply(delta_scaled, 2.0, w6)
+    t108 = np.add(t25, t107, w5)
+    t109 = np.add(t108, t106, w5)
+    t110 = np.multiply(eta_scaled, 0.25, w2)
+    t111 = np.multiply(t110, t109, w2)
+    t112 = np.multiply(level_scaled, t111, w2)
+    t113 = np.divide(t112, t94, w2)
+    t114 = np.divide(t113, t44, w2)
+    t115 = np.multiply(sigma_scaled, level_scaled, w8)
+    t116 = np.add(t115, tracking_index, w8)
+    t117 = np.multiply(t116, eta_scaled, w8)
+    t118 = np.divide(t117, t94, w8)
+    t119 = np.divide(t118, t44, w8)
+    t120 = np.square(t114, w2)
+    t121 = np.square(t119, w8)
+    t122 = np.divide(t120, t51, w2)
+    t123 = np.divide(t121, t53, w8)
+    t124 = np.add(t122, t123, w2)
+    t125 = np.divide(t104, t51, w14)
+    t126 = np.divide(t104, t53, w10)
+    t127 = np.add(t125, t126, w14)
+    t128 = np.divide(t127, 12.0, w14)
+    t129 = np.add(t124, t128, w2)
+    t130 = np.multiply(t80, t129, w2)
+    t131 = np.multiply(tracking_index, 2.0, w0)
+    np.multiply(t80, t78, predicted_11)
+    np.multiply(t80, t102, predicted_12)
+    np.add(t130, t131, predicted_22)
+
+
+_PREDICTED_COVARIANCE_BY_TRACKING_INDEX = Signature(
+    "predicted_covariance_by_tracking_index",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    18,
+    _predicted_covariance_by_tracking_index_block,
+)
+
+
+class PredictedCovarianceByVelocityRatio(NamedTuple):
+    """Result of `predicted_covariance_by_velocity_ratio`."""
+
+    predicted_11: Real
+    """Derivative by velocity_ratio of the variance of the predicted position over sigma_o^2."""
+    predicted_12: Real
+    """Derivative by velocity_ratio of the covariance of predicted position and velocity times
+    T/sigma_o^2."""
+    predicted_22: Real
+    """Derivative by velocity_ratio of the variance of the predicted velocity times
+    T^2/sigma_o^2."""
+
+
+def predicted_covariance_by_velocity_ratio(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictedCovarianceByVelocityRatio:
+    """First derivatives by velocity_ratio of the predicted covariance.
+
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    predicted_11: derivative by velocity_ratio of the variance of the predicted position over
+        sigma_o^2. Relative error at most 33.78 * 2^-52 (float64), 31.40 * 2^-23 (float32), proved
+        for every input.
+    predicted_12: derivative by velocity_ratio of the covariance of predicted position and velocity
+        times T/sigma_o^2. Relative error at most 33.68 * 2^-52 (float64), 29.79 * 2^-23 (float32),
+        proved for every input.
+    predicted_22: derivative by velocity_ratio of the variance of the predicted velocity times
+        T^2/sigma_o^2. Relative error at most 34.13 * 2^-52 (float64), 41.67 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return PredictedCovarianceByVelocityRatio(
+        *evaluate(_PREDICTED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _predicted_covariance_by_velocity_ratio_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    tracking_index, velocity_ratio = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, predicted_11)
+    t6 = np.add(t2, t5, w2)
+    level_scaled = np.sqrt(t6, predicted_12)
+    t9 = np.divide(t3, 3.0, predicted_22)
+    t11 = np.add(t9, 16.0, predicted_22)
+    t13 = np.multiply(t2, 4.0, w2)
+    t14 = np.add(t13, t3, w3)
+    t15 = np.multiply(t14, 0.25, w3)
+    t16 = np.multiply(t11, t15, predicted_22)
+    eta_scaled = np.sqrt(t16, predicted_22)
+    t19 = np.multiply(t3, 0.041666666666666664, w3)
+    t21 = np.add(t19, 1.0, w3)
+    t22 = np.divide(t2, 3.0, w0)
+    t23 = np.add(t22, t21, w0)
+    t24 = np.multiply(t3, t23, w0)
+    t25 = np.multiply(tracking_index, level_scaled, w3)
+    t27 = np.multiply(eta_scaled, 0.5, w4)
+    t28 = np.multiply(t25, t27, w4)
+    t29 = np.add(t24, t28, w0)
+    delta_scaled = np.sqrt(t29, w0)
+    t31 = np.add(t25, eta_scaled, w3)
+    t32 = np.multiply(t31, 0.5, w3)
+    t33 = np.add(t32, delta_scaled, w3)
+    sigma_scaled = np.multiply(t33, 0.5, w3)
+    t35 = np.add(t3, t13, w2)
+    t36 = np.multiply(tracking_index, eta_scaled, w4)
+    coupling_scaled = np.divide(t36, t35, w4)
+    t38 = np.add(coupling_scaled, level_scaled, w2)
+    cross_share = np.divide(tracking_index, t38, w5)
+    t40 = np.multiply(level_scaled, coupling_scaled, w6)
+    t41 = np.add(t5, t40, predicted_11)
+    rest_scaled = np.multiply(cross_share, t41, predicted_11)
+    t43 = np.divide(rest_scaled, velocity_ratio, predicted_11)
+    t44 = np.multiply(delta_scaled, cross_share, w5)
+    t45 = np.multiply(t3, 0.5, w1)
+    t46 = np.add(t44, t45, w5)
+    t47 = np.divide(t46, velocity_ratio, w5)
+    t48 = np.divide(t47, velocity_ratio, w5)
+    t49 = np.divide(sigma_scaled, velocity_ratio, w3)
+    t50 = np.divide(t48, t49, w5)
+    t51 = np.add(t43, t50, w1)
+    t52 = np.divide(coupling_scaled, t38, w4)
+    t53 = np.multiply(t49, t52, w3)
+    t54 = np.multiply(t53, 2.0, w3)
+    t55 = np.multiply(t50, 2.0, w5)
+    t56 = np.add(t43, t55, w5)
+    t57 = np.square(t51, w2)
+    t58 = np.square(t54, w4)
+    t59 = np.divide(level_scaled, velocity_ratio, predicted_12)
+    t60 = np.multiply(tracking_index, t59, predicted_12)
+    t61 = np.divide(t57, t60, w2)
+    t62 = np.divide(eta_scaled, velocity_ratio, predicted_22)
+    t63 = np.divide(t58, t62, w4)
+    t64 = np.add(t61, t63, w2)
+    t65 = np.divide(delta_scaled, velocity_ratio, w0)
+    t66 = np.divide(velocity_ratio, t65, w0)
+    t68 = np.multiply(t51, t43, w1)
+    t69 = np.multiply(t54, t56, w3)
+    t70 = np.divide(t68, t60, w1)
+    t71 = np.divide(t69, t62, w3)
+    t72 = np.add(t70, t71, w1)
+    t74 = np.square(t43, predicted_11)
+    t75 = np.square(t56, w5)
+    t76 = np.divide(t74, t60, predicted_11)
+    t77 = np.divide(t75, t62, w5)
+    t78 = np.add(t76, t77, w5)
+    np.multiply(t66, t64, predicted_11)
+    np.multiply(t66, t72, predicted_12)
+    np.multiply(t66, t78, predicted_22)
+
+
+_PREDICTED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
+    "predicted_covariance_by_velocity_ratio",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    7,
+    _predicted_covariance_by_velocity_ratio_block,
+)
+
+
+class UpdatedCovarianceByTrackingIndex(NamedTuple):
+    """Result of `updated_covariance_by_tracking_index`."""
+
+    updated_11: Real
+    """Derivative by tracking_index of the variance of the updated position over sigma_o^2."""
+    updated_12: Real
+    """Derivative by tracking_index of the covariance of updated position and velocity times
+    T/sigma_o^2."""
+    updated_22: Real
+    """Derivative by tracking_index of the variance of the updated velocity times T^2/sigma_o^2."""
+
+
+def updated_covariance_by_tracking_index(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> UpdatedCovarianceByTrackingIndex:
+    """First derivatives by tracking_index of the updated covariance.
+
+        updated_11 = U11, updated_12 = U12, updated_22 = U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    updated_11: derivative by tracking_index of the variance of the updated position over sigma_o^2.
+        Relative error at most 38.82 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every
+        input.
+    updated_12: derivative by tracking_index of the covariance of updated position and velocity
+        times T/sigma_o^2. Error over updated_12_scale at most 38.70 * 2^-52 (float64), 37.84 *
+        2^-23 (float32), proved for every input. Cancellation in updated_12_difference, condition
+        number 1: its sign changes: the error is relative to the sum of both terms.
+    updated_22: derivative by tracking_index of the variance of the updated velocity times
+        T^2/sigma_o^2. Relative error at most 45.74 * 2^-52 (float64), 43.78 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return UpdatedCovarianceByTrackingIndex(
+        *evaluate(_UPDATED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _updated_covariance_by_tracking_index_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    tracking_index, velocity_ratio = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, updated_11)
+    t6 = np.add(t2, t5, updated_11)
+    level_scaled = np.sqrt(t6, updated_22)
+    t9 = np.divide(t3, 3.0, updated_12)
+    t11 = np.add(t9, 16.0, updated_11)
+    t13 = np.multiply(t2, 4.0, w2)
+    t14 = np.add(t13, t3, w3)
+    t15 = np.multiply(t14, 0.25, w3)
+    t16 = np.multiply(t11, t15, w3)
+    eta_scaled = np.sqrt(t16, w3)
+    t19 = np.multiply(t3, 0.041666666666666664, w4)
+    t21 = np.add(t19, 1.0, w4)
+    t22 = np.divide(t2, 3.0, w5)
+    t23 = np.add(t22, t21, w5)
+    t24 = np.multiply(t3, t23, w5)
+    t25 = np.multiply(tracking_index, level_scaled, w4)
+    t27 = np.multiply(eta_scaled, 0.5, w6)
+    t28 = np.multiply(t25, t27, w6)
+    t29 = np.add(t24, t28, w5)
+    delta_scaled = np.sqrt(t29, w5)
+    t31 = np.add(t25, eta_scaled, w6)
+    t32 = np.multiply(t31, 0.5, w6)
+    t33 = np.add(t32, delta_scaled, w7)
+    sigma_scaled = np.multiply(t33, 0.5, w7)
+    t35 = np.add(t3, t13, w2)
+    t36 = np.multiply(tracking_index, eta_scaled, w8)
+    coupling_scaled = np.divide(t36, t35, w8)
+    t38 = np.add(coupling_scaled, level_scaled, w2)
+    cross_share = np.divide(tracking_index, t38, w9)
+    t40 = np.divide(level_scaled, t38, w10)
+    t41 = np.divide(sigma_scaled, velocity_ratio, w11)
+    t42 = np.divide(t40, t41, w10)
+    t43 = np.divide(coupling_scaled, t38, w8)
+    t44 = np.divide(t43, t41, w8)
+    t45 = np.square(t42, w2)
+    t46 = np.square(t44, w12)
+    t47 = np.divide(level_scaled, velocity_ratio, w13)
+    t48 = np.multiply(tracking_index, t47, w13)
+    t49 = np.divide(t45, t48, w2)
+    t50 = np.divide(eta_scaled, velocity_ratio, w14)
+    t51 = np.divide(t46, t50, w12)
+    t52 = np.add(t49, t51, w2)
+    t53 = np.multiply(delta_scaled, cross_share, w12)
+    t54 = np.multiply(t3, 0.5, w1)
+    t55 = np.add(t53, t54, w12)
+    t56 = np.divide(t55, velocity_ratio, w12)
+    t57 = np.divide(t56, velocity_ratio, w12)
+    t58 = np.divide(t57, t41, w1)
+    t59 = np.add(t57, 2.0, w12)
+    t60 = np.divide(t59, t41, w12)
+    t61 = np.square(t58, w15)
+    t62 = np.square(t60, w16)
+    t63 = np.divide(t61, t48, w15)
+    t64 = np.divide(t62, t50, w16)
+    t65 = np.add(t63, t64, w15)
+    t66 = np.divide(t65, 12.0, w15)
+    t67 = np.add(t52, t66, w2)
+    t68 = np.divide(delta_scaled, velocity_ratio, w15)
+    t69 = np.divide(tracking_index, t68, w15)
+    t71 = np.multiply(cross_share, velocity_ratio, w9)
+    t72 = np.square(t71, w16)
+    t73 = np.divide(t9, t11, updated_12)
+    t74 = np.multiply(eta_scaled, t73, updated_12)
+    t75 = np.multiply(delta_scaled, 2.0, w5)
+    t76 = np.add(t25, t75, w4)
+    t77 = np.add(t76, t74, w4)
+    t78 = np.multiply(eta_scaled, 0.25, w5)
+    t79 = np.multiply(t78, t77, w5)
+    t80 = np.multiply(level_scaled, t79, w5)
+    t81 = np.multiply(level_scaled, 2.0, w4)
+    t82 = np.multiply(t2, t81, w0)
+    t83 = np.multiply(tracking_index, t32, w6)
+    t84 = np.add(t82, t83, w0)
+    t85 = np.divide(t80, t84, w5)
+    t86 = np.divide(t85, t41, w5)
+    t87 = np.multiply(sigma_scaled, level_scaled, w7)
+    t88 = np.add(t87, tracking_index, w7)
+    t89 = np.multiply(t88, eta_scaled, w7)
+    t90 = np.divide(t89, t84, w7)
+    t91 = np.divide(t90, t41, w7)
+    t92 = np.square(t86, w0)
+    t93 = np.square(t91, w3)
+    t94 = np.divide(t92, t48, w0)
+    t95 = np.divide(t93, t50, w3)
+    t96 = np.add(t94, t95, w0)
+    t97 = np.divide(t72, t48, w3)
+    t98 = np.divide(t72, t50, w16)
+    t99 = np.add(t97, t98, w3)
+    t100 = np.divide(t99, 12.0, w3)
+    t101 = np.add(t96, t100, w0)
+    t103 = np.multiply(t42, t86, w10)
+    t104 = np.divide(t103, t48, w10)
+    t105 = np.multiply(t44, t91, w8)
+    t106 = np.divide(t105, t50, w8)
+    t107 = np.multiply(t71, t58, w1)
+    t108 = np.multiply(t71, t60, w9)
+    t109 = np.multiply(t69, t104, w10)
+    t110 = np.divide(t107, t48, w1)
+    t111 = np.divide(t108, t50, w9)
+    t112 = np.add(t110, t111, w1)
+    t113 = np.divide(t112, 12.0, w1)
+    t114 = np.add(t106, t113, w8)
+    t115 = np.multiply(t69, t114, w8)
+    np.multiply(t69, t67, updated_11)
+    np.multiply(t69, t101, updated_22)
+    np.subtract(t109, t115, updated_12)
+
+
+_UPDATED_COVARIANCE_BY_TRACKING_INDEX = Signature(
+    "updated_covariance_by_tracking_index",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("updated_11", "updated_12", "updated_22"),
+    17,
+    _updated_covariance_by_tracking_index_block,
+)
+
+
+class UpdatedCovarianceByVelocityRatio(NamedTuple):
+    """Result of `updated_covariance_by_velocity_ratio`."""
+
+    updated_11: Real
+    """Derivative by velocity_ratio of the variance of the updated position over sigma_o^2."""
+    updated_12: Real
+    """Derivative by velocity_ratio of the covariance of updated position and velocity times
+    T/sigma_o^2."""
+    updated_22: Real
+    """Derivative by velocity_ratio of the variance of the updated velocity times T^2/sigma_o^2."""
+
+
+def updated_covariance_by_velocity_ratio(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> UpdatedCovarianceByVelocityRatio:
+    """First derivatives by velocity_ratio of the updated covariance.
+
+        updated_11 = U11, updated_12 = U12, updated_22 = U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    updated_11: derivative by velocity_ratio of the variance of the updated position over sigma_o^2.
+        Relative error at most 33.48 * 2^-52 (float64), 30.86 * 2^-23 (float32), proved for every
+        input.
+    updated_12: derivative by velocity_ratio of the covariance of updated position and velocity
+        times T/sigma_o^2. Relative error at most 33.68 * 2^-52 (float64), 29.75 * 2^-23 (float32),
+        proved for every input.
+    updated_22: derivative by velocity_ratio of the variance of the updated velocity times
+        T^2/sigma_o^2. Relative error at most 34.13 * 2^-52 (float64), 41.67 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return UpdatedCovarianceByVelocityRatio(
+        *evaluate(_UPDATED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _updated_covariance_by_velocity_ratio_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    tracking_index, velocity_ratio = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, updated_11)
+    t6 = np.add(t2, t5, w2)
+    level_scaled = np.sqrt(t6, updated_12)
+    t9 = np.divide(t3, 3.0, updated_22)
+    t11 = np.add(t9, 16.0, updated_22)
+    t13 = np.multiply(t2, 4.0, w2)
+    t14 = np.add(t13, t3, w3)
+    t15 = np.multiply(t14, 0.25, w3)
+    t16 = np.multiply(t11, t15, updated_22)
+    eta_scaled = np.sqrt(t16, updated_22)
+    t19 = np.multiply(t3, 0.041666666666666664, w3)
+    t21 = np.add(t19, 1.0, w3)
+    t22 = np.divide(t2, 3.0, w0)
+    t23 = np.add(t22, t21, w0)
+    t24 = np.multiply(t3, t23, w0)
+    t25 = np.multiply(tracking_index, level_scaled, w3)
+    t27 = np.multiply(eta_scaled, 0.5, w4)
+    t28 = np.multiply(t25, t27, w4)
+    t29 = np.add(t24, t28, w0)
+    delta_scaled = np.sqrt(t29, w0)
+    t31 = np.add(t25, eta_scaled, w3)
+    t32 = np.multiply(t31, 0.5, w3)
+    t33 = np.add(t32, delta_scaled, w3)
+    sigma_scaled = np.multiply(t33, 0.5, w3)
+    t35 = np.add(t3, t13, w2)
+    t36 = np.multiply(tracking_index, eta_scaled, w4)
+    coupling_scaled = np.divide(t36, t35, w4)
+    t38 = np.add(coupling_scaled, level_scaled, w2)
+    cross_share = np.divide(tracking_index, t38, w5)
+    t40 = np.multiply(level_scaled, coupling_scaled, w6)
+    t41 = np.add(t5, t40, updated_11)
+    rest_scaled = np.multiply(cross_share, t41, updated_11)
+    t43 = np.multiply(delta_scaled, cross_share, w5)
+    t44 = np.multiply(t3, 0.5, w1)
+    t45 = np.add(t43, t44, w5)
+    t46 = np.divide(t45, velocity_ratio, w5)
+    t47 = np.divide(t46, velocity_ratio, w5)
+    t48 = np.divide(sigma_scaled, velocity_ratio, w3)
+    t49 = np.divide(t47, t48, w5)
+    t50 = np.divide(coupling_scaled, t38, w4)
+    t51 = np.divide(t50, t48, w4)
+    t52 = np.multiply(t51, 2.0, w4)
+    t53 = np.square(t49, w1)
+    t54 = np.square(t52, w2)
+    t55 = np.divide(level_scaled, velocity_ratio, updated_12)
+    t56 = np.multiply(tracking_index, t55, updated_12)
+    t57 = np.divide(t53, t56, w1)
+    t58 = np.divide(eta_scaled, velocity_ratio, updated_22)
+    t59 = np.divide(t54, t58, w2)
+    t60 = np.add(t57, t59, w1)
+    t61 = np.divide(delta_scaled, velocity_ratio, w0)
+    t62 = np.divide(velocity_ratio, t61, w0)
+    t64 = np.divide(rest_scaled, velocity_ratio, updated_11)
+    t65 = np.multiply(t49, t64, w2)
+    t66 = np.multiply(t49, 2.0, w5)
+    t67 = np.add(t64, t66, w5)
+    t68 = np.multiply(t52, t67, w4)
+    t69 = np.divide(t65, t56, w2)
+    t70 = np.divide(t68, t58, w4)
+    t71 = np.add(t69, t70, w2)
+    t73 = np.square(t64, updated_11)
+    t74 = np.square(t67, w5)
+    t75 = np.divide(t73, t56, updated_11)
+    t76 = np.divide(t74, t58, w5)
+    t77 = np.add(t75, t76, w5)
+    np.multiply(t62, t60, updated_11)
+    np.multiply(t62, t71, updated_12)
+    np.multiply(t62, t77, updated_22)
+
+
+_UPDATED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
+    "updated_covariance_by_velocity_ratio",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("updated_11", "updated_12", "updated_22"),
+    7,
+    _updated_covariance_by_velocity_ratio_block,
+)
+
+
+class KnownVelocity(NamedTuple):
+    """Result of `known_velocity`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_o^2."""
+    updated_11: Real
+    """Variance of the updated position over sigma_o^2."""
+
+
+def known_velocity(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> KnownVelocity:
+    """The position's variances where the velocity is known exactly, S = 0.
+
+        updated_11 = 2 Lambda/(Lambda + sqrt(Lambda^2 + 48)),
+        predicted_11 = updated_11 + Lambda^2/3: the limits for S -> 0
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+
+    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 2.27 *
+        2^-52 (float64), 2.26 * 2^-23 (float32), proved for 1e-12 <= tracking_index <=
+        1000000000000.0 (float64) and 1e-08 <= tracking_index <= 1e08 (float32).
+    updated_11: variance of the updated position over sigma_o^2. Relative error at most 1.76 * 2^-52
+        (float64), 1.76 * 2^-23 (float32), proved for 1e-12 <= tracking_index <= 1000000000000.0
+        (float64) and 1e-08 <= tracking_index <= 1e08 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out))
+
+
+def _known_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (tracking_index,) = given
+    predicted_11, updated_11 = out
+    w0, w1 = work
+    t1 = np.square(tracking_index, w0)
+    t3 = np.add(t1, 48.0, w1)
+    far = np.sqrt(t3, updated_11)
+    t6 = np.multiply(tracking_index, 2.0, w1)
+    t7 = np.add(tracking_index, far, updated_11)
+    np.divide(t6, t7, updated_11)
+    t10 = np.divide(t1, 3.0, predicted_11)
+    np.add(updated_11, t10, predicted_11)
+
+
+_KNOWN_VELOCITY = Signature(
+    "known_velocity",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("predicted_11", "updated_11"),
+    2,
+    _known_velocity_block,
+)

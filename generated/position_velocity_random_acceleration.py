@@ -1,0 +1,1259 @@
+# Made by: gainproof generate position-velocity-random-acceleration
+# From: gainproof derive position-velocity-random-acceleration, SymPy 1.14.0
+"""Position and velocity measured, random acceleration (constant over each interval): steady state."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Arrays, Real
+
+__all__ = [
+    "Gains",
+    "GainsByTrackingIndex",
+    "GainsByVelocityRatio",
+    "PredictedCovariance",
+    "PredictedCovarianceByTrackingIndex",
+    "PredictedCovarianceByVelocityRatio",
+    "UpdatedCovariance",
+    "UpdatedCovarianceByTrackingIndex",
+    "UpdatedCovarianceByVelocityRatio",
+    "gains",
+    "gains_by_tracking_index",
+    "gains_by_velocity_ratio",
+    "predicted_covariance",
+    "predicted_covariance_by_tracking_index",
+    "predicted_covariance_by_velocity_ratio",
+    "updated_covariance",
+    "updated_covariance_by_tracking_index",
+    "updated_covariance_by_velocity_ratio",
+]
+
+_TRACKING_INDEX_DOMAIN = Domain(
+    "tracking_index",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8",
+    (1e-12, 1000000000000.0),
+    (9.99999993922529e-09, 100000000.0),
+)
+_VELOCITY_RATIO_DOMAIN = Domain(
+    "velocity_ratio",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8",
+    (1e-12, 1000000000000.0),
+    (9.99999993922529e-09, 100000000.0),
+)
+_TRACKING_INDEX_DOMAIN_2 = Domain(
+    "tracking_index",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5",
+    (1e-12, 1000000000000.0),
+    (9.999999747378752e-06, 100000.0),
+)
+_VELOCITY_RATIO_DOMAIN_2 = Domain(
+    "velocity_ratio",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5",
+    (1e-12, 1000000000000.0),
+    (9.999999747378752e-06, 100000.0),
+)
+
+
+class Gains(NamedTuple):
+    """Result of `gains`."""
+
+    gain_11: Real
+    """Position's gain on the measured position."""
+    gain_12: Real
+    """Position's gain on the measured velocity over T."""
+    gain_21: Real
+    """Velocity's gain on the measured position times T."""
+    gain_22: Real
+    """Velocity's gain on the measured velocity."""
+
+
+def gains(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+) -> Gains:
+    """Steady-state filter gain, position and velocity measured.
+
+        gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+
+    gain_11: position's gain on the measured position. Relative error at most 13.67 * 2^-52
+        (float64), 13.76 * 2^-23 (float32), proved for every input.
+    gain_12: position's gain on the measured velocity over T. Relative error at most 6.10 * 2^-52
+        (float64), 6.10 * 2^-23 (float32), proved for every input.
+    gain_21: velocity's gain on the measured position times T. Relative error at most 7.10 * 2^-52
+        (float64), 7.10 * 2^-23 (float32), proved for every input.
+    gain_22: velocity's gain on the measured velocity. Relative error at most 8.47 * 2^-52
+        (float64), 8.47 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out))
+
+
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    gain_11, gain_12, gain_21, gain_22 = out
+    w0, w1, w2, w3, w4, w5 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, gain_12)
+    t9 = np.multiply(t3, 0.25, w3)
+    t11 = np.add(t9, 1.0, w3)
+    t12 = np.multiply(t2, t11, w3)
+    t13 = np.multiply(tracking_index, velocity_ratio, w4)
+    t15 = np.multiply(eta_scaled, 0.5, w5)
+    t16 = np.multiply(t13, t15, w5)
+    t17 = np.add(t12, t16, w3)
+    delta_scaled = np.sqrt(t17, gain_11)
+    t19 = np.add(t13, eta_scaled, w4)
+    t20 = np.multiply(t19, 0.5, w4)
+    t21 = np.add(t20, delta_scaled, w4)
+    sigma_scaled = np.multiply(t21, 0.5, w4)
+    t23 = np.add(t2, t5, w2)
+    t24 = np.multiply(tracking_index, eta_scaled, gain_12)
+    coupling_scaled = np.divide(t24, t23, gain_21)
+    t26 = np.add(coupling_scaled, velocity_ratio, w2)
+    cross_share = np.divide(tracking_index, t26, gain_22)
+    t28 = np.multiply(velocity_ratio, coupling_scaled, gain_21)
+    rest_scaled = np.multiply(cross_share, t28, w2)
+    t30 = np.multiply(t2, 0.25, w3)
+    np.divide(cross_share, sigma_scaled, gain_12)
+    np.multiply(gain_12, t3, gain_21)
+    t33 = np.multiply(gain_21, 2.0, w5)
+    t34 = np.divide(t2, sigma_scaled, w0)
+    t35 = np.add(rest_scaled, t34, w0)
+    np.divide(t35, delta_scaled, gain_22)
+    t37 = np.multiply(t3, gain_22, w0)
+    t38 = np.add(t33, t37, w5)
+    t39 = np.add(t38, t30, w5)
+    t40 = np.divide(t39, sigma_scaled, w5)
+    t41 = np.multiply(t3, t40, w1)
+    t42 = np.add(rest_scaled, t41, w2)
+    np.divide(t42, delta_scaled, gain_11)
+
+
+_GAINS = Signature(
+    "gains",
+    (_TRACKING_INDEX_DOMAIN, _VELOCITY_RATIO_DOMAIN),
+    ("gain_11", "gain_12", "gain_21", "gain_22"),
+    6,
+    _gains_block,
+)
+
+
+class PredictedCovariance(NamedTuple):
+    """Result of `predicted_covariance`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_o^2."""
+    predicted_12: Real
+    """Covariance of predicted position and velocity times T/sigma_o^2."""
+    predicted_22: Real
+    """Variance of the predicted velocity times T^2/sigma_o^2."""
+
+
+def predicted_covariance(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictedCovariance:
+    """Predicted covariance in units of sigma_o^2 and T.
+
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+
+    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 13.71 *
+        2^-52 (float64), 8.86 * 2^-23 (float32), proved for every input.
+    predicted_12: covariance of predicted position and velocity times T/sigma_o^2. Relative error at
+        most 5.68 * 2^-52 (float64), 5.49 * 2^-23 (float32), proved for every input.
+    predicted_22: variance of the predicted velocity times T^2/sigma_o^2. Relative error at most
+        6.09 * 2^-52 (float64), 6.03 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return PredictedCovariance(
+        *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4, w5 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, predicted_11)
+    t9 = np.multiply(t3, 0.25, w3)
+    t11 = np.add(t9, 1.0, w3)
+    t12 = np.multiply(t2, t11, w3)
+    t13 = np.multiply(tracking_index, velocity_ratio, w4)
+    t15 = np.multiply(eta_scaled, 0.5, w5)
+    t16 = np.multiply(t13, t15, w5)
+    t17 = np.add(t12, t16, w3)
+    delta_scaled = np.sqrt(t17, predicted_12)
+    t19 = np.add(t13, eta_scaled, w4)
+    t20 = np.multiply(t19, 0.5, w4)
+    t21 = np.add(t20, delta_scaled, w4)
+    sigma_scaled = np.multiply(t21, 0.5, w4)
+    t23 = np.add(t2, t5, w2)
+    t24 = np.multiply(tracking_index, eta_scaled, predicted_11)
+    coupling_scaled = np.divide(t24, t23, predicted_22)
+    t26 = np.add(coupling_scaled, velocity_ratio, w2)
+    cross_share = np.divide(tracking_index, t26, w2)
+    t28 = np.multiply(velocity_ratio, coupling_scaled, predicted_22)
+    rest_scaled = np.multiply(cross_share, t28, predicted_22)
+    t30 = np.multiply(t2, 0.25, w3)
+    t31 = np.divide(cross_share, sigma_scaled, w5)
+    t32 = np.multiply(t31, t3, w5)
+    t33 = np.multiply(t32, 2.0, w5)
+    t34 = np.divide(t2, sigma_scaled, predicted_11)
+    t35 = np.add(rest_scaled, t34, predicted_11)
+    t36 = np.divide(t35, delta_scaled, predicted_11)
+    t37 = np.multiply(t3, t36, w1)
+    t38 = np.add(t33, t37, w5)
+    t39 = np.add(t38, t30, w5)
+    t40 = np.multiply(sigma_scaled, t39, w5)
+    t41 = np.add(rest_scaled, t40, predicted_22)
+    t44 = np.multiply(delta_scaled, cross_share, w1)
+    t45 = np.multiply(t2, 0.5, w0)
+    np.divide(t41, delta_scaled, predicted_11)
+    np.multiply(cross_share, sigma_scaled, predicted_12)
+    np.add(t44, t45, predicted_22)
+
+
+_PREDICTED_COVARIANCE = Signature(
+    "predicted_covariance",
+    (_TRACKING_INDEX_DOMAIN, _VELOCITY_RATIO_DOMAIN),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    6,
+    _predicted_covariance_block,
+)
+
+
+class UpdatedCovariance(NamedTuple):
+    """Result of `updated_covariance`."""
+
+    updated_11: Real
+    """Variance of the updated position over sigma_o^2."""
+    updated_12: Real
+    """Covariance of updated position and velocity times T/sigma_o^2."""
+    updated_22: Real
+    """Variance of the updated velocity times T^2/sigma_o^2."""
+
+
+def updated_covariance(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> UpdatedCovariance:
+    """Updated covariance in units of sigma_o^2 and T.
+
+        updated_11 = U11, updated_12 = U12, updated_22 = U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+
+    updated_11: variance of the updated position over sigma_o^2. Relative error at most 13.67 *
+        2^-52 (float64), 11.89 * 2^-23 (float32), proved for every input.
+    updated_12: covariance of updated position and velocity times T/sigma_o^2. Relative error at
+        most 7.10 * 2^-52 (float64), 7.10 * 2^-23 (float32), proved for every input.
+    updated_22: variance of the updated velocity times T^2/sigma_o^2. Relative error at most 9.19 *
+        2^-52 (float64), 8.17 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out))
+
+
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4, w5 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, updated_12)
+    t9 = np.multiply(t3, 0.25, w3)
+    t11 = np.add(t9, 1.0, w3)
+    t12 = np.multiply(t2, t11, w3)
+    t13 = np.multiply(tracking_index, velocity_ratio, w4)
+    t15 = np.multiply(eta_scaled, 0.5, w5)
+    t16 = np.multiply(t13, t15, w5)
+    t17 = np.add(t12, t16, w3)
+    delta_scaled = np.sqrt(t17, updated_11)
+    t19 = np.add(t13, eta_scaled, w4)
+    t20 = np.multiply(t19, 0.5, w4)
+    t21 = np.add(t20, delta_scaled, w4)
+    sigma_scaled = np.multiply(t21, 0.5, w4)
+    t23 = np.add(t2, t5, w2)
+    t24 = np.multiply(tracking_index, eta_scaled, updated_12)
+    coupling_scaled = np.divide(t24, t23, updated_22)
+    t26 = np.add(coupling_scaled, velocity_ratio, w2)
+    cross_share = np.divide(tracking_index, t26, w2)
+    t28 = np.multiply(velocity_ratio, coupling_scaled, updated_22)
+    rest_scaled = np.multiply(cross_share, t28, w3)
+    t30 = np.multiply(t2, 0.25, w5)
+    t31 = np.divide(cross_share, sigma_scaled, w2)
+    np.multiply(t31, t3, updated_12)
+    t33 = np.multiply(updated_12, 2.0, w2)
+    t34 = np.divide(t2, sigma_scaled, w0)
+    t35 = np.add(rest_scaled, t34, w0)
+    t36 = np.divide(t35, delta_scaled, w0)
+    np.multiply(t3, t36, updated_22)
+    t38 = np.add(t33, updated_22, w2)
+    t39 = np.add(t38, t30, w2)
+    t40 = np.divide(t39, sigma_scaled, w2)
+    t41 = np.multiply(t3, t40, w1)
+    t42 = np.add(rest_scaled, t41, w3)
+    np.divide(t42, delta_scaled, updated_11)
+
+
+_UPDATED_COVARIANCE = Signature(
+    "updated_covariance",
+    (_TRACKING_INDEX_DOMAIN, _VELOCITY_RATIO_DOMAIN),
+    ("updated_11", "updated_12", "updated_22"),
+    6,
+    _updated_covariance_block,
+)
+
+
+class GainsByTrackingIndex(NamedTuple):
+    """Result of `gains_by_tracking_index`."""
+
+    gain_11: Real
+    """Derivative by tracking_index of the position's gain on the measured position."""
+    gain_12: Real
+    """Derivative by tracking_index of the position's gain on the measured velocity over T."""
+    gain_21: Real
+    """Derivative by tracking_index of the velocity's gain on the measured position times T."""
+    gain_22: Real
+    """Derivative by tracking_index of the velocity's gain on the measured velocity."""
+
+
+def gains_by_tracking_index(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+) -> GainsByTrackingIndex:
+    """First derivatives by tracking_index of the filter gain.
+
+        gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    gain_11: derivative by tracking_index of the position's gain on the measured position. Relative
+        error at most 26.43 * 2^-52 (float64), 26.02 * 2^-23 (float32), proved for every input.
+    gain_12: derivative by tracking_index of the position's gain on the measured velocity over T.
+        Error over gain_12_scale at most 27.87 * 2^-52 (float64), 26.79 * 2^-23 (float32), proved
+        for every input. Cancellation in gain_12_difference, condition number 1: its sign changes:
+        the error is relative to the sum of both terms.
+    gain_21: derivative by tracking_index of the velocity's gain on the measured position times T.
+        Error over gain_21_scale at most 26.87 * 2^-52 (float64), 25.79 * 2^-23 (float32), proved
+        for every input. Cancellation in gain_21_difference, condition number 1: its sign changes:
+        the error is relative to the sum of both terms.
+    gain_22: derivative by tracking_index of the velocity's gain on the measured velocity. Relative
+        error at most 28.41 * 2^-52 (float64), 27.62 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return GainsByTrackingIndex(
+        *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _gains_by_tracking_index_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    gain_11, gain_12, gain_21, gain_22 = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, gain_22)
+    t9 = np.multiply(t3, 0.25, w3)
+    t11 = np.add(t9, 1.0, w3)
+    t12 = np.multiply(t2, t11, w3)
+    t13 = np.multiply(tracking_index, velocity_ratio, w4)
+    t15 = np.multiply(eta_scaled, 0.5, w5)
+    t16 = np.multiply(t13, t15, w5)
+    t17 = np.add(t12, t16, w3)
+    delta_scaled = np.sqrt(t17, gain_11)
+    t19 = np.add(t13, eta_scaled, w3)
+    t20 = np.multiply(t19, 0.5, w3)
+    t21 = np.add(t20, delta_scaled, w5)
+    sigma_scaled = np.multiply(t21, 0.5, w5)
+    t23 = np.add(t2, t5, w0)
+    t24 = np.multiply(tracking_index, eta_scaled, w2)
+    coupling_scaled = np.divide(t24, t23, gain_12)
+    t26 = np.add(coupling_scaled, velocity_ratio, w0)
+    t27 = np.divide(velocity_ratio, t26, gain_21)
+    t28 = np.divide(sigma_scaled, velocity_ratio, w2)
+    t29 = np.divide(t27, t28, gain_21)
+    t30 = np.multiply(delta_scaled, 2.0, w6)
+    t31 = np.add(t13, t30, w4)
+    t32 = np.multiply(eta_scaled, 0.25, w6)
+    t33 = np.multiply(t32, t31, w6)
+    t34 = np.multiply(velocity_ratio, t33, w6)
+    t35 = np.multiply(velocity_ratio, 2.0, w4)
+    t36 = np.multiply(t3, t35, w1)
+    t37 = np.multiply(tracking_index, t20, w3)
+    t38 = np.add(t36, t37, w1)
+    t39 = np.divide(t34, t38, w6)
+    t40 = np.divide(t39, t28, w6)
+    t41 = np.multiply(t29, t40, w3)
+    t42 = np.divide(t41, tracking_index, w3)
+    t43 = np.divide(coupling_scaled, t26, gain_12)
+    t44 = np.divide(t43, t28, gain_12)
+    t45 = np.multiply(sigma_scaled, velocity_ratio, w5)
+    t46 = np.add(t45, tracking_index, w5)
+    t47 = np.multiply(t46, eta_scaled, w5)
+    t48 = np.divide(t47, t38, w5)
+    t49 = np.divide(t48, t28, w5)
+    t50 = np.multiply(t44, t49, w0)
+    t51 = np.divide(eta_scaled, velocity_ratio, gain_22)
+    t52 = np.divide(t50, t51, w0)
+    t53 = np.divide(delta_scaled, velocity_ratio, gain_11)
+    t54 = np.divide(tracking_index, t53, gain_11)
+    t55 = np.multiply(t54, t42, w3)
+    t56 = np.multiply(t54, t52, w0)
+    t57 = np.divide(t55, velocity_ratio, w1)
+    t58 = np.divide(t57, velocity_ratio, w1)
+    t59 = np.divide(t56, velocity_ratio, w2)
+    t60 = np.divide(t59, velocity_ratio, w2)
+    t61 = np.square(t40, w6)
+    t62 = np.square(t49, w5)
+    t63 = np.divide(t61, tracking_index, w6)
+    t64 = np.divide(t62, t51, w5)
+    t65 = np.add(t63, t64, w6)
+    t66 = np.multiply(t54, t65, w6)
+    t67 = np.divide(t66, velocity_ratio, w6)
+    t69 = np.square(t29, gain_21)
+    t70 = np.square(t44, gain_12)
+    t71 = np.divide(t69, tracking_index, gain_21)
+    t72 = np.divide(t70, t51, gain_12)
+    t73 = np.add(t71, t72, gain_21)
+    np.divide(t67, velocity_ratio, gain_22)
+    np.multiply(t54, t73, gain_11)
+    np.subtract(t58, t60, gain_12)
+    np.subtract(t55, t56, gain_21)
+
+
+_GAINS_BY_TRACKING_INDEX = Signature(
+    "gains_by_tracking_index",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("gain_11", "gain_12", "gain_21", "gain_22"),
+    7,
+    _gains_by_tracking_index_block,
+)
+
+
+class GainsByVelocityRatio(NamedTuple):
+    """Result of `gains_by_velocity_ratio`."""
+
+    gain_11: Real
+    """Derivative by velocity_ratio of the position's gain on the measured position."""
+    gain_12: Real
+    """Derivative by velocity_ratio of the position's gain on the measured velocity over T."""
+    gain_21: Real
+    """Derivative by velocity_ratio of the velocity's gain on the measured position times T."""
+    gain_22: Real
+    """Derivative by velocity_ratio of the velocity's gain on the measured velocity."""
+
+
+def gains_by_velocity_ratio(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+) -> GainsByVelocityRatio:
+    """First derivatives by velocity_ratio of the filter gain.
+
+        gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    gain_11: derivative by velocity_ratio of the position's gain on the measured position. Relative
+        error at most 26.43 * 2^-52 (float64), 26.01 * 2^-23 (float32), proved for every input.
+    gain_12: derivative by velocity_ratio of the position's gain on the measured velocity over T.
+        Error over gain_12_scale at most 29.12 * 2^-52 (float64), 28.14 * 2^-23 (float32), proved
+        for every input. Cancellation in gain_12_difference, condition number 1: its sign changes:
+        the error is relative to the sum of both terms.
+    gain_21: derivative by velocity_ratio of the velocity's gain on the measured position times T.
+        Relative error at most 27.62 * 2^-52 (float64), 26.64 * 2^-23 (float32), proved for every
+        input.
+    gain_22: derivative by velocity_ratio of the velocity's gain on the measured velocity. Relative
+        error at most 30.41 * 2^-52 (float64), 29.61 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return GainsByVelocityRatio(
+        *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    gain_11, gain_12, gain_21, gain_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, gain_11)
+    t9 = np.multiply(t3, 0.25, w3)
+    t11 = np.add(t9, 1.0, w3)
+    t12 = np.multiply(t2, t11, w3)
+    t13 = np.multiply(tracking_index, velocity_ratio, w4)
+    t15 = np.multiply(eta_scaled, 0.5, w5)
+    t16 = np.multiply(t13, t15, w5)
+    t17 = np.add(t12, t16, w3)
+    delta_scaled = np.sqrt(t17, gain_22)
+    t19 = np.add(t13, eta_scaled, w3)
+    t20 = np.multiply(t19, 0.5, w3)
+    t21 = np.add(t20, delta_scaled, w5)
+    sigma_scaled = np.multiply(t21, 0.5, w5)
+    t23 = np.add(t2, t5, w2)
+    t24 = np.multiply(tracking_index, eta_scaled, w6)
+    coupling_scaled = np.divide(t24, t23, gain_21)
+    t26 = np.add(coupling_scaled, velocity_ratio, w2)
+    cross_share = np.divide(tracking_index, t26, gain_12)
+    t28 = np.multiply(velocity_ratio, coupling_scaled, w6)
+    rest_scaled = np.multiply(cross_share, t28, w6)
+    t30 = np.divide(cross_share, sigma_scaled, w7)
+    t31 = np.multiply(delta_scaled, cross_share, w8)
+    t32 = np.multiply(t2, 0.5, w0)
+    t33 = np.add(t31, t32, w8)
+    t34 = np.divide(t33, velocity_ratio, w8)
+    t35 = np.divide(t34, velocity_ratio, w8)
+    t36 = np.divide(sigma_scaled, velocity_ratio, w0)
+    t37 = np.divide(t35, t36, w8)
+    t38 = np.divide(coupling_scaled, t26, gain_21)
+    t39 = np.divide(t38, t36, gain_21)
+    t40 = np.multiply(t39, 2.0, gain_21)
+    t41 = np.square(t37, w2)
+    t42 = np.square(t40, w9)
+    t43 = np.divide(t41, tracking_index, w2)
+    t44 = np.divide(eta_scaled, velocity_ratio, w10)
+    t45 = np.divide(t42, t44, w9)
+    t46 = np.add(t43, t45, w2)
+    t47 = np.divide(delta_scaled, velocity_ratio, w9)
+    t48 = np.divide(velocity_ratio, t47, w11)
+    t50 = np.divide(rest_scaled, velocity_ratio, w6)
+    t51 = np.multiply(t37, t50, w12)
+    t52 = np.multiply(t37, 2.0, w8)
+    t53 = np.add(t50, t52, w6)
+    t54 = np.multiply(t40, t53, gain_21)
+    t55 = np.divide(t51, tracking_index, w12)
+    t56 = np.divide(t54, t44, gain_21)
+    t57 = np.add(t55, t56, w12)
+    np.multiply(t48, t57, gain_21)
+    t59 = np.divide(tracking_index, t47, w6)
+    t60 = np.multiply(cross_share, velocity_ratio, gain_12)
+    t61 = np.multiply(delta_scaled, 2.0, gain_22)
+    t62 = np.add(t13, t61, w4)
+    t63 = np.multiply(eta_scaled, 0.25, w8)
+    t64 = np.multiply(t63, t62, w8)
+    t65 = np.multiply(velocity_ratio, t64, w8)
+    t66 = np.multiply(velocity_ratio, 2.0, w4)
+    t67 = np.multiply(t3, t66, w1)
+    t68 = np.multiply(tracking_index, t20, w3)
+    t69 = np.add(t67, t68, w1)
+    t70 = np.divide(t65, t69, w8)
+    t71 = np.divide(t70, t36, w8)
+    t72 = np.multiply(sigma_scaled, velocity_ratio, w5)
+    t73 = np.add(t72, tracking_index, w5)
+    t74 = np.multiply(t73, eta_scaled, w5)
+    t75 = np.divide(t74, t69, w5)
+    t76 = np.divide(t75, t36, w5)
+    t77 = np.square(t71, w8)
+    t78 = np.square(t76, w5)
+    t79 = np.divide(t77, tracking_index, w8)
+    t80 = np.divide(t78, t44, w5)
+    t81 = np.add(t79, t80, w8)
+    t82 = np.multiply(t59, t81, w6)
+    t83 = np.multiply(t82, 0.5, w6)
+    t84 = np.multiply(tracking_index, t83, w6)
+    t85 = np.multiply(t60, 2.0, w0)
+    t86 = np.multiply(t47, t44, w9)
+    t87 = np.divide(t60, t86, gain_12)
+    t88 = np.multiply(t85, t87, w0)
+    t89 = np.add(t88, t84, w0)
+    t90 = np.divide(2.0, velocity_ratio, w1)
+    t91 = np.divide(t90, velocity_ratio, w1)
+    t92 = np.divide(t89, velocity_ratio, w0)
+    t93 = np.multiply(t91, t92, w1)
+    t95 = np.divide(gain_21, velocity_ratio, w0)
+    t96 = np.divide(t95, velocity_ratio, w0)
+    t97 = np.divide(t30, velocity_ratio, w7)
+    t98 = np.multiply(t97, 2.0, w7)
+    np.multiply(t48, t46, gain_11)
+    np.negative(t93, gain_22)
+    np.subtract(t96, t98, gain_12)
+
+
+_GAINS_BY_VELOCITY_RATIO = Signature(
+    "gains_by_velocity_ratio",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("gain_11", "gain_12", "gain_21", "gain_22"),
+    13,
+    _gains_by_velocity_ratio_block,
+)
+
+
+class PredictedCovarianceByTrackingIndex(NamedTuple):
+    """Result of `predicted_covariance_by_tracking_index`."""
+
+    predicted_11: Real
+    """Derivative by tracking_index of the variance of the predicted position over sigma_o^2."""
+    predicted_12: Real
+    """Derivative by tracking_index of the covariance of predicted position and velocity times
+    T/sigma_o^2."""
+    predicted_22: Real
+    """Derivative by tracking_index of the variance of the predicted velocity times
+    T^2/sigma_o^2."""
+
+
+def predicted_covariance_by_tracking_index(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictedCovarianceByTrackingIndex:
+    """First derivatives by tracking_index of the predicted covariance.
+
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    predicted_11: derivative by tracking_index of the variance of the predicted position over
+        sigma_o^2. Relative error at most 26.00 * 2^-52 (float64), 19.89 * 2^-23 (float32), proved
+        for every input.
+    predicted_12: derivative by tracking_index of the covariance of predicted position and velocity
+        times T/sigma_o^2. Relative error at most 19.81 * 2^-52 (float64), 18.20 * 2^-23 (float32),
+        proved for every input.
+    predicted_22: derivative by tracking_index of the variance of the predicted velocity times
+        T^2/sigma_o^2. Relative error at most 25.85 * 2^-52 (float64), 21.37 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return PredictedCovarianceByTrackingIndex(
+        *evaluate(_PREDICTED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _predicted_covariance_by_tracking_index_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    tracking_index, velocity_ratio = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, predicted_11)
+    t9 = np.multiply(t3, 0.25, w3)
+    t11 = np.add(t9, 1.0, w3)
+    t12 = np.multiply(t2, t11, w3)
+    t13 = np.multiply(tracking_index, velocity_ratio, w4)
+    t15 = np.multiply(eta_scaled, 0.5, w5)
+    t16 = np.multiply(t13, t15, w5)
+    t17 = np.add(t12, t16, w3)
+    delta_scaled = np.sqrt(t17, predicted_12)
+    t19 = np.add(t13, eta_scaled, w3)
+    t20 = np.multiply(t19, 0.5, w3)
+    t21 = np.add(t20, delta_scaled, w5)
+    sigma_scaled = np.multiply(t21, 0.5, w5)
+    t23 = np.add(t2, t5, w2)
+    t24 = np.multiply(tracking_index, eta_scaled, w6)
+    coupling_scaled = np.divide(t24, t23, predicted_22)
+    t26 = np.add(coupling_scaled, velocity_ratio, w2)
+    cross_share = np.divide(tracking_index, t26, w6)
+    t28 = np.multiply(velocity_ratio, coupling_scaled, w7)
+    rest_scaled = np.multiply(cross_share, t28, w7)
+    t30 = np.divide(coupling_scaled, t26, predicted_22)
+    t31 = np.divide(sigma_scaled, velocity_ratio, w8)
+    t32 = np.divide(velocity_ratio, t26, w2)
+    t33 = np.multiply(t31, t32, w2)
+    t34 = np.multiply(t31, t30, w9)
+    t35 = np.square(t33, w2)
+    t36 = np.square(t34, w9)
+    t37 = np.divide(t35, tracking_index, w2)
+    t38 = np.divide(eta_scaled, velocity_ratio, w10)
+    t39 = np.divide(t36, t38, w9)
+    t40 = np.add(t37, t39, w2)
+    t41 = np.divide(t2, sigma_scaled, w0)
+    t42 = np.add(rest_scaled, t41, w7)
+    t43 = np.divide(t42, delta_scaled, w7)
+    t44 = np.multiply(t3, t43, w7)
+    t45 = np.divide(delta_scaled, velocity_ratio, w0)
+    t46 = np.divide(tracking_index, t45, w0)
+    t48 = np.multiply(cross_share, velocity_ratio, w6)
+    t49 = np.divide(t48, tracking_index, w6)
+    t50 = np.divide(t44, tracking_index, w7)
+    t51 = np.add(tracking_index, t50, w7)
+    t52 = np.divide(t51, tracking_index, w7)
+    t53 = np.multiply(t49, t52, w6)
+    t54 = np.multiply(t3, velocity_ratio, w7)
+    t55 = np.multiply(tracking_index, sigma_scaled, w9)
+    t56 = np.add(t54, t55, w7)
+    t57 = np.multiply(velocity_ratio, 2.0, w9)
+    t58 = np.multiply(t3, t57, w1)
+    t59 = np.multiply(tracking_index, t20, w3)
+    t60 = np.add(t58, t59, w1)
+    t61 = np.divide(t56, t60, w7)
+    t62 = np.multiply(t30, t61, predicted_22)
+    t63 = np.add(t53, t62, w6)
+    t64 = np.multiply(t31, t63, w6)
+    t66 = np.multiply(delta_scaled, 2.0, predicted_12)
+    t67 = np.add(t13, t66, w4)
+    t68 = np.multiply(eta_scaled, 0.25, w3)
+    t69 = np.multiply(t68, t67, w3)
+    t70 = np.multiply(velocity_ratio, t69, w3)
+    t71 = np.divide(t70, t60, w3)
+    t72 = np.divide(t71, t31, w3)
+    t73 = np.multiply(sigma_scaled, velocity_ratio, w5)
+    t74 = np.add(t73, tracking_index, w5)
+    t75 = np.multiply(t74, eta_scaled, w5)
+    t76 = np.divide(t75, t60, w5)
+    t77 = np.divide(t76, t31, w5)
+    t78 = np.square(t72, w3)
+    t79 = np.square(t77, w5)
+    t80 = np.divide(t78, tracking_index, w3)
+    t81 = np.divide(t79, t38, w5)
+    t82 = np.add(t80, t81, w3)
+    t83 = np.multiply(t46, t82, w3)
+    t84 = np.multiply(tracking_index, 2.0, w1)
+    np.multiply(t46, t40, predicted_11)
+    np.multiply(t46, t64, predicted_12)
+    np.add(t83, t84, predicted_22)
+
+
+_PREDICTED_COVARIANCE_BY_TRACKING_INDEX = Signature(
+    "predicted_covariance_by_tracking_index",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    11,
+    _predicted_covariance_by_tracking_index_block,
+)
+
+
+class PredictedCovarianceByVelocityRatio(NamedTuple):
+    """Result of `predicted_covariance_by_velocity_ratio`."""
+
+    predicted_11: Real
+    """Derivative by velocity_ratio of the variance of the predicted position over sigma_o^2."""
+    predicted_12: Real
+    """Derivative by velocity_ratio of the covariance of predicted position and velocity times
+    T/sigma_o^2."""
+    predicted_22: Real
+    """Derivative by velocity_ratio of the variance of the predicted velocity times
+    T^2/sigma_o^2."""
+
+
+def predicted_covariance_by_velocity_ratio(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictedCovarianceByVelocityRatio:
+    """First derivatives by velocity_ratio of the predicted covariance.
+
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    predicted_11: derivative by velocity_ratio of the variance of the predicted position over
+        sigma_o^2. Relative error at most 25.99 * 2^-52 (float64), 24.99 * 2^-23 (float32), proved
+        for every input.
+    predicted_12: derivative by velocity_ratio of the covariance of predicted position and velocity
+        times T/sigma_o^2. Relative error at most 26.13 * 2^-52 (float64), 22.85 * 2^-23 (float32),
+        proved for every input.
+    predicted_22: derivative by velocity_ratio of the variance of the predicted velocity times
+        T^2/sigma_o^2. Relative error at most 27.23 * 2^-52 (float64), 34.84 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return PredictedCovarianceByVelocityRatio(
+        *evaluate(_PREDICTED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _predicted_covariance_by_velocity_ratio_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    tracking_index, velocity_ratio = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, predicted_11)
+    t9 = np.multiply(t3, 0.25, w1)
+    t11 = np.add(t9, 1.0, w1)
+    t12 = np.multiply(t2, t11, w1)
+    t13 = np.multiply(tracking_index, velocity_ratio, w3)
+    t15 = np.multiply(eta_scaled, 0.5, w4)
+    t16 = np.multiply(t13, t15, w4)
+    t17 = np.add(t12, t16, w1)
+    delta_scaled = np.sqrt(t17, predicted_12)
+    t19 = np.add(t13, eta_scaled, w3)
+    t20 = np.multiply(t19, 0.5, w3)
+    t21 = np.add(t20, delta_scaled, w3)
+    sigma_scaled = np.multiply(t21, 0.5, w3)
+    t23 = np.add(t2, t5, w2)
+    t24 = np.multiply(tracking_index, eta_scaled, w1)
+    coupling_scaled = np.divide(t24, t23, predicted_22)
+    t26 = np.add(coupling_scaled, velocity_ratio, w1)
+    cross_share = np.divide(tracking_index, t26, w2)
+    t28 = np.multiply(velocity_ratio, coupling_scaled, w4)
+    rest_scaled = np.multiply(cross_share, t28, w4)
+    t30 = np.divide(rest_scaled, velocity_ratio, w4)
+    t31 = np.multiply(delta_scaled, cross_share, w2)
+    t32 = np.multiply(t2, 0.5, w0)
+    t33 = np.add(t31, t32, w2)
+    t34 = np.divide(t33, velocity_ratio, w2)
+    t35 = np.divide(t34, velocity_ratio, w2)
+    t36 = np.divide(sigma_scaled, velocity_ratio, w3)
+    t37 = np.divide(t35, t36, w2)
+    t38 = np.add(t30, t37, w0)
+    t39 = np.divide(coupling_scaled, t26, predicted_22)
+    t40 = np.multiply(t36, t39, w3)
+    t41 = np.multiply(t40, 2.0, w3)
+    t42 = np.multiply(t37, 2.0, w2)
+    t43 = np.add(t30, t42, w2)
+    t44 = np.square(t38, w1)
+    t45 = np.square(t41, predicted_22)
+    t46 = np.divide(t44, tracking_index, w1)
+    t47 = np.divide(eta_scaled, velocity_ratio, predicted_11)
+    t48 = np.divide(t45, t47, predicted_22)
+    t49 = np.add(t46, t48, w1)
+    t50 = np.divide(delta_scaled, velocity_ratio, predicted_12)
+    t51 = np.divide(velocity_ratio, t50, predicted_22)
+    t53 = np.multiply(t38, t30, w0)
+    t54 = np.multiply(t41, t43, w3)
+    t55 = np.divide(t53, tracking_index, w0)
+    t56 = np.divide(t54, t47, w3)
+    t57 = np.add(t55, t56, w0)
+    t59 = np.square(t30, w4)
+    t60 = np.square(t43, w2)
+    t61 = np.divide(t59, tracking_index, w4)
+    t62 = np.divide(t60, t47, w2)
+    t63 = np.add(t61, t62, w4)
+    np.multiply(t51, t49, predicted_11)
+    np.multiply(t51, t57, predicted_12)
+    np.multiply(t51, t63, predicted_22)
+
+
+_PREDICTED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
+    "predicted_covariance_by_velocity_ratio",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    5,
+    _predicted_covariance_by_velocity_ratio_block,
+)
+
+
+class UpdatedCovarianceByTrackingIndex(NamedTuple):
+    """Result of `updated_covariance_by_tracking_index`."""
+
+    updated_11: Real
+    """Derivative by tracking_index of the variance of the updated position over sigma_o^2."""
+    updated_12: Real
+    """Derivative by tracking_index of the covariance of updated position and velocity times
+    T/sigma_o^2."""
+    updated_22: Real
+    """Derivative by tracking_index of the variance of the updated velocity times T^2/sigma_o^2."""
+
+
+def updated_covariance_by_tracking_index(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> UpdatedCovarianceByTrackingIndex:
+    """First derivatives by tracking_index of the updated covariance.
+
+        updated_11 = U11, updated_12 = U12, updated_22 = U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    updated_11: derivative by tracking_index of the variance of the updated position over sigma_o^2.
+        Relative error at most 26.43 * 2^-52 (float64), 26.02 * 2^-23 (float32), proved for every
+        input.
+    updated_12: derivative by tracking_index of the covariance of updated position and velocity
+        times T/sigma_o^2. Error over updated_12_scale at most 26.87 * 2^-52 (float64), 25.79 *
+        2^-23 (float32), proved for every input. Cancellation in updated_12_difference, condition
+        number 1: its sign changes: the error is relative to the sum of both terms.
+    updated_22: derivative by tracking_index of the variance of the updated velocity times
+        T^2/sigma_o^2. Relative error at most 27.41 * 2^-52 (float64), 26.62 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return UpdatedCovarianceByTrackingIndex(
+        *evaluate(_UPDATED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _updated_covariance_by_tracking_index_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    tracking_index, velocity_ratio = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, updated_11)
+    t9 = np.multiply(t3, 0.25, w3)
+    t11 = np.add(t9, 1.0, w3)
+    t12 = np.multiply(t2, t11, w3)
+    t13 = np.multiply(tracking_index, velocity_ratio, w4)
+    t15 = np.multiply(eta_scaled, 0.5, w5)
+    t16 = np.multiply(t13, t15, w5)
+    t17 = np.add(t12, t16, w3)
+    delta_scaled = np.sqrt(t17, updated_22)
+    t19 = np.add(t13, eta_scaled, w3)
+    t20 = np.multiply(t19, 0.5, w3)
+    t21 = np.add(t20, delta_scaled, w5)
+    sigma_scaled = np.multiply(t21, 0.5, w5)
+    t23 = np.add(t2, t5, w0)
+    t24 = np.multiply(tracking_index, eta_scaled, w2)
+    coupling_scaled = np.divide(t24, t23, updated_12)
+    t26 = np.add(coupling_scaled, velocity_ratio, w0)
+    t27 = np.divide(velocity_ratio, t26, w2)
+    t28 = np.divide(sigma_scaled, velocity_ratio, w6)
+    t29 = np.divide(t27, t28, w2)
+    t30 = np.divide(coupling_scaled, t26, updated_12)
+    t31 = np.divide(t30, t28, updated_12)
+    t32 = np.square(t29, w0)
+    t33 = np.square(t31, w7)
+    t34 = np.divide(t32, tracking_index, w0)
+    t35 = np.divide(eta_scaled, velocity_ratio, w8)
+    t36 = np.divide(t33, t35, w7)
+    t37 = np.add(t34, t36, w0)
+    t38 = np.divide(delta_scaled, velocity_ratio, w7)
+    t39 = np.divide(tracking_index, t38, w7)
+    t41 = np.multiply(delta_scaled, 2.0, updated_22)
+    t42 = np.add(t13, t41, w4)
+    t43 = np.multiply(eta_scaled, 0.25, updated_22)
+    t44 = np.multiply(t43, t42, updated_22)
+    t45 = np.multiply(velocity_ratio, t44, updated_22)
+    t46 = np.multiply(velocity_ratio, 2.0, w4)
+    t47 = np.multiply(t3, t46, w1)
+    t48 = np.multiply(tracking_index, t20, w3)
+    t49 = np.add(t47, t48, w1)
+    t50 = np.divide(t45, t49, updated_22)
+    t51 = np.divide(t50, t28, updated_22)
+    t52 = np.multiply(sigma_scaled, velocity_ratio, w5)
+    t53 = np.add(t52, tracking_index, w5)
+    t54 = np.multiply(t53, eta_scaled, w5)
+    t55 = np.divide(t54, t49, w5)
+    t56 = np.divide(t55, t28, w5)
+    t57 = np.square(t51, w1)
+    t58 = np.square(t56, w3)
+    t59 = np.divide(t57, tracking_index, w1)
+    t60 = np.divide(t58, t35, w3)
+    t61 = np.add(t59, t60, w1)
+    t63 = np.multiply(t29, t51, w2)
+    t64 = np.divide(t63, tracking_index, w2)
+    t65 = np.multiply(t31, t56, updated_12)
+    t66 = np.divide(t65, t35, updated_12)
+    t67 = np.multiply(t39, t64, w2)
+    t68 = np.multiply(t39, t66, updated_12)
+    np.multiply(t39, t37, updated_11)
+    np.multiply(t39, t61, updated_22)
+    np.subtract(t67, t68, updated_12)
+
+
+_UPDATED_COVARIANCE_BY_TRACKING_INDEX = Signature(
+    "updated_covariance_by_tracking_index",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("updated_11", "updated_12", "updated_22"),
+    9,
+    _updated_covariance_by_tracking_index_block,
+)
+
+
+class UpdatedCovarianceByVelocityRatio(NamedTuple):
+    """Result of `updated_covariance_by_velocity_ratio`."""
+
+    updated_11: Real
+    """Derivative by velocity_ratio of the variance of the updated position over sigma_o^2."""
+    updated_12: Real
+    """Derivative by velocity_ratio of the covariance of updated position and velocity times
+    T/sigma_o^2."""
+    updated_22: Real
+    """Derivative by velocity_ratio of the variance of the updated velocity times T^2/sigma_o^2."""
+
+
+def updated_covariance_by_velocity_ratio(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> UpdatedCovarianceByVelocityRatio:
+    """First derivatives by velocity_ratio of the updated covariance.
+
+        updated_11 = U11, updated_12 = U12, updated_22 = U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/4,
+        h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
+        sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
+        w = 1, eta^2 = 16 (1 + t^2/4); all computed without a subtraction
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+
+    updated_11: derivative by velocity_ratio of the variance of the updated position over sigma_o^2.
+        Relative error at most 25.41 * 2^-52 (float64), 24.44 * 2^-23 (float32), proved for every
+        input.
+    updated_12: derivative by velocity_ratio of the covariance of updated position and velocity
+        times T/sigma_o^2. Relative error at most 25.88 * 2^-52 (float64), 24.79 * 2^-23 (float32),
+        proved for every input.
+    updated_22: derivative by velocity_ratio of the variance of the updated velocity times
+        T^2/sigma_o^2. Relative error at most 27.23 * 2^-52 (float64), 34.84 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return UpdatedCovarianceByVelocityRatio(
+        *evaluate(_UPDATED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+    )
+
+
+def _updated_covariance_by_velocity_ratio_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    tracking_index, velocity_ratio = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w3)
+    t7 = np.multiply(t6, 4.0, w3)
+    eta_scaled = np.sqrt(t7, updated_11)
+    t9 = np.multiply(t3, 0.25, w1)
+    t11 = np.add(t9, 1.0, w1)
+    t12 = np.multiply(t2, t11, w1)
+    t13 = np.multiply(tracking_index, velocity_ratio, w3)
+    t15 = np.multiply(eta_scaled, 0.5, w4)
+    t16 = np.multiply(t13, t15, w4)
+    t17 = np.add(t12, t16, w1)
+    delta_scaled = np.sqrt(t17, updated_12)
+    t19 = np.add(t13, eta_scaled, w3)
+    t20 = np.multiply(t19, 0.5, w3)
+    t21 = np.add(t20, delta_scaled, w3)
+    sigma_scaled = np.multiply(t21, 0.5, w3)
+    t23 = np.add(t2, t5, w2)
+    t24 = np.multiply(tracking_index, eta_scaled, w1)
+    coupling_scaled = np.divide(t24, t23, updated_22)
+    t26 = np.add(coupling_scaled, velocity_ratio, w1)
+    cross_share = np.divide(tracking_index, t26, w2)
+    t28 = np.multiply(velocity_ratio, coupling_scaled, w4)
+    rest_scaled = np.multiply(cross_share, t28, w4)
+    t30 = np.multiply(delta_scaled, cross_share, w2)
+    t31 = np.multiply(t2, 0.5, w0)
+    t32 = np.add(t30, t31, w2)
+    t33 = np.divide(t32, velocity_ratio, w2)
+    t34 = np.divide(t33, velocity_ratio, w2)
+    t35 = np.divide(sigma_scaled, velocity_ratio, w3)
+    t36 = np.divide(t34, t35, w2)
+    t37 = np.divide(coupling_scaled, t26, updated_22)
+    t38 = np.divide(t37, t35, updated_22)
+    t39 = np.multiply(t38, 2.0, updated_22)
+    t40 = np.square(t36, w0)
+    t41 = np.square(t39, w1)
+    t42 = np.divide(t40, tracking_index, w0)
+    t43 = np.divide(eta_scaled, velocity_ratio, updated_11)
+    t44 = np.divide(t41, t43, w1)
+    t45 = np.add(t42, t44, w0)
+    t46 = np.divide(delta_scaled, velocity_ratio, updated_12)
+    t47 = np.divide(velocity_ratio, t46, w1)
+    t49 = np.divide(rest_scaled, velocity_ratio, w4)
+    t50 = np.multiply(t36, t49, w3)
+    t51 = np.multiply(t36, 2.0, w2)
+    t52 = np.add(t49, t51, w2)
+    t53 = np.multiply(t39, t52, updated_22)
+    t54 = np.divide(t50, tracking_index, w3)
+    t55 = np.divide(t53, t43, updated_22)
+    t56 = np.add(t54, t55, w3)
+    t58 = np.square(t49, w4)
+    t59 = np.square(t52, w2)
+    t60 = np.divide(t58, tracking_index, w4)
+    t61 = np.divide(t59, t43, w2)
+    t62 = np.add(t60, t61, w4)
+    np.multiply(t47, t45, updated_11)
+    np.multiply(t47, t56, updated_12)
+    np.multiply(t47, t62, updated_22)
+
+
+_UPDATED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
+    "updated_covariance_by_velocity_ratio",
+    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    ("updated_11", "updated_12", "updated_22"),
+    5,
+    _updated_covariance_by_velocity_ratio_block,
+)
