@@ -16,7 +16,17 @@ from collections.abc import Mapping, Sequence
 from types import FrameType, ModuleType
 
 from gainproof.bad_input import BadInputError, unknown_name
-from gainproof.commands import bench, check, cite, derive, explain, generate, listing, run
+from gainproof.commands import (
+    bench,
+    check,
+    cite,
+    derive,
+    explain,
+    figure,
+    generate,
+    listing,
+    run,
+)
 from gainproof.version import VERSION
 
 COMMANDS: Mapping[str, ModuleType] = {
@@ -26,6 +36,7 @@ COMMANDS: Mapping[str, ModuleType] = {
     "check": check,
     "explain": explain,
     "cite": cite,
+    "figure": figure,
     "list": listing,
     "bench": bench,
 }

@@ -18,7 +18,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.commands import listing
 from gainproof.version import VERSION
 
-COMMANDS = ("run", "derive", "generate", "check", "explain", "cite", "list", "bench")
+COMMANDS = ("run", "derive", "generate", "check", "explain", "cite", "figure", "list", "bench")
 Capture = pytest.CaptureFixture[str]
 
 
@@ -41,7 +41,7 @@ def test_help_imports_nothing_heavy(command: list[str]) -> None:
         f"    main({[*command, '--help']!r})\n"
         "except SystemExit as end:\n"
         "    assert end.code == 0\n"
-        "heavy = {'sympy', 'numpy', 'mpmath', 'flint', 'lark', 'asyncio', 'scipy'}\n"
+        "heavy = {'sympy', 'numpy', 'mpmath', 'flint', 'lark', 'asyncio', 'scipy', 'matplotlib'}\n"
         "print(sorted(heavy & set(sys.modules)), file=sys.stderr)\n"
     )
     done = python("-c", script)

@@ -1,0 +1,105 @@
+"""Figures: files that come out the same, what is said where Matplotlib is missing, the data."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+
+from gainproof import cli
+from gainproof.figures.catalogue import CATALOGUE, Entry
+from gainproof.figures.table import Column, Table, decades
+
+Capture = pytest.CaptureFixture[str]
+IDS = [entry.file for entry in CATALOGUE]
+FIGURE_2 = "suzuki-figure-2"
+
+
+def drawn(folder: Path, name: str, seed: str) -> dict[str, bytes]:
+    """The files of a figure, drawn in a process of its own."""
+    command = [sys.executable, "-m", "gainproof", "figure", "suzuki", name, "--out", str(folder)]
+    environment = {**os.environ, "PYTHONHASHSEED": seed}
+    subprocess.run(command, check=True, capture_output=True, env=environment)
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+@pytest.mark.parametrize("entry", CATALOGUE, ids=IDS)
+def test_a_figure_comes_out_the_same_and_without_a_date(entry: Entry, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    first, second = (drawn(tmp_path / seed, entry.name, seed) for seed in ("1", "2"))
+    assert first == second
+    assert set(first) == {f"{entry.file}.{ending}" for ending in ("csv", "svg", "png")}
+    svg = first[f"{entry.file}.svg"].decode()
+    assert "<dc:date>" not in svg
+    assert ET.fromstring(svg).tag.endswith("svg")
+    png = first[f"{entry.file}.png"]
+    assert png.startswith(b"\x89PNG")
+    assert b"Software" not in png
+
+
+@pytest.mark.parametrize("entry", CATALOGUE, ids=IDS)
+def test_the_csv_holds_the_numbers_to_the_last_bit(entry: Entry) -> None:
+    table = entry.table()
+    rows = list(csv.DictReader(io.StringIO(table.csv())))
+    for column in table.columns:
+        read = [float(row[column.name] or "nan") for row in rows]
+        assert np.array_equal(read, column.values, equal_nan=True)
+
+
+def test_without_matplotlib_the_numbers_are_written_and_the_picture_says_what_is_missing(
+    tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    command = ["figure", "suzuki", "2", "--out", str(tmp_path)]
+    assert cli.main(command) == 2
+    assert "pip install 'gainproof[figures]'" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+    assert cli.main([*command, "--csv"]) == 0
+    assert [path.name for path in tmp_path.iterdir()] == [f"{FIGURE_2}.csv"]
+
+
+def test_json_holds_the_same_numbers(
+    tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["figure", "suzuki", "2", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["figure"] == FIGURE_2
+    (entry,) = (entry for entry in CATALOGUE if entry.file == FIGURE_2)
+    assert data["columns"]["S"]["values"] == entry.table()["S"].tolist()
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["suzki", "1"], "nearest: suzuki"),
+        (["suzuki", "4"], "known: 1, 2, 3, digits"),
+        (["suzuki", "digit"], "nearest: digits"),
+        (["suzuki", "1", "--json", "--out", "x"], "writes no file"),
+        (["suzuki", "1", "--csv", "--out", __file__], "cannot be written"),
+    ],
+)
+def test_bad_input_has_status_2(arguments: list[str], message: str, capsys: Capture) -> None:
+    assert cli.main(["figure", *arguments]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_what_is_no_number_is_an_empty_cell_and_null() -> None:
+    column = Column("x", "a number", np.array([1.5, np.nan, np.inf]))
+    table = Table("t", (column,))
+    assert table.csv() == "x\n1.5\n\ninf\n"
+    assert table.plain()["columns"]["x"]["values"] == [1.5, None, "inf"]
+
+
+def test_whole_powers_of_ten_are_exact() -> None:
+    assert decades(-6, 6, 1).tolist() == [float(f"1e{power}") for power in range(-6, 7)]
+    assert decades(0, 2, 4)[[0, 4, 8]].tolist() == [1.0, 10.0, 100.0]
