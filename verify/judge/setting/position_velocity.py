@@ -131,7 +131,8 @@ def _outside(
     """Points alone for both parameters: their nested roots are too much for cells, and what can be
     proved is proved in the chart. Raises Undecided.
     """
-    if not {INDEX, RATIO} <= statement.symbols():
+    fixed = any(condition.operator == "=" for condition in statement.domain)
+    if fixed or not {INDEX, RATIO} <= statement.symbols():
         return None
     found = try_points(statement, boxes, labels)
     if found is None:
