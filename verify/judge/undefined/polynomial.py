@@ -102,7 +102,9 @@ def _fitted(
             return None
         sizes = [c for c in coefficients if c is not None]
         for row, w in list(zip(rows, wanted, strict=True))[count : count + MORE]:
-            total = sum((flint.arb(_q(c)) * x for c, x in zip(sizes, row, strict=True)), -w)
+            total: Ball = -w
+            for c, x in zip(sizes, row, strict=True):
+                total = total + flint.arb(_q(c)) * x
             if not total.contains(0):
                 return None
     kept = [(c, e) for c, e in zip(sizes, exponents, strict=True) if c]

@@ -23,9 +23,14 @@ from gainproof.verify.judge.setting.environment import (
     RATIO,
     NotEstablished,
 )
-from gainproof.verify.judge.setting.plane_chart import COVERED
+from gainproof.verify.judge.setting.plane_chart import COVERED, charted_entries
 from gainproof.verify.judge.setting.position_velocity import position_velocity
-from gainproof.verify.judge.setting.two_measurements import Entries, Noise
+from gainproof.verify.judge.setting.two_measurements import (
+    Entries,
+    Noise,
+    entries,
+    exact_velocity,
+)
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 NAMES = ("predicted_covariance.1.1", "predicted_covariance.1.2", "predicted_covariance.2.2")
@@ -73,7 +78,7 @@ def _other(found: Entries, place: int) -> Entries:
 
 @pytest.mark.parametrize("place", range(6))
 def test_a_wrong_entry_is_no_steady_state(place: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    right = module.charted_entries
+    right = charted_entries
     monkeypatch.setattr(module, "charted_entries", lambda: _other(right(), place))
     with pytest.raises(NotEstablished):
         position_velocity(COVERED, "white acceleration")
@@ -81,14 +86,14 @@ def test_a_wrong_entry_is_no_steady_state(place: int, monkeypatch: pytest.Monkey
 
 @pytest.mark.parametrize("place", range(6))
 def test_a_wrong_closed_form_is_found(place: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    right = module.entries
+    right = entries
     monkeypatch.setattr(module, "entries", lambda *given: _other(right(*given), place))
     with pytest.raises(NotEstablished):
         position_velocity(COVERED, "white acceleration")
 
 
 def test_the_other_root_is_no_steady_state(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = module.charted_entries()
+    right = charted_entries()
     turned = replace(right, predicted=(right.predicted[0], -right.predicted[1], right.predicted[2]))
     monkeypatch.setattr(module, "charted_entries", lambda: turned)
     with pytest.raises(NotEstablished):
@@ -96,7 +101,7 @@ def test_the_other_root_is_no_steady_state(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_a_wrong_limit_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = module.exact_velocity
+    right = exact_velocity
     monkeypatch.setattr(module, "exact_velocity", lambda *given: right(*given) * 2)
     with pytest.raises(NotEstablished, match="continuous"):
         position_velocity(COVERED, "white acceleration")
