@@ -7,13 +7,16 @@ from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim_record import Claim, Setting, SymbolEntry
-from gainproof.verify.judge.formula import Formula
+from gainproof.verify.judge.formula import Formula, Reading, Relation
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.whole import Change
 from gainproof.verify.judge.setting.environment import Environment
+
+CONNECTING = ("implication", "equivalence")
+"""Kinds of claims of two parts."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,30 @@ def with_formula(claim: Claim, formula: Formula) -> Claim:
 def is_proved(claim: Claim, setting: Setting, environment: Environment) -> bool:
     """Whether the judge proves the claim on its whole domain."""
     return judge_claim(claim, setting, environment).verdict == "proved"
+
+
+def is_of_use(claim: Claim, setting: Setting, environment: Environment) -> bool:
+    """Whether the judge proves the claim, and an implication or equivalence connects something:
+    its second part does not hold by itself, nor its first part nowhere.
+    """
+    if not is_proved(claim, setting, environment):
+        return False
+    formula = claim.formula
+    if formula is None or len(formula.readings) != 1:
+        return True
+    (reading,) = formula.readings
+    if claim.kind not in CONNECTING and reading.connective == "if":
+        return True
+
+    def alone(relations: tuple[Relation, ...]) -> str:
+        part = replace(formula, readings=(Reading(relations),))
+        return judge_claim(
+            replace(claim, kind="inequality", formula=part), setting, environment
+        ).verdict
+
+    may_be_thin = any(r.operator == "=" for r in reading.relations)
+    is_never = not may_be_thin and alone(reading.relations) == "refuted"
+    return not is_never and alone(reading.conditions) != "proved"
 
 
 def standing(claim: Claim, setting: Setting, environment: Environment) -> str | None:

@@ -20,9 +20,10 @@ from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
-from gainproof.verify.judge.repair.proof import Offer, is_proved, reread, with_formula
+from gainproof.verify.judge.repair.proof import Offer, is_of_use, reread, with_formula
 from gainproof.verify.judge.repair.rank import parts_of_claims, rank
 from gainproof.verify.judge.repair.rounded import rounded
+from gainproof.verify.judge.repair.senseless import is_more_senseless
 from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
@@ -137,9 +138,7 @@ class Search:
 
     @property
     def is_late(self) -> bool:
-        """Whether enough was tried, or the time is over. What is found must not depend on the
-        machine's speed, so that the count should be reached first.
-        """
+        """Whether enough was tried, which should come first on any machine, or the time is over."""
         return self.tried > MOST_TRIED or time.perf_counter() > self.deadline
 
     def _first(self, candidates: Iterable[Change]) -> list[Offer]:
@@ -158,9 +157,9 @@ class Search:
             self.tried += 1
             if self.is_late:
                 return
-            if self.by_values and not self.agrees(change.printed):
-                continue
-            yield change
+            holds = not self.by_values or self.agrees(change.printed)
+            if holds and not is_more_senseless(change.printed, self.formula):
+                yield change
 
     def _proved(self, ordered: Sequence[Change]) -> list[Offer]:
         found: list[Offer] = []
@@ -181,12 +180,13 @@ class Search:
         formula = reread(change.printed, self.setting.symbols)
         if formula is None or reading_fault(formula.readings[0], self.setting) is not None:
             return None
-        is_about = any(symbols_of(side) for side in self.formula.sides)
-        if is_about and self.off.is_trivial(printed(formula.readings[0])):
+        if any(symbols_of(side) for side in self.formula.sides) and self.off.is_trivial(
+            printed(formula.readings[0])
+        ):
             return None
         if self.by_values and not is_sharp(self.formula, change.printed, self.far):
             return None
-        if not is_proved(with_formula(self.claim, formula), self.setting, self.environment):
+        if not is_of_use(with_formula(self.claim, formula), self.setting, self.environment):
             return None
         return Offer(formula, change, self.environment.name)
 

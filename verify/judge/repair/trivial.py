@@ -10,7 +10,7 @@ import flint
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.poly import Ball, rational
-from gainproof.verify.judge.repair.printed import Printed
+from gainproof.verify.judge.repair.printed import Link, Printed
 from gainproof.verify.judge.repair.values import PRECISION, Values, truth
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 
@@ -39,18 +39,28 @@ class OffTheModel:
         """Whether the formula needs neither the model nor the source's definitions."""
         if all(_alike(formula, link.left, link.right) for link in formula.links):
             return True
-        if formula.connective != "if":
-            claimed = [(link.operator, *_ends(formula, link)) for link in formula.links]
-            stated = [(link.operator, *_ends(formula, link)) for link in formula.conditions]
-            if claimed == stated:
-                return True
+        claimed = [(link.operator, *_ends(formula, link)) for link in formula.links]
+        stated = [(link.operator, *_ends(formula, link)) for link in formula.conditions]
+        if claimed == stated or (formula.connective == "if" and set(claimed) & set(stated)):
+            return True
         used = set().union(*[symbols_of(side) for side in formula.sides])
         if not used:
+            return True
+        if any(self._is_constant(formula, link) for link in formula.links):
             return True
         if not self.names:
             return False
         found = [truth(values, formula) for values in self.values]
         return False not in found and True in found
+
+    def _is_constant(self, formula: Printed, link: Link) -> bool:
+        """Whether an order compares sides that differ by a number whatever their symbols are."""
+        left, right = formula.sides[link.left], formula.sides[link.right]
+        if link.operator == "=" or not symbols_of(left) & symbols_of(right):
+            return False
+        pairs = [(values.ball(left), values.ball(right)) for values in self.values]
+        gaps = [a - b for a, b in pairs if a is not None and b is not None]
+        return len(gaps) > 2 and all(gap.overlaps(gaps[0]) for gap in gaps)
 
 
 def _means_something(scope: Scope, name: str) -> bool:
