@@ -10,6 +10,7 @@ from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.meaning.reach import names_in
 from gainproof.verify.judge.repair.points import Point
 from gainproof.verify.judge.repair.printed import Printed, printed
 from gainproof.verify.judge.repair.values import Values, truth
@@ -17,7 +18,9 @@ from gainproof.verify.judge.scope import Scope
 
 BY_VALUES = ("identity", "inequality")
 PLAIN = ("add", "mul", "neg", "div", "pow")
-"""Nodes that have a value by those of their parts; others have one by the source's definitions."""
+"""Nodes that have a value by those of their parts; others have one by the source's definitions,
+and none is known where the changed one is among these.
+"""
 
 
 class _Chained(Values):
@@ -45,14 +48,19 @@ class _Changed(_Chained):
         return super().symbol(name) if name in self._reach.names else self._known.symbol(name)
 
     def _ball(self, expr: Expr) -> Ball | None:
+        if self._reach.hides(expr):
+            return None
         return super()._ball(expr) if self._reach.has(expr) else self._known._ball(expr)
 
 
 @dataclass
 class _Reach:
-    """The symbols whose printed definitions use one symbol, it included, and what uses these."""
+    """The symbols whose printed definitions use one symbol, it included, and what uses these;
+    `every` are those whose definitions do, be they numbers, matrices or functions.
+    """
 
     names: frozenset[str]
+    every: frozenset[str]
     _seen: dict[bytes, bool] = field(default_factory=dict)
 
     def has(self, expr: Expr) -> bool:
@@ -60,6 +68,12 @@ class _Reach:
         if expr.key not in self._seen:
             self._seen[expr.key] = self._has(expr)
         return self._seen[expr.key]
+
+    def hides(self, expr: Expr) -> bool:
+        """Whether a node depends on one of them in a way that its parts do not show."""
+        if expr.kind in (*PLAIN, "number", "symbol"):
+            return False
+        return not self.every.isdisjoint(names_in(expr))
 
     def _has(self, expr: Expr) -> bool:
         if expr.kind == "symbol":
@@ -79,22 +93,23 @@ class Chain:
         bodies: Mapping[str, Expr],
     ) -> None:
         self._token, self._bodies = token, bodies
-        self._claims = [c for c in claims if c.kind in BY_VALUES and c.formula is not None]
-        self._reach = _Reach(_users(token, bodies))
+        self._printed = {c.id: told for c in claims if (told := _told(c)) is not None}
+        self._claims = [c for c in claims if c.id in self._printed]
+        every = frozenset(n for n in scope.setting.symbols if token in {n, *scope.reach.of(n)})
+        self._reach = _Reach(_users(token, bodies), every)
         self._known = {
             claim.id: [_Chained(scope, point, bodies) for point in points[claim.id]]
             for claim in self._claims
         }
-        self._printed: dict[str, Printed] = {}
 
     def agrees(self, body: Expr) -> bool:
         """Whether every claim is seen to hold at its points with the changed definition, one at
-        least having a value there. Raises Malformed for a claim that is not about numbers.
+        least having a value there.
         """
         bodies = {**self._bodies, self._token: body}
         seen = False
         for claim in self._claims:
-            told = self._told(claim)
+            told = self._printed[claim.id]
             for known in self._known[claim.id]:
                 found = truth(_Changed(known, self._reach, bodies), told)
                 if found is False:
@@ -102,11 +117,17 @@ class Chain:
                 seen = seen or found is True
         return seen
 
-    def _told(self, claim: Claim) -> Printed:
-        if claim.id not in self._printed:
-            assert claim.formula is not None
-            self._printed[claim.id] = printed(claim.formula.readings[0])
-        return self._printed[claim.id]
+
+def _told(claim: Claim) -> Printed | None:
+    """What a claim says of numbers; None for a claim of matrices, or one that points do not
+    decide.
+    """
+    if claim.kind not in BY_VALUES or claim.formula is None:
+        return None
+    try:
+        return printed(claim.formula.readings[0])
+    except Malformed:
+        return None
 
 
 def _users(token: str, bodies: Mapping[str, Expr]) -> frozenset[str]:

@@ -20,6 +20,7 @@ from gainproof.verify.judge.repair.chained import Chain, printed_bodies
 from gainproof.verify.judge.repair.points import Point, free_points
 from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
+from gainproof.verify.judge.repair.senseless import is_more_senseless
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
 from gainproof.verify.judge.repair.whole import Change
@@ -125,7 +126,10 @@ def _borne_out(suspect: Suspect, change: Change, convention: Convention) -> dict
 def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
     definition = setting.symbols[suspect.token].definition
     assert definition is not None
-    formula = printed(definition.readings[0])
+    try:
+        formula = printed(definition.readings[0])
+    except Malformed:
+        return  # slips are looked for in definitions of numbers, not of matrices
     left = formula.sides[formula.links[0].left]
     table = table_of(setting, formula, (*suspect.wrong, *suspect.right))
     for change in changes(formula, table, sample_numbers(setting)):
@@ -133,7 +137,8 @@ def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
             node.kind in ("symbol", "call") and node.name == suspect.token
             for node in walk(_body(change))
         )
-        if change.printed.sides[formula.links[0].left] == left and not circular:
+        kept = change.printed.sides[formula.links[0].left] == left
+        if kept and not circular and not is_more_senseless(change.printed, formula):
             yield change
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from claim_texts import MODELS, algebra, claim_file, judged, steady
 
 from gainproof.verify.judge.judge import judge_file
@@ -28,6 +29,33 @@ def test_definition_is_repaired_by_what_the_claims_need() -> None:
         assert claim.verdict == "refuted"
         assert claim.repair is None
         assert "would be proved with w defined as w = v + a T" in claim.reason
+
+
+ROW = "'M' = { definition = '(w, 1)', meaning = 'a row' }\n"
+MATRIX = "\\begin{pmatrix} w & 0 \\\\ 0 & T \\end{pmatrix}"
+
+
+@pytest.mark.parametrize(
+    ("more", "latex"),
+    [
+        ("", r"w (1, T) = (v + a T) (1, T)"),
+        (ROW, r"M = (v + a T, 1)"),
+        (f"'M' = {{ definition = '{MATRIX}', meaning = 'M' }}\n", r"\det M = v T + a T^2"),
+        ("'f' = { definition = 'w x', arguments = ['x'], meaning = 'f' }\n", r"f(T) = v T + a T^2"),
+        ("", r"\exp\left(\frac{w T}{x}\right) = \exp\left(\frac{v T + a T^2}{x}\right)"),
+    ],
+)
+def test_what_values_do_not_decide_is_no_obstacle(more: str, latex: str) -> None:
+    """A claim about a matrix, or one whose value the source's own definition gives."""
+    head = algebra(HEAD + "'w' = { definition = 'v - a T', meaning = 'velocity later' }\n" + more)
+    definition, *claims = judged(
+        head, ("definition", "w = v - a T"), *CLAIMS[:2], ("identity", latex)
+    )
+    assert definition.repair == {"latex": "w = v + a T", "verdict": "proved"}
+    for claim in claims:
+        assert claim.verdict in ("refuted", "conditional"), claim.reason
+        assert "would be proved" in claim.reason
+        assert "with w defined as w = v + a T" in claim.reason
 
 
 def test_a_claim_without_a_formula_is_no_obstacle() -> None:
