@@ -52,15 +52,27 @@ _VELOCITY_RATIO_DOMAIN = Domain(
 )
 _TRACKING_INDEX_DOMAIN_2 = Domain(
     "tracking_index",
-    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5",
-    (1e-12, 1000000000000.0),
+    "a number at least 1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5",
+    (1e-30, 1e30),
     (9.999999747378752e-06, 100000.0),
 )
 _VELOCITY_RATIO_DOMAIN_2 = Domain(
     "velocity_ratio",
-    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5",
-    (1e-12, 1000000000000.0),
+    "a number at least 1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5",
+    (1e-30, 1e30),
     (9.999999747378752e-06, 100000.0),
+)
+_TRACKING_INDEX_DOMAIN_3 = Domain(
+    "tracking_index",
+    "a number at least 1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6",
+    (1e-30, 1e30),
+    (9.999999974752427e-07, 1000000.0),
+)
+_VELOCITY_RATIO_DOMAIN_3 = Domain(
+    "velocity_ratio",
+    "a number at least 1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6",
+    (1e-30, 1e30),
+    (9.999999974752427e-07, 1000000.0),
 )
 
 
@@ -413,13 +425,13 @@ class GainsByTrackingIndex(NamedTuple):
     """Result of `gains_by_tracking_index`."""
 
     gain_11: Real
-    """Derivative by tracking_index of the position's gain on the measured position."""
+    """Derivative by Lambda of the position's gain on the measured position."""
     gain_12: Real
-    """Derivative by tracking_index of the position's gain on the measured velocity over T."""
+    """Derivative by Lambda of the position's gain on the measured velocity over T."""
     gain_21: Real
-    """Derivative by tracking_index of the velocity's gain on the measured position times T."""
+    """Derivative by Lambda of the velocity's gain on the measured position times T."""
     gain_22: Real
-    """Derivative by tracking_index of the velocity's gain on the measured velocity."""
+    """Derivative by Lambda of the velocity's gain on the measured velocity."""
 
 
 def gains_by_tracking_index(
@@ -428,8 +440,16 @@ def gains_by_tracking_index(
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
 ) -> GainsByTrackingIndex:
-    """First derivatives by tracking_index of the filter gain.
+    """First derivatives of the filter gain by tracking_index.
 
+        d/dLambda with S held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        As K = U R^-1: dK11 = dU11, dK21 = dU12, dK12 = dU12/S^2, dK22 = dU22/S^2.
+        The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
+        The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
+        The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
@@ -438,22 +458,24 @@ def gains_by_tracking_index(
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
-    gain_11: derivative by tracking_index of the position's gain on the measured position. Relative
-        error at most 38.82 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every input.
-    gain_12: derivative by tracking_index of the position's gain on the measured velocity over T.
-        Error over gain_12_scale at most 39.70 * 2^-52 (float64), 39.01 * 2^-23 (float32), proved
-        for every input. Cancellation in gain_12_difference, condition number 1: its sign changes:
-        the error is relative to the sum of both terms.
-    gain_21: derivative by tracking_index of the velocity's gain on the measured position times T.
-        Error over gain_21_scale at most 38.70 * 2^-52 (float64), 38.01 * 2^-23 (float32), proved
-        for every input. Cancellation in gain_21_difference, condition number 1: its sign changes:
-        the error is relative to the sum of both terms.
-    gain_22: derivative by tracking_index of the velocity's gain on the measured velocity. Relative
-        error at most 46.74 * 2^-52 (float64), 44.78 * 2^-23 (float32), proved for every input.
+    gain_11: derivative by Lambda of the position's gain on the measured position. Relative error at
+        most 38.88 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every input.
+    gain_12: derivative by Lambda of the position's gain on the measured velocity over T. Error over
+        gain_12_scale at most 39.75 * 2^-52 (float64), 39.01 * 2^-23 (float32), proved for every
+        input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
+        grows in one part of the domain and falls in another, so that it vanishes between;
+        gain_12_scale is the sum of the terms whose difference it is.
+    gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
+        over gain_21_scale at most 38.75 * 2^-52 (float64), 38.01 * 2^-23 (float32), proved for
+        every input. Cancellation in gain_21_difference, condition number 1: what it is the
+        derivative of grows in one part of the domain and falls in another, so that it vanishes
+        between; gain_21_scale is the sum of the terms whose difference it is.
+    gain_22: derivative by Lambda of the velocity's gain on the measured velocity. Relative error at
+        most 46.88 * 2^-52 (float64), 44.78 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -603,13 +625,13 @@ class GainsByVelocityRatio(NamedTuple):
     """Result of `gains_by_velocity_ratio`."""
 
     gain_11: Real
-    """Derivative by velocity_ratio of the position's gain on the measured position."""
+    """Derivative by S of the position's gain on the measured position."""
     gain_12: Real
-    """Derivative by velocity_ratio of the position's gain on the measured velocity over T."""
+    """Derivative by S of the position's gain on the measured velocity over T."""
     gain_21: Real
-    """Derivative by velocity_ratio of the velocity's gain on the measured position times T."""
+    """Derivative by S of the velocity's gain on the measured position times T."""
     gain_22: Real
-    """Derivative by velocity_ratio of the velocity's gain on the measured velocity."""
+    """Derivative by S of the velocity's gain on the measured velocity."""
 
 
 def gains_by_velocity_ratio(
@@ -618,8 +640,16 @@ def gains_by_velocity_ratio(
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
 ) -> GainsByVelocityRatio:
-    """First derivatives by velocity_ratio of the filter gain.
+    """First derivatives of the filter gain by velocity_ratio.
 
+        d/dS with Lambda held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is S/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        As K = U R^-1: dK11 = dU11, dK21 = dU12, dK12 = dU12/S^2 - 2 K12/S, and dK22 =
+        dU22/S^2 - 2 K22/S, which is negative and has a form without a subtraction.
+        The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
+        The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
@@ -628,21 +658,21 @@ def gains_by_velocity_ratio(
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
-    gain_11: derivative by velocity_ratio of the position's gain on the measured position. Relative
-        error at most 36.57 * 2^-52 (float64), 35.36 * 2^-23 (float32), proved for every input.
-    gain_12: derivative by velocity_ratio of the position's gain on the measured velocity over T.
-        Error over gain_12_scale at most 37.97 * 2^-52 (float64), 36.94 * 2^-23 (float32), proved
-        for every input. Cancellation in gain_12_difference, condition number 1: its sign changes:
-        the error is relative to the sum of both terms.
-    gain_21: derivative by velocity_ratio of the velocity's gain on the measured position times T.
-        Relative error at most 36.47 * 2^-52 (float64), 35.44 * 2^-23 (float32), proved for every
-        input.
-    gain_22: derivative by velocity_ratio of the velocity's gain on the measured velocity. Relative
-        error at most 48.74 * 2^-52 (float64), 46.78 * 2^-23 (float32), proved for every input.
+    gain_11: derivative by S of the position's gain on the measured position. Relative error at most
+        36.63 * 2^-52 (float64), 35.36 * 2^-23 (float32), proved for every input.
+    gain_12: derivative by S of the position's gain on the measured velocity over T. Error over
+        gain_12_scale at most 38.00 * 2^-52 (float64), 36.94 * 2^-23 (float32), proved for every
+        input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
+        grows in one part of the domain and falls in another, so that it vanishes between;
+        gain_12_scale is the sum of the terms whose difference it is.
+    gain_21: derivative by S of the velocity's gain on the measured position times T. Relative error
+        at most 36.50 * 2^-52 (float64), 35.44 * 2^-23 (float32), proved for every input.
+    gain_22: derivative by S of the velocity's gain on the measured velocity. Relative error at most
+        48.88 * 2^-52 (float64), 46.78 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -792,13 +822,12 @@ class PredictedCovarianceByTrackingIndex(NamedTuple):
     """Result of `predicted_covariance_by_tracking_index`."""
 
     predicted_11: Real
-    """Derivative by tracking_index of the variance of the predicted position over sigma_o^2."""
+    """Derivative by Lambda of the variance of the predicted position over sigma_o^2."""
     predicted_12: Real
-    """Derivative by tracking_index of the covariance of predicted position and velocity times
+    """Derivative by Lambda of the covariance of predicted position and velocity times
     T/sigma_o^2."""
     predicted_22: Real
-    """Derivative by tracking_index of the variance of the predicted velocity times
-    T^2/sigma_o^2."""
+    """Derivative by Lambda of the variance of the predicted velocity times T^2/sigma_o^2."""
 
 
 def predicted_covariance_by_tracking_index(
@@ -807,8 +836,13 @@ def predicted_covariance_by_tracking_index(
     *,
     out: tuple[Real, Real, Real] | None = None,
 ) -> PredictedCovarianceByTrackingIndex:
-    """First derivatives by tracking_index of the predicted covariance.
+    """First derivatives of the predicted covariance by tracking_index.
 
+        d/dLambda with S held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        The entries themselves:
         predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
@@ -817,18 +851,18 @@ def predicted_covariance_by_tracking_index(
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6.
 
-    predicted_11: derivative by tracking_index of the variance of the predicted position over
-        sigma_o^2. Relative error at most 34.78 * 2^-52 (float64), 33.24 * 2^-23 (float32), proved
+    predicted_11: derivative by Lambda of the variance of the predicted position over sigma_o^2.
+        Relative error at most 38.24 * 2^-52 (float64), 34.56 * 2^-23 (float32), proved for every
+        input.
+    predicted_12: derivative by Lambda of the covariance of predicted position and velocity times
+        T/sigma_o^2. Relative error at most 36.37 * 2^-52 (float64), 31.33 * 2^-23 (float32), proved
         for every input.
-    predicted_12: derivative by tracking_index of the covariance of predicted position and velocity
-        times T/sigma_o^2. Relative error at most 32.33 * 2^-52 (float64), 25.45 * 2^-23 (float32),
-        proved for every input.
-    predicted_22: derivative by tracking_index of the variance of the predicted velocity times
-        T^2/sigma_o^2. Relative error at most 41.32 * 2^-52 (float64), 35.11 * 2^-23 (float32),
+    predicted_22: derivative by Lambda of the variance of the predicted velocity times
+        T^2/sigma_o^2. Relative error at most 45.35 * 2^-52 (float64), 35.86 * 2^-23 (float32),
         proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
@@ -979,7 +1013,7 @@ def _predicted_covariance_by_tracking_index_block(
 
 _PREDICTED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     "predicted_covariance_by_tracking_index",
-    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    (_TRACKING_INDEX_DOMAIN_3, _VELOCITY_RATIO_DOMAIN_3),
     ("predicted_11", "predicted_12", "predicted_22"),
     18,
     _predicted_covariance_by_tracking_index_block,
@@ -990,13 +1024,11 @@ class PredictedCovarianceByVelocityRatio(NamedTuple):
     """Result of `predicted_covariance_by_velocity_ratio`."""
 
     predicted_11: Real
-    """Derivative by velocity_ratio of the variance of the predicted position over sigma_o^2."""
+    """Derivative by S of the variance of the predicted position over sigma_o^2."""
     predicted_12: Real
-    """Derivative by velocity_ratio of the covariance of predicted position and velocity times
-    T/sigma_o^2."""
+    """Derivative by S of the covariance of predicted position and velocity times T/sigma_o^2."""
     predicted_22: Real
-    """Derivative by velocity_ratio of the variance of the predicted velocity times
-    T^2/sigma_o^2."""
+    """Derivative by S of the variance of the predicted velocity times T^2/sigma_o^2."""
 
 
 def predicted_covariance_by_velocity_ratio(
@@ -1005,8 +1037,13 @@ def predicted_covariance_by_velocity_ratio(
     *,
     out: tuple[Real, Real, Real] | None = None,
 ) -> PredictedCovarianceByVelocityRatio:
-    """First derivatives by velocity_ratio of the predicted covariance.
+    """First derivatives of the predicted covariance by velocity_ratio.
 
+        d/dS with Lambda held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is S/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        The entries themselves:
         predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
@@ -1015,19 +1052,18 @@ def predicted_covariance_by_velocity_ratio(
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
-    predicted_11: derivative by velocity_ratio of the variance of the predicted position over
-        sigma_o^2. Relative error at most 33.78 * 2^-52 (float64), 31.40 * 2^-23 (float32), proved
+    predicted_11: derivative by S of the variance of the predicted position over sigma_o^2. Relative
+        error at most 37.24 * 2^-52 (float64), 31.40 * 2^-23 (float32), proved for every input.
+    predicted_12: derivative by S of the covariance of predicted position and velocity times
+        T/sigma_o^2. Relative error at most 36.20 * 2^-52 (float64), 29.79 * 2^-23 (float32), proved
         for every input.
-    predicted_12: derivative by velocity_ratio of the covariance of predicted position and velocity
-        times T/sigma_o^2. Relative error at most 33.68 * 2^-52 (float64), 29.79 * 2^-23 (float32),
-        proved for every input.
-    predicted_22: derivative by velocity_ratio of the variance of the predicted velocity times
-        T^2/sigma_o^2. Relative error at most 34.13 * 2^-52 (float64), 41.67 * 2^-23 (float32),
-        proved for every input.
+    predicted_22: derivative by S of the variance of the predicted velocity times T^2/sigma_o^2.
+        Relative error at most 37.50 * 2^-52 (float64), 41.67 * 2^-23 (float32), proved for every
+        input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1135,12 +1171,11 @@ class UpdatedCovarianceByTrackingIndex(NamedTuple):
     """Result of `updated_covariance_by_tracking_index`."""
 
     updated_11: Real
-    """Derivative by tracking_index of the variance of the updated position over sigma_o^2."""
+    """Derivative by Lambda of the variance of the updated position over sigma_o^2."""
     updated_12: Real
-    """Derivative by tracking_index of the covariance of updated position and velocity times
-    T/sigma_o^2."""
+    """Derivative by Lambda of the covariance of updated position and velocity times T/sigma_o^2."""
     updated_22: Real
-    """Derivative by tracking_index of the variance of the updated velocity times T^2/sigma_o^2."""
+    """Derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2."""
 
 
 def updated_covariance_by_tracking_index(
@@ -1149,8 +1184,14 @@ def updated_covariance_by_tracking_index(
     *,
     out: tuple[Real, Real, Real] | None = None,
 ) -> UpdatedCovarianceByTrackingIndex:
-    """First derivatives by tracking_index of the updated covariance.
+    """First derivatives of the updated covariance by tracking_index.
 
+        d/dLambda with S held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        The output updated_12 is the difference of two positive terms, updated_12_scale their sum.
+        The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
@@ -1159,20 +1200,21 @@ def updated_covariance_by_tracking_index(
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
-    updated_11: derivative by tracking_index of the variance of the updated position over sigma_o^2.
-        Relative error at most 38.82 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every
+    updated_11: derivative by Lambda of the variance of the updated position over sigma_o^2.
+        Relative error at most 38.88 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every
         input.
-    updated_12: derivative by tracking_index of the covariance of updated position and velocity
-        times T/sigma_o^2. Error over updated_12_scale at most 38.70 * 2^-52 (float64), 37.84 *
-        2^-23 (float32), proved for every input. Cancellation in updated_12_difference, condition
-        number 1: its sign changes: the error is relative to the sum of both terms.
-    updated_22: derivative by tracking_index of the variance of the updated velocity times
-        T^2/sigma_o^2. Relative error at most 45.74 * 2^-52 (float64), 43.78 * 2^-23 (float32),
-        proved for every input.
+    updated_12: derivative by Lambda of the covariance of updated position and velocity times
+        T/sigma_o^2. Error over updated_12_scale at most 38.75 * 2^-52 (float64), 37.84 * 2^-23
+        (float32), proved for every input. Cancellation in updated_12_difference, condition number
+        1: what it is the derivative of grows in one part of the domain and falls in another, so
+        that it vanishes between; updated_12_scale is the sum of the terms whose difference it is.
+    updated_22: derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2.
+        Relative error at most 45.88 * 2^-52 (float64), 43.78 * 2^-23 (float32), proved for every
+        input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1317,12 +1359,11 @@ class UpdatedCovarianceByVelocityRatio(NamedTuple):
     """Result of `updated_covariance_by_velocity_ratio`."""
 
     updated_11: Real
-    """Derivative by velocity_ratio of the variance of the updated position over sigma_o^2."""
+    """Derivative by S of the variance of the updated position over sigma_o^2."""
     updated_12: Real
-    """Derivative by velocity_ratio of the covariance of updated position and velocity times
-    T/sigma_o^2."""
+    """Derivative by S of the covariance of updated position and velocity times T/sigma_o^2."""
     updated_22: Real
-    """Derivative by velocity_ratio of the variance of the updated velocity times T^2/sigma_o^2."""
+    """Derivative by S of the variance of the updated velocity times T^2/sigma_o^2."""
 
 
 def updated_covariance_by_velocity_ratio(
@@ -1331,8 +1372,13 @@ def updated_covariance_by_velocity_ratio(
     *,
     out: tuple[Real, Real, Real] | None = None,
 ) -> UpdatedCovarianceByVelocityRatio:
-    """First derivatives by velocity_ratio of the updated covariance.
+    """First derivatives of the updated covariance by velocity_ratio.
 
+        d/dS with Lambda held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is S/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
@@ -1341,19 +1387,18 @@ def updated_covariance_by_velocity_ratio(
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-5 and at most 1e5.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
-    updated_11: derivative by velocity_ratio of the variance of the updated position over sigma_o^2.
-        Relative error at most 33.48 * 2^-52 (float64), 30.86 * 2^-23 (float32), proved for every
+    updated_11: derivative by S of the variance of the updated position over sigma_o^2. Relative
+        error at most 36.26 * 2^-52 (float64), 30.86 * 2^-23 (float32), proved for every input.
+    updated_12: derivative by S of the covariance of updated position and velocity times
+        T/sigma_o^2. Relative error at most 36.20 * 2^-52 (float64), 29.75 * 2^-23 (float32), proved
+        for every input.
+    updated_22: derivative by S of the variance of the updated velocity times T^2/sigma_o^2.
+        Relative error at most 37.50 * 2^-52 (float64), 41.67 * 2^-23 (float32), proved for every
         input.
-    updated_12: derivative by velocity_ratio of the covariance of updated position and velocity
-        times T/sigma_o^2. Relative error at most 33.68 * 2^-52 (float64), 29.75 * 2^-23 (float32),
-        proved for every input.
-    updated_22: derivative by velocity_ratio of the variance of the updated velocity times
-        T^2/sigma_o^2. Relative error at most 34.13 * 2^-52 (float64), 41.67 * 2^-23 (float32),
-        proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise

@@ -50,14 +50,26 @@ _VELOCITY_RATIO_DOMAIN = Domain(
 )
 _TRACKING_INDEX_DOMAIN_2 = Domain(
     "tracking_index",
-    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-4 and at most 1e4",
-    (1e-12, 1000000000000.0),
-    (9.999999747378752e-05, 10000.0),
+    "a number at least 1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5",
+    (1e-30, 1e30),
+    (9.999999747378752e-06, 100000.0),
 )
 _VELOCITY_RATIO_DOMAIN_2 = Domain(
     "velocity_ratio",
-    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-4 and at most 1e4",
-    (1e-12, 1000000000000.0),
+    "a number at least 1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5",
+    (1e-30, 1e30),
+    (9.999999747378752e-06, 100000.0),
+)
+_TRACKING_INDEX_DOMAIN_3 = Domain(
+    "tracking_index",
+    "a number at least 1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4",
+    (1e-30, 1e30),
+    (9.999999747378752e-05, 10000.0),
+)
+_VELOCITY_RATIO_DOMAIN_3 = Domain(
+    "velocity_ratio",
+    "a number at least 1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4",
+    (1e-30, 1e30),
     (9.999999747378752e-05, 10000.0),
 )
 
@@ -363,13 +375,13 @@ class GainsByTrackingIndex(NamedTuple):
     """Result of `gains_by_tracking_index`."""
 
     gain_11: Real
-    """Derivative by tracking_index of the position's gain on the measured position."""
+    """Derivative by Lambda of the position's gain on the measured position."""
     gain_12: Real
-    """Derivative by tracking_index of the position's gain on the measured velocity over T."""
+    """Derivative by Lambda of the position's gain on the measured velocity over T."""
     gain_21: Real
-    """Derivative by tracking_index of the velocity's gain on the measured position times T."""
+    """Derivative by Lambda of the velocity's gain on the measured position times T."""
     gain_22: Real
-    """Derivative by tracking_index of the velocity's gain on the measured velocity."""
+    """Derivative by Lambda of the velocity's gain on the measured velocity."""
 
 
 def gains_by_tracking_index(
@@ -378,8 +390,16 @@ def gains_by_tracking_index(
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
 ) -> GainsByTrackingIndex:
-    """First derivatives by tracking_index of the filter gain.
+    """First derivatives of the filter gain by tracking_index.
 
+        d/dLambda with S held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        As K = U R^-1: dK11 = dU11, dK21 = dU12, dK12 = dU12/S^2, dK22 = dU22/S^2.
+        The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
+        The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
+        The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
@@ -387,23 +407,25 @@ def gains_by_tracking_index(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
+        and at most 1e30, in float32 at least 1e-5 and at most 1e5.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
-    gain_11: derivative by tracking_index of the position's gain on the measured position. Relative
-        error at most 32.86 * 2^-52 (float64), 27.86 * 2^-23 (float32), proved for every input.
-    gain_12: derivative by tracking_index of the position's gain on the measured velocity over T.
-        Error over gain_12_scale at most 37.31 * 2^-52 (float64), 32.78 * 2^-23 (float32), proved
-        for every input. Cancellation in gain_12_difference, condition number 1: its sign changes:
-        the error is relative to the sum of both terms.
-    gain_21: derivative by tracking_index of the velocity's gain on the measured position times T.
-        Error over gain_21_scale at most 36.31 * 2^-52 (float64), 31.78 * 2^-23 (float32), proved
-        for every input. Cancellation in gain_21_difference, condition number 1: its sign changes:
-        the error is relative to the sum of both terms.
-    gain_22: derivative by tracking_index of the velocity's gain on the measured velocity. Relative
-        error at most 40.87 * 2^-52 (float64), 39.81 * 2^-23 (float32), proved for every input.
+    gain_11: derivative by Lambda of the position's gain on the measured position. Relative error at
+        most 34.79 * 2^-52 (float64), 27.90 * 2^-23 (float32), proved for every input.
+    gain_12: derivative by Lambda of the position's gain on the measured velocity over T. Error over
+        gain_12_scale at most 39.53 * 2^-52 (float64), 33.49 * 2^-23 (float32), proved for every
+        input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
+        grows in one part of the domain and falls in another, so that it vanishes between;
+        gain_12_scale is the sum of the terms whose difference it is.
+    gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
+        over gain_21_scale at most 38.53 * 2^-52 (float64), 32.49 * 2^-23 (float32), proved for
+        every input. Cancellation in gain_21_difference, condition number 1: what it is the
+        derivative of grows in one part of the domain and falls in another, so that it vanishes
+        between; gain_21_scale is the sum of the terms whose difference it is.
+    gain_22: derivative by Lambda of the velocity's gain on the measured velocity. Relative error at
+        most 43.26 * 2^-52 (float64), 39.81 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -500,13 +522,13 @@ class GainsByVelocityRatio(NamedTuple):
     """Result of `gains_by_velocity_ratio`."""
 
     gain_11: Real
-    """Derivative by velocity_ratio of the position's gain on the measured position."""
+    """Derivative by S of the position's gain on the measured position."""
     gain_12: Real
-    """Derivative by velocity_ratio of the position's gain on the measured velocity over T."""
+    """Derivative by S of the position's gain on the measured velocity over T."""
     gain_21: Real
-    """Derivative by velocity_ratio of the velocity's gain on the measured position times T."""
+    """Derivative by S of the velocity's gain on the measured position times T."""
     gain_22: Real
-    """Derivative by velocity_ratio of the velocity's gain on the measured velocity."""
+    """Derivative by S of the velocity's gain on the measured velocity."""
 
 
 def gains_by_velocity_ratio(
@@ -515,8 +537,16 @@ def gains_by_velocity_ratio(
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
 ) -> GainsByVelocityRatio:
-    """First derivatives by velocity_ratio of the filter gain.
+    """First derivatives of the filter gain by velocity_ratio.
 
+        d/dS with Lambda held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is S/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        As K = U R^-1: dK11 = dU11, dK21 = dU12, dK12 = dU12/S^2 - 2 K12/S, and dK22 =
+        dU22/S^2 - 2 K22/S, which is negative and has a form without a subtraction.
+        The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
+        The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
@@ -524,22 +554,22 @@ def gains_by_velocity_ratio(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
+        and at most 1e30, in float32 at least 1e-4 and at most 1e4.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
 
-    gain_11: derivative by velocity_ratio of the position's gain on the measured position. Relative
-        error at most 84.99 * 2^-52 (float64), 78.83 * 2^-23 (float32), proved for every input.
-    gain_12: derivative by velocity_ratio of the position's gain on the measured velocity over T.
-        Error over gain_12_scale at most 39.31 * 2^-52 (float64), 35.99 * 2^-23 (float32), proved
-        for every input. Cancellation in gain_12_difference, condition number 1: its sign changes:
-        the error is relative to the sum of both terms.
-    gain_21: derivative by velocity_ratio of the velocity's gain on the measured position times T.
-        Relative error at most 37.81 * 2^-52 (float64), 32.02 * 2^-23 (float32), proved for every
-        input.
-    gain_22: derivative by velocity_ratio of the velocity's gain on the measured velocity. Relative
-        error at most 44.69 * 2^-52 (float64), 41.81 * 2^-23 (float32), proved for every input.
+    gain_11: derivative by S of the position's gain on the measured position. Relative error at most
+        87.54 * 2^-52 (float64), 78.83 * 2^-23 (float32), proved for every input.
+    gain_12: derivative by S of the position's gain on the measured velocity over T. Error over
+        gain_12_scale at most 41.03 * 2^-52 (float64), 35.99 * 2^-23 (float32), proved for every
+        input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
+        grows in one part of the domain and falls in another, so that it vanishes between;
+        gain_12_scale is the sum of the terms whose difference it is.
+    gain_21: derivative by S of the velocity's gain on the measured position times T. Relative error
+        at most 39.53 * 2^-52 (float64), 32.02 * 2^-23 (float32), proved for every input.
+    gain_22: derivative by S of the velocity's gain on the measured velocity. Relative error at most
+        46.48 * 2^-52 (float64), 41.81 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -686,7 +716,7 @@ def _gains_by_velocity_ratio_block(given: Arrays, out: Arrays, work: Arrays, _si
 
 _GAINS_BY_VELOCITY_RATIO = Signature(
     "gains_by_velocity_ratio",
-    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    (_TRACKING_INDEX_DOMAIN_3, _VELOCITY_RATIO_DOMAIN_3),
     ("gain_11", "gain_12", "gain_21", "gain_22"),
     12,
     _gains_by_velocity_ratio_block,
@@ -697,13 +727,12 @@ class PredictedCovarianceByTrackingIndex(NamedTuple):
     """Result of `predicted_covariance_by_tracking_index`."""
 
     predicted_11: Real
-    """Derivative by tracking_index of the variance of the predicted position over sigma_o^2."""
+    """Derivative by Lambda of the variance of the predicted position over sigma_o^2."""
     predicted_12: Real
-    """Derivative by tracking_index of the covariance of predicted position and velocity times
+    """Derivative by Lambda of the covariance of predicted position and velocity times
     T/sigma_o^2."""
     predicted_22: Real
-    """Derivative by tracking_index of the variance of the predicted velocity times
-    T^2/sigma_o^2."""
+    """Derivative by Lambda of the variance of the predicted velocity times T^2/sigma_o^2."""
 
 
 def predicted_covariance_by_tracking_index(
@@ -712,8 +741,13 @@ def predicted_covariance_by_tracking_index(
     *,
     out: tuple[Real, Real, Real] | None = None,
 ) -> PredictedCovarianceByTrackingIndex:
-    """First derivatives by tracking_index of the predicted covariance.
+    """First derivatives of the predicted covariance by tracking_index.
 
+        d/dLambda with S held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        The entries themselves:
         predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
@@ -721,19 +755,19 @@ def predicted_covariance_by_tracking_index(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
+        and at most 1e30, in float32 at least 1e-4 and at most 1e4.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
 
-    predicted_11: derivative by tracking_index of the variance of the predicted position over
-        sigma_o^2. Relative error at most 23.37 * 2^-52 (float64), 19.06 * 2^-23 (float32), proved
+    predicted_11: derivative by Lambda of the variance of the predicted position over sigma_o^2.
+        Relative error at most 24.52 * 2^-52 (float64), 19.06 * 2^-23 (float32), proved for every
+        input.
+    predicted_12: derivative by Lambda of the covariance of predicted position and velocity times
+        T/sigma_o^2. Relative error at most 33.83 * 2^-52 (float64), 24.17 * 2^-23 (float32), proved
         for every input.
-    predicted_12: derivative by tracking_index of the covariance of predicted position and velocity
-        times T/sigma_o^2. Relative error at most 31.64 * 2^-52 (float64), 24.17 * 2^-23 (float32),
-        proved for every input.
-    predicted_22: derivative by tracking_index of the variance of the predicted velocity times
-        T^2/sigma_o^2. Relative error at most 28.97 * 2^-52 (float64), 17.06 * 2^-23 (float32),
+    predicted_22: derivative by Lambda of the variance of the predicted velocity times
+        T^2/sigma_o^2. Relative error at most 40.43 * 2^-52 (float64), 17.06 * 2^-23 (float32),
         proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
@@ -827,7 +861,7 @@ def _predicted_covariance_by_tracking_index_block(
 
 _PREDICTED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     "predicted_covariance_by_tracking_index",
-    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    (_TRACKING_INDEX_DOMAIN_3, _VELOCITY_RATIO_DOMAIN_3),
     ("predicted_11", "predicted_12", "predicted_22"),
     9,
     _predicted_covariance_by_tracking_index_block,
@@ -838,13 +872,11 @@ class PredictedCovarianceByVelocityRatio(NamedTuple):
     """Result of `predicted_covariance_by_velocity_ratio`."""
 
     predicted_11: Real
-    """Derivative by velocity_ratio of the variance of the predicted position over sigma_o^2."""
+    """Derivative by S of the variance of the predicted position over sigma_o^2."""
     predicted_12: Real
-    """Derivative by velocity_ratio of the covariance of predicted position and velocity times
-    T/sigma_o^2."""
+    """Derivative by S of the covariance of predicted position and velocity times T/sigma_o^2."""
     predicted_22: Real
-    """Derivative by velocity_ratio of the variance of the predicted velocity times
-    T^2/sigma_o^2."""
+    """Derivative by S of the variance of the predicted velocity times T^2/sigma_o^2."""
 
 
 def predicted_covariance_by_velocity_ratio(
@@ -853,8 +885,13 @@ def predicted_covariance_by_velocity_ratio(
     *,
     out: tuple[Real, Real, Real] | None = None,
 ) -> PredictedCovarianceByVelocityRatio:
-    """First derivatives by velocity_ratio of the predicted covariance.
+    """First derivatives of the predicted covariance by velocity_ratio.
 
+        d/dS with Lambda held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is S/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        The entries themselves:
         predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
@@ -862,20 +899,19 @@ def predicted_covariance_by_velocity_ratio(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
+        and at most 1e30, in float32 at least 1e-5 and at most 1e5.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
-    predicted_11: derivative by velocity_ratio of the variance of the predicted position over
-        sigma_o^2. Relative error at most 29.91 * 2^-52 (float64), 25.03 * 2^-23 (float32), proved
+    predicted_11: derivative by S of the variance of the predicted position over sigma_o^2. Relative
+        error at most 32.32 * 2^-52 (float64), 29.37 * 2^-23 (float32), proved for every input.
+    predicted_12: derivative by S of the covariance of predicted position and velocity times
+        T/sigma_o^2. Relative error at most 31.22 * 2^-52 (float64), 27.67 * 2^-23 (float32), proved
         for every input.
-    predicted_12: derivative by velocity_ratio of the covariance of predicted position and velocity
-        times T/sigma_o^2. Relative error at most 28.22 * 2^-52 (float64), 22.75 * 2^-23 (float32),
-        proved for every input.
-    predicted_22: derivative by velocity_ratio of the variance of the predicted velocity times
-        T^2/sigma_o^2. Relative error at most 31.51 * 2^-52 (float64), 28.36 * 2^-23 (float32),
-        proved for every input.
+    predicted_22: derivative by S of the variance of the predicted velocity times T^2/sigma_o^2.
+        Relative error at most 32.85 * 2^-52 (float64), 34.27 * 2^-23 (float32), proved for every
+        input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -972,12 +1008,11 @@ class UpdatedCovarianceByTrackingIndex(NamedTuple):
     """Result of `updated_covariance_by_tracking_index`."""
 
     updated_11: Real
-    """Derivative by tracking_index of the variance of the updated position over sigma_o^2."""
+    """Derivative by Lambda of the variance of the updated position over sigma_o^2."""
     updated_12: Real
-    """Derivative by tracking_index of the covariance of updated position and velocity times
-    T/sigma_o^2."""
+    """Derivative by Lambda of the covariance of updated position and velocity times T/sigma_o^2."""
     updated_22: Real
-    """Derivative by tracking_index of the variance of the updated velocity times T^2/sigma_o^2."""
+    """Derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2."""
 
 
 def updated_covariance_by_tracking_index(
@@ -986,8 +1021,14 @@ def updated_covariance_by_tracking_index(
     *,
     out: tuple[Real, Real, Real] | None = None,
 ) -> UpdatedCovarianceByTrackingIndex:
-    """First derivatives by tracking_index of the updated covariance.
+    """First derivatives of the updated covariance by tracking_index.
 
+        d/dLambda with S held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        The output updated_12 is the difference of two positive terms, updated_12_scale their sum.
+        The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
@@ -995,21 +1036,22 @@ def updated_covariance_by_tracking_index(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
+        and at most 1e30, in float32 at least 1e-5 and at most 1e5.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
-    updated_11: derivative by tracking_index of the variance of the updated position over sigma_o^2.
-        Relative error at most 32.86 * 2^-52 (float64), 27.86 * 2^-23 (float32), proved for every
+    updated_11: derivative by Lambda of the variance of the updated position over sigma_o^2.
+        Relative error at most 34.79 * 2^-52 (float64), 27.90 * 2^-23 (float32), proved for every
         input.
-    updated_12: derivative by tracking_index of the covariance of updated position and velocity
-        times T/sigma_o^2. Error over updated_12_scale at most 36.31 * 2^-52 (float64), 31.78 *
-        2^-23 (float32), proved for every input. Cancellation in updated_12_difference, condition
-        number 1: its sign changes: the error is relative to the sum of both terms.
-    updated_22: derivative by tracking_index of the variance of the updated velocity times
-        T^2/sigma_o^2. Relative error at most 39.87 * 2^-52 (float64), 38.81 * 2^-23 (float32),
-        proved for every input.
+    updated_12: derivative by Lambda of the covariance of updated position and velocity times
+        T/sigma_o^2. Error over updated_12_scale at most 38.53 * 2^-52 (float64), 32.49 * 2^-23
+        (float32), proved for every input. Cancellation in updated_12_difference, condition number
+        1: what it is the derivative of grows in one part of the domain and falls in another, so
+        that it vanishes between; updated_12_scale is the sum of the terms whose difference it is.
+    updated_22: derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2.
+        Relative error at most 42.26 * 2^-52 (float64), 38.81 * 2^-23 (float32), proved for every
+        input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1101,12 +1143,11 @@ class UpdatedCovarianceByVelocityRatio(NamedTuple):
     """Result of `updated_covariance_by_velocity_ratio`."""
 
     updated_11: Real
-    """Derivative by velocity_ratio of the variance of the updated position over sigma_o^2."""
+    """Derivative by S of the variance of the updated position over sigma_o^2."""
     updated_12: Real
-    """Derivative by velocity_ratio of the covariance of updated position and velocity times
-    T/sigma_o^2."""
+    """Derivative by S of the covariance of updated position and velocity times T/sigma_o^2."""
     updated_22: Real
-    """Derivative by velocity_ratio of the variance of the updated velocity times T^2/sigma_o^2."""
+    """Derivative by S of the variance of the updated velocity times T^2/sigma_o^2."""
 
 
 def updated_covariance_by_velocity_ratio(
@@ -1115,8 +1156,13 @@ def updated_covariance_by_velocity_ratio(
     *,
     out: tuple[Real, Real, Real] | None = None,
 ) -> UpdatedCovarianceByVelocityRatio:
-    """First derivatives by velocity_ratio of the updated covariance.
+    """First derivatives of the updated covariance by velocity_ratio.
 
+        d/dS with Lambda held of what follows. A change of the noise moves the
+        covariance by a sum over the closed loop, which is a mean over z = 1 and z = -1: a
+        variance's derivative is S/delta times squares over Lambda w and over eta, a
+        covariance's has products in place of the squares.
+        The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
         U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
@@ -1124,20 +1170,19 @@ def updated_covariance_by_velocity_ratio(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
+        and at most 1e30, in float32 at least 1e-4 and at most 1e4.
     velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-4 and at most 1e4.
+        1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
 
-    updated_11: derivative by velocity_ratio of the variance of the updated position over sigma_o^2.
-        Relative error at most 70.06 * 2^-52 (float64), 67.30 * 2^-23 (float32), proved for every
+    updated_11: derivative by S of the variance of the updated position over sigma_o^2. Relative
+        error at most 81.86 * 2^-52 (float64), 67.30 * 2^-23 (float32), proved for every input.
+    updated_12: derivative by S of the covariance of updated position and velocity times
+        T/sigma_o^2. Relative error at most 36.67 * 2^-52 (float64), 25.60 * 2^-23 (float32), proved
+        for every input.
+    updated_22: derivative by S of the variance of the updated velocity times T^2/sigma_o^2.
+        Relative error at most 33.15 * 2^-52 (float64), 29.51 * 2^-23 (float32), proved for every
         input.
-    updated_12: derivative by velocity_ratio of the covariance of updated position and velocity
-        times T/sigma_o^2. Relative error at most 32.15 * 2^-52 (float64), 25.60 * 2^-23 (float32),
-        proved for every input.
-    updated_22: derivative by velocity_ratio of the variance of the updated velocity times
-        T^2/sigma_o^2. Relative error at most 31.51 * 2^-52 (float64), 29.51 * 2^-23 (float32),
-        proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -1271,7 +1316,7 @@ def _updated_covariance_by_velocity_ratio_block(
 
 _UPDATED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     "updated_covariance_by_velocity_ratio",
-    (_TRACKING_INDEX_DOMAIN_2, _VELOCITY_RATIO_DOMAIN_2),
+    (_TRACKING_INDEX_DOMAIN_3, _VELOCITY_RATIO_DOMAIN_3),
     ("updated_11", "updated_12", "updated_22"),
     13,
     _updated_covariance_by_velocity_ratio_block,

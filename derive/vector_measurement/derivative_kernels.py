@@ -8,7 +8,6 @@ from typing import Any
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.vector_measurement import by_index, by_ratio
-from gainproof.derive.vector_measurement.by_index import Parts
 from gainproof.derive.vector_measurement.forms import Noise
 from gainproof.derive.vector_measurement.kernels import graph_basis
 from gainproof.derive.vector_measurement.rates import Rates
@@ -64,8 +63,3 @@ def derivative_graph(noise: Noise, kernel: str) -> Graph:
 def difference(output: str) -> str:
     """The name of the difference that is an output of changing sign."""
     return f"{output}_difference"
-
-
-def parts(found: Any) -> Parts | None:
-    """Both parts of a value whose sign changes."""
-    return found if isinstance(found, tuple) else None

@@ -11,12 +11,8 @@ from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.vector_measurement import forms
 from gainproof.derive.vector_measurement.context import Context
-from gainproof.derive.vector_measurement.derivative_kernels import (
-    DERIVATIVES,
-    SCALE,
-    derivative_graph,
-    difference,
-)
+from gainproof.derive.vector_measurement.derivative_kernels import DERIVATIVES, derivative_graph
+from gainproof.derive.vector_measurement.derivative_module import derivative_kernel, is_derivative
 from gainproof.derive.vector_measurement.forms import Noise
 from gainproof.derive.vector_measurement.kernels import FormsOf, known_graph, steady_graph
 
@@ -32,7 +28,6 @@ SUMMARIES = {
     "updated_covariance": "Updated covariance in units of sigma_o^2 and T.",
     "known_velocity": "The position's variances where the velocity is known exactly, S = 0.",
 }
-CHANGES = "its sign changes: the error is relative to the sum of both terms"
 
 MEANINGS = {
     "gain_11": "position's gain on the measured position",
@@ -54,8 +49,6 @@ VALUES = {True: (("1e-8", "1e8"), ("1e-8", "1e8")), False: (("1e-8", "4e6"), ("1
 Without noise in the position the updated cross covariance falls like S^4/Lambda^2, and is no normal
 number of float32 beyond.
 """
-RATES = (("1e-5", "1e5"), ("1e-5", "1e5"))
-NARROW_RATES = (("1e-4", "1e4"), ("1e-4", "1e4"))
 KNOWN = "known_velocity"
 
 
@@ -78,32 +71,19 @@ def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
 
 
 def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
-    base, by, variable = name.partition("_by_")
-    derivative = f"derivative by {variable} of the " if by else ""
-    outputs = [output for output in graph["outputs"] if not output.endswith(SCALE)]
-    scaled = {output for output in outputs if output + SCALE in graph["outputs"]}
+    if is_derivative(name):
+        base, _, _ = name.partition("_by_")
+        return derivative_kernel(c, name, graph, _equations(c, base), MEANINGS)
     return Kernel(
         name=name,
         result="".join(word.capitalize() for word in name.split("_")),
-        summary=f"First derivatives by {variable} of {_group(base)}." if by else SUMMARIES[name],
-        equations=_equations(c, base) if name != KNOWN else _known_equations(c),
+        summary=SUMMARIES[name],
+        equations=_equations(c, name) if name != KNOWN else _known_equations(c),
         inputs=_inputs(c, name),
-        outputs=tuple(
-            Output(
-                output,
-                derivative + MEANINGS[output],
-                relative_to=output + SCALE if output in scaled else None,
-            )
-            for output in outputs
-        ),
+        outputs=tuple(Output(output, MEANINGS[output]) for output in graph["outputs"]),
         graph=graph,
         source=f"derivation {c.model.name}",
-        cancellations={difference(output): CHANGES for output in sorted(scaled)},
     )
-
-
-def _group(base: str) -> str:
-    return {"gains": "the filter gain"}.get(base, f"the {base.replace('_', ' ')}")
 
 
 def _inputs(c: Context, name: str) -> tuple[Input, ...]:
@@ -112,10 +92,7 @@ def _inputs(c: Context, name: str) -> tuple[Input, ...]:
     index = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
     if name == KNOWN:
         return (closed("tracking_index", index, "1e-12", "1e12", ("1e-8", "1e8")),)
-    if "_by_" not in name:
-        single = VALUES[c.noise.interval]
-    else:
-        single = RATES if c.noise.interval else NARROW_RATES
+    single = VALUES[c.noise.interval]
     return (
         closed("tracking_index", index, "1e-12", "1e12", single[0]),
         closed("velocity_ratio", f"S = {ratio}", "1e-12", "1e12", single[1]),
