@@ -9,7 +9,14 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import text
 from gainproof.verify.judge.exact.statement import ORDERS, Outcome, Rel, Statement
-from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, field_over
+from gainproof.verify.judge.setting.chart_field import (
+    HIGH,
+    LOW,
+    ChartField,
+    SignInside,
+    field_over,
+)
+from gainproof.verify.judge.setting.triangle import sign_on_triangle
 
 METHOD = "zero in a field of functions on a chart of all values of the two parameters"
 SIGNS = "signs of polynomials on a chart of all values of the two parameters"
@@ -31,6 +38,7 @@ class Plane:
     """
 
     names: tuple[str, str]
+    sign_inside: SignInside = sign_on_triangle
 
     def decide(
         self, statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
@@ -40,7 +48,8 @@ class Plane:
         """
         if statement.connective != "if":
             raise Undecided("an equivalence over a chart")
-        over = field_over(statement.symbols(), {n: box.is_positive for n, box in boxes.items()})
+        positive = {n: box.is_positive for n, box in boxes.items()}
+        over = field_over(statement.symbols(), positive, self.sign_inside)
         for condition in statement.domain:
             if not _always(over, condition):
                 raise Undecided("a condition that does not hold on the whole chart")

@@ -10,7 +10,7 @@ the sign of its base.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -31,8 +31,10 @@ from gainproof.verify.judge.exact.poly import (
 from gainproof.verify.judge.setting.triangle import sign_on_triangle
 
 LOW, HIGH = "chart v", "chart w"
-"""The base variables, 0 < v < w < sqrt(3)."""
+"""The base variables; 0 < v < w < sqrt(3) unless another domain is said."""
 MOST_ROOTS = 12
+SignInside = Callable[[Poly, int, int], int | None]
+"""The sign that a polynomial of v and w keeps on the domain of these, None where none is shown."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,7 @@ class ChartField:
 
     free: tuple[str, ...]
     positive: frozenset[str]
+    sign_inside: SignInside = sign_on_triangle
     squares: list[Poly] = field(default_factory=list)
     gaps: dict[bytes, Gap] = field(default_factory=dict)
     elements: dict[bytes, Quotient] = field(default_factory=dict)
@@ -92,7 +95,7 @@ class ChartField:
         lead, factors = p.factor()
         sign = 1 if fraction(lead) > 0 else -1
         for factor, exponent in factors:
-            known = sign_on_triangle(factor, self.low, self.high)
+            known = self.sign_inside(factor, self.low, self.high)
             if known is None:
                 return None
             sign *= known**exponent
@@ -239,7 +242,9 @@ class ChartField:
         return self._tidy(num, den)
 
 
-def field_over(names: set[str], positive: Mapping[str, bool]) -> ChartField:
+def field_over(
+    names: set[str], positive: Mapping[str, bool], sign_inside: SignInside = sign_on_triangle
+) -> ChartField:
     """The field for expressions of these symbols."""
     free = tuple(sorted(names - {LOW, HIGH}))
-    return ChartField(free, frozenset(name for name in free if positive.get(name)))
+    return ChartField(free, frozenset(name for name in free if positive.get(name)), sign_inside)

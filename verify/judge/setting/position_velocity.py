@@ -23,6 +23,7 @@ from gainproof.verify.judge.exact.tidy import expression_of
 from gainproof.verify.judge.meaning.square import determinant
 from gainproof.verify.judge.setting.chart_decision import Plane
 from gainproof.verify.judge.setting.chart_field import HIGH, LOW, ChartField, field_over
+from gainproof.verify.judge.setting.charts import Chart, chart_of
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
     INDEX,
@@ -34,13 +35,8 @@ from gainproof.verify.judge.setting.environment import (
     NotEstablished,
 )
 from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
-from gainproof.verify.judge.setting.plane_chart import (
-    COVERED,
-    charted_entries,
-    refuse_unless_onto,
-    squares,
-)
 from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
+from gainproof.verify.judge.setting.steady_state import UNIQUENESS
 from gainproof.verify.judge.setting.two_measurements import (
     Entries,
     Noise,
@@ -50,13 +46,6 @@ from gainproof.verify.judge.setting.two_measurements import (
 
 T, SIGMA = symbol(INTERVAL), symbol(DEVIATION)
 ONE, ZERO = number(1), number(0)
-UNIQUENESS = (
-    (
-        "the Riccati equation has exactly one positive semidefinite solution if all states are "
-        "measured and driven, and its closed loop is stable"
-    ),
-    "B. D. O. Anderson, J. B. Moore, Optimal Filtering, Prentice-Hall 1979, section 4.4",
-)
 WHOLE = "zero and signs on a chart of all values of both parameters"
 
 
@@ -64,27 +53,29 @@ def position_velocity(noise: Noise, name: str) -> Environment:
     """The established steady state; base variables are the tracking index and the ratio
     S = sigma_d T / sigma_o. Raises Undecided, NotEstablished.
     """
-    if noise != COVERED:
-        raise Undecided("two measurements with a process noise other than white acceleration")
+    chosen = chart_of(noise)
+    plane = Plane((INDEX, RATIO), chosen.sign_inside)
     index, ratio = symbol(INDEX), symbol(RATIO)
     closed = entries(index, ratio, ONE, noise)
-    over = field_over({LOW, HIGH}, {})
-    charted = _charted(over)
-    index2, ratio2 = squares()
+    over = field_over({LOW, HIGH}, {}, chosen.sign_inside)
+    charted = _charted(over, chosen.entries)
     ends = {
         "exact_velocity_covariance.1.1": entries(index, ZERO, ONE, noise).predicted[0],
         "no_velocity_covariance.1.1": entries(index, ONE, ZERO, noise).predicted[0],
     }
-    facts = (*_facts(over, charted, closed, noise), _continuous(charted, ends, noise))
+    facts = (
+        *_facts(over, charted, closed, noise, chosen),
+        _continuous(charted, ends, noise, chosen),
+    )
     boxes = {INTERVAL: POSITIVE, DEVIATION: POSITIVE}
     chart = Environment(
         name,
-        _quantities(charted, sqrt(index2), sqrt(ratio2)),
+        _quantities(charted, chosen.index, sqrt(chosen.ratio2)),
         # index and S are no base variables there; their boxes are for their labels
         {**boxes, **dict.fromkeys((LOW, HIGH, INDEX, RATIO), POSITIVE)},
         facts=facts,
-        decide=Plane((INDEX, RATIO)).decide,
-        squares={INDEX: index2, RATIO: ratio2},
+        decide=plane.decide,
+        squares={INDEX: chosen.index2, RATIO: chosen.ratio2},
     )
     quantities = _quantities(closed, index, ratio)
     ends["exact_velocity_covariance.1.1"] = exact_velocity(index, noise)
@@ -101,14 +92,13 @@ def position_velocity(noise: Noise, name: str) -> Environment:
     )
 
 
-def _continuous(charted: Entries, ends: Mapping[str, Expr], noise: Noise) -> Fact:
+def _continuous(charted: Entries, ends: Mapping[str, Expr], noise: Noise, chosen: Chart) -> Fact:
     """That the closed form for S = 0, and the one in 1/S for 1/S = 0, are the limits: it is the
     same form in 1/S, and all its divisors and radicands are positive there. Raises NotEstablished.
     """
     sentence = "the closed form is continuous down to S = 0 and up to 1/S = 0"
-    index2, ratio2 = squares()
-    turned = entries(sqrt(index2), ONE, 1 / sqrt(ratio2), noise).predicted[0]
-    same = Plane((INDEX, RATIO)).decide(
+    turned = entries(chosen.index, ONE, 1 / sqrt(chosen.ratio2), noise).predicted[0]
+    same = Plane((INDEX, RATIO), chosen.sign_inside).decide(
         Statement((Rel("=", turned, charted.predicted[0]),)), {}, {}
     )
     below = [
@@ -150,9 +140,8 @@ def with_assigned(environment: Environment, assigned: Mapping[str, Expr]) -> Env
     return replace(environment, assigned=assigned, chart=chart)
 
 
-def _charted(over: ChartField) -> Entries:
+def _charted(over: ChartField, raw: Entries) -> Entries:
     """The entries as quotients of polynomials without common factor."""
-    raw = charted_entries()
 
     def short(expr: Expr) -> Expr:
         found = over.element(expr)
@@ -191,12 +180,14 @@ def _quantities(found: Entries, index: Expr, ratio: Expr) -> dict[str, Expr]:
     return quantities
 
 
-def _facts(over: ChartField, charted: Entries, closed: Entries, noise: Noise) -> tuple[Fact, ...]:
+def _facts(
+    over: ChartField, charted: Entries, closed: Entries, noise: Noise, chosen: Chart
+) -> tuple[Fact, ...]:
     """What makes the entries the steady state, for all values of both parameters. Raises
     NotEstablished.
     """
-    index2, ratio2 = squares()
-    plane = Plane((INDEX, RATIO))
+    index2, ratio2 = chosen.index2, chosen.ratio2
+    plane = Plane((INDEX, RATIO), chosen.sign_inside)
 
     def shown(sentence: str, relations: Sequence[Rel]) -> Fact:
         found = plane.decide(Statement(tuple(relations)), {}, {})
@@ -215,7 +206,7 @@ def _facts(over: ChartField, charted: Entries, closed: Entries, noise: Noise) ->
     trace = loop[0][0] + loop[1][1]
     stable = left_half_plane(circle_moved([determinant(loop), -trace, ONE]))
     minors = [m for c in (p, u) for m in (c[0][0], determinant(c))]
-    put_in = {INDEX: sqrt(index2), RATIO: sqrt(ratio2)}
+    put_in = {INDEX: chosen.index, RATIO: sqrt(ratio2)}
     same = [
         Rel("=", substituted(a, put_in), b)
         for a, b in zip(
@@ -228,9 +219,9 @@ def _facts(over: ChartField, charted: Entries, closed: Entries, noise: Noise) ->
         Fact(
             "all positive pairs of index and S are met in the chart",
             WHOLE,
-            refuse_unless_onto(over),
+            chosen.onto(over),
         ),
-        shown("index, S are positive in the chart", [Rel(">", e, ZERO) for e in squares()]),
+        shown("index, S are positive in the chart", [Rel(">", e, ZERO) for e in (index2, ratio2)]),
         shown(
             "the Riccati equation holds identically: P = F U F' + Q, U = P - K P, K = U R^-1",
             [Rel("=", e, ZERO) for row in residuals for e in row],

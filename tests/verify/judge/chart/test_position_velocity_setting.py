@@ -16,6 +16,7 @@ from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.setting import position_velocity as module
+from gainproof.verify.judge.setting.charts import chart_of
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
     INDEX,
@@ -23,7 +24,7 @@ from gainproof.verify.judge.setting.environment import (
     RATIO,
     NotEstablished,
 )
-from gainproof.verify.judge.setting.plane_chart import COVERED, charted_entries
+from gainproof.verify.judge.setting.plane_chart import COVERED
 from gainproof.verify.judge.setting.position_velocity import position_velocity
 from gainproof.verify.judge.setting.two_measurements import (
     Entries,
@@ -37,13 +38,21 @@ NAMES = ("predicted_covariance.1.1", "predicted_covariance.1.2", "predicted_cova
 GAINS = ("gain_matrix.1.1", "gain_matrix.1.2", "gain_matrix.2.1", "gain_matrix.2.2")
 
 
-def iterated(index: Fraction, ratio: Fraction) -> tuple[list[mpf], list[mpf]]:
+NOISES = {
+    "continuous white acceleration": COVERED,
+    "random acceleration": Noise(Fraction(1, 4), Fraction(1, 2)),
+    "random velocity": Noise(Fraction(0), Fraction(0)),
+}
+
+
+def iterated(index: Fraction, ratio: Fraction, noise: Noise) -> tuple[list[mpf], list[mpf]]:
     """Predicted covariance and gain in units T = 1, by the filter's own recursion."""
     with mp.workdps(40):
-        f, a = matrix([[1, 1], [0, 1]]), mpf(index.numerator) / index.denominator
-        q = a**2 * matrix([[mpf(1) / 3, mpf(1) / 2], [mpf(1) / 2, 1]])
-        r = matrix([[1, 0], [0, (mpf(ratio.numerator) / ratio.denominator) ** 2]])
-        p = q
+        f, a = matrix([[1, 1], [0, 1]]), _real(index)
+        mixed = _real(noise.mixed)
+        q = a**2 * matrix([[_real(noise.position), mixed], [mixed, 1]])
+        r = matrix([[1, 0], [0, _real(ratio) ** 2]])
+        p = q + matrix([[1, 0], [0, 1]])
         for _ in range(600):
             gain = p * inverse(p + r)
             p = f * (p - gain * p) * f.T + q
@@ -51,22 +60,25 @@ def iterated(index: Fraction, ratio: Fraction) -> tuple[list[mpf], list[mpf]]:
         return [p[0, 0], p[0, 1], p[1, 1]], [gain[i, j] for i in range(2) for j in range(2)]
 
 
-@pytest.mark.parametrize(
-    ("index", "ratio"), [("1", "1"), ("1/3", "2"), ("5", "1/7"), ("9/2", "3/2"), ("2", "40")]
-)
-def test_numbers(index: str, ratio: str) -> None:
-    environment = position_velocity(COVERED, "white acceleration")
-    point = {INDEX: Fraction(index), RATIO: Fraction(ratio)}
+def _real(value: Fraction) -> mpf:
+    return mpf(value.numerator) / value.denominator
+
+
+@pytest.mark.parametrize("name", NOISES)
+def test_numbers(name: str) -> None:
+    environment = position_velocity(NOISES[name], name)
     units = {INTERVAL: Fraction(1), DEVIATION: Fraction(1)}
-    covariance, gain = iterated(point[INDEX], point[RATIO])
-    for name, wanted in zip((*NAMES, *GAINS), (*covariance, *gain), strict=True):
-        ball = enclosed(environment.quantities[name], {**point, **units}, 128)
-        assert float(ball.mid()) == pytest.approx(float(wanted), rel=1e-14, abs=0)
+    for index, ratio in (("1", "1"), ("1/3", "2"), ("5", "1/7"), ("9/2", "3/2"), ("2", "40")):
+        point = {INDEX: Fraction(index), RATIO: Fraction(ratio)}
+        covariance, gain = iterated(point[INDEX], point[RATIO], NOISES[name])
+        for quantity, wanted in zip((*NAMES, *GAINS), (*covariance, *gain), strict=True):
+            ball = enclosed(environment.quantities[quantity], {**point, **units}, 128)
+            assert float(ball.mid()) == pytest.approx(float(wanted), rel=1e-14, abs=0)
 
 
 def test_other_noises_are_refused() -> None:
     with pytest.raises(Undecided):
-        position_velocity(Noise(Fraction(1, 4), Fraction(1, 2)), "random acceleration")
+        position_velocity(Noise(Fraction(1, 2), Fraction(1, 2)), "none with a name")
 
 
 def _other(found: Entries, place: int) -> Entries:
@@ -78,8 +90,9 @@ def _other(found: Entries, place: int) -> Entries:
 
 @pytest.mark.parametrize("place", range(6))
 def test_a_wrong_entry_is_no_steady_state(place: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    right = charted_entries
-    monkeypatch.setattr(module, "charted_entries", lambda: _other(right(), place))
+    right = chart_of(COVERED)
+    wrong = replace(right, entries=_other(right.entries, place))
+    monkeypatch.setattr(module, "chart_of", lambda _: wrong)
     with pytest.raises(NotEstablished):
         position_velocity(COVERED, "white acceleration")
 
@@ -93,11 +106,33 @@ def test_a_wrong_closed_form_is_found(place: int, monkeypatch: pytest.MonkeyPatc
 
 
 def test_the_other_root_is_no_steady_state(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = charted_entries()
-    turned = replace(right, predicted=(right.predicted[0], -right.predicted[1], right.predicted[2]))
-    monkeypatch.setattr(module, "charted_entries", lambda: turned)
+    right = chart_of(COVERED)
+    p11, p12, p22 = right.entries.predicted
+    turned = replace(right.entries, predicted=(p11, -p12, p22))
+    monkeypatch.setattr(module, "chart_of", lambda _: replace(right, entries=turned))
     with pytest.raises(NotEstablished):
         position_velocity(COVERED, "white acceleration")
+
+
+@pytest.mark.parametrize("name", ["random acceleration", "random velocity"])
+@pytest.mark.parametrize("place", range(6))
+def test_a_wrong_entry_of_another_noise(
+    place: int, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    right = chart_of(NOISES[name])
+    wrong = replace(right, entries=_other(right.entries, place))
+    monkeypatch.setattr(module, "chart_of", lambda _: wrong)
+    with pytest.raises(NotEstablished):
+        position_velocity(NOISES[name], name)
+
+
+@pytest.mark.parametrize("name", NOISES)
+def test_a_chart_of_other_pairs_is_found(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    right = chart_of(NOISES[name])
+    wrong = replace(right, ratio2=2 * right.ratio2)
+    monkeypatch.setattr(module, "chart_of", lambda _: wrong)
+    with pytest.raises(NotEstablished):
+        position_velocity(NOISES[name], name)
 
 
 def test_a_wrong_limit_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -170,6 +205,21 @@ def test_claims(kind: str, fields: str, wanted: str) -> None:
         assert verdict.witness is not None
 
 
+@pytest.mark.parametrize(
+    ("noise", "wanted"),
+    [
+        ("[['a^2 T^4/4', 'a^2 T^3/2'], ['a^2 T^3/2', 'a^2 T^2']]", "random acceleration"),
+        ("[['0', '0'], ['0', 'a^2 T^2']]", "random velocity"),
+    ],
+)
+def test_trends_with_other_noises(noise: str, wanted: str) -> None:
+    start = SETTING.index("process_noise = ") + len("process_noise = ")
+    setting = SETTING[:start] + noise + SETTING[SETTING.index("\n", start) :]
+    for way, verdict in (("increasing", "proved"), ("decreasing", "refuted")):
+        found = only("monotone", trend("G", "S", way), setting)
+        assert found.verdict == verdict, (wanted, found.reason)
+
+
 def test_a_divisor_that_vanishes_on_a_curve_has_an_exact_witness() -> None:
     verdict = only("identity", r"P \frac{S^2 - (4/r)^2}{S^2 - (4/r)^2} = P")
     assert verdict.verdict == "conditional"
@@ -183,7 +233,7 @@ def test_a_divisor_that_vanishes_on_a_curve_has_an_exact_witness() -> None:
     [
         ("[\"0\", 'd^2']", "[\"0\", '2 d^2']"),
         ("['o^2', \"0\"]", "['o^2', \"1\"]"),
-        ("['a^2 T^4/3', 'a^2 T^3/2']", "['a^2 T^4/4', 'a^2 T^3/2']"),
+        ("['a^2 T^4/3', 'a^2 T^3/2']", "['a^2 T^4/2', 'a^2 T^3/2']"),
         ('measurement = [["1", "0"], ["0", "1"]]', 'measurement = [["1", "0"], ["1", "1"]]'),
     ],
 )
