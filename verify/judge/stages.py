@@ -83,7 +83,7 @@ def with_repairs(stages: Iterable[Stage], done: Done) -> list[Stage]:
 
 
 def _definition_task(stage: Stage) -> DefinitionTask | None:
-    verdicts = {verdict.id: verdict.verdict for verdict in stage.verdicts}
+    verdicts = {verdict.id: verdict for verdict in stage.verdicts}
     return definition_task(stage.setting, stage.decidable, verdicts, admitted(stage.tried))
 
 

@@ -62,6 +62,12 @@ class ClaimVerdict:
         """Whether the claim is decided, one way or the other."""
         return self.verdict in SETTLED
 
+    @property
+    def only_lacks_values(self) -> bool:
+        """Whether the claim is true wherever both sides have a value, and no more."""
+        sides = [(self.witness or {}).get(side, {}) for side in ("left", "right")]
+        return self.verdict == "conditional" and any("undefined" in side for side in sides)
+
     def to_json(self) -> dict[str, Any]:
         """Plain data."""
         return {

@@ -21,6 +21,7 @@ from gainproof.verify.judge.repair.points import Point, free_points
 from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
 from gainproof.verify.judge.repair.senseless import is_more_senseless
+from gainproof.verify.judge.repair.suspects import Suspect, suspects_of
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
 from gainproof.verify.judge.repair.whole import Change
@@ -29,23 +30,12 @@ from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
+from gainproof.verify.judge.verdict import ClaimVerdict
 
 MOST_TRIED = 4_000
 """So many changed definitions are looked at, whatever the machine's speed."""
 POINTS = 2
 Errors = (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError)
-
-
-@dataclass(frozen=True)
-class Suspect:
-    """A defined symbol, the claims using it that are not true and those that are; `partly` are ids
-    of claims that are true on a part of their domain, which is no gain to them.
-    """
-
-    token: str
-    wrong: tuple[Claim, ...]
-    right: tuple[Claim, ...]
-    partly: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -81,9 +71,9 @@ class DefinitionTask:
         bodies = printed_bodies(convention.setting)
         points: dict[str, list[Point]] = {}
         for suspect in self.suspects:
-            users = (*suspect.wrong, *suspect.right)
-            points |= {c.id: _points(c, convention) for c in users if c.id not in points}
-            chain = Chain(suspect.token, users, points, scope, bodies)
+            users = [c for c in suspect.users if c.id not in points]
+            points |= {c.id: _points(c, convention) for c in users}
+            chain = Chain(suspect.token, suspect.users, points, scope, bodies)
             for change in _changes(suspect, convention.setting):
                 tried += 1
                 if tried > MOST_TRIED or time.perf_counter() > deadline:
@@ -113,6 +103,8 @@ def _borne_out(suspect: Suspect, change: Change, convention: Convention) -> dict
             return None
     if not all(is_proved(claim, setting, convention.environment) for claim in suspect.right):
         return None
+    if any(standing(claim, setting, convention.environment) is None for claim in suspect.kept):
+        return None
     return {
         "token": suspect.token,
         "latex": formula.latex,
@@ -131,7 +123,7 @@ def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
     except Malformed:
         return  # slips are looked for in definitions of numbers, not of matrices
     left = formula.sides[formula.links[0].left]
-    table = table_of(setting, formula, (*suspect.wrong, *suspect.right))
+    table = table_of(setting, formula, suspect.users)
     for change in changes(formula, table, sample_numbers(setting)):
         circular = any(
             node.kind in ("symbol", "call") and node.name == suspect.token
@@ -171,20 +163,11 @@ def changed_definition(setting: Setting, token: str, formula: Formula) -> Settin
 def definition_task(
     setting: Setting,
     claims: Sequence[Claim],
-    verdicts: Mapping[str, str],
+    verdicts: Mapping[str, ClaimVerdict],
     conventions: Sequence[str],
 ) -> DefinitionTask | None:
     """The task for a setting, if claims are not true that use definitions."""
-    suspects: list[Suspect] = []
-    for token, entry in setting.symbols.items():
-        if entry.role != "definition" or entry.arguments:
-            continue
-        users = [c for c in claims if token in reached(c, setting)]
-        wrong = tuple(c for c in users if verdicts.get(c.id) in ("refuted", "conditional"))
-        right = tuple(c for c in users if verdicts.get(c.id) == "proved")
-        if wrong:
-            partly = frozenset(c.id for c in wrong if verdicts[c.id] == "conditional")
-            suspects.append(Suspect(token, wrong, right, partly))
+    suspects = suspects_of(setting, claims, verdicts)
     if not suspects:
         return None
-    return DefinitionTask(suspects[0].wrong[0], setting, tuple(suspects), tuple(conventions))
+    return DefinitionTask(suspects[0].wrong[0], setting, suspects, tuple(conventions))

@@ -29,16 +29,11 @@ def repair_tasks(
     found = []
     for claim in claims:
         if claim.id in wrong and claim.formula is not None and claim.kind != "definition":
-            if _lacks_values_only(wrong[claim.id]) and not _has_conditions(claim):
+            if wrong[claim.id].only_lacks_values and not _has_conditions(claim):
                 continue
             others = tuple(c for c in claims if c.setting == claim.setting and c.id != claim.id)
             found.append(RepairTask(claim, setting, others, tuple(environments)))
     return found
-
-
-def _lacks_values_only(verdict: ClaimVerdict) -> bool:
-    sides = [(verdict.witness or {}).get(side, {}) for side in ("left", "right")]
-    return verdict.verdict == "conditional" and any("undefined" in side for side in sides)
 
 
 def _has_conditions(claim: Claim) -> bool:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import pytest
-from claim_texts import MODELS, algebra, claim_file, memory, steady
+from claim_texts import MODELS, algebra, claim_file, judged, memory, steady
 
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.repair import chained
 from gainproof.verify.judge.repair.catalogue import changes
+from gainproof.verify.judge.repair.definition import definition_task
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
 from gainproof.verify.judge.repair.points import free_points, generic_points
 from gainproof.verify.judge.repair.printed import printed
@@ -145,3 +146,21 @@ def _uses(body: Expr, token: str, bodies: Mapping[str, Expr]) -> bool:
             body.name in bodies and _uses(bodies[body.name], token, bodies)
         )
     return any(_uses(part, token, bodies) for part in body.parts)
+
+
+def test_what_is_true_wherever_it_has_a_value_accuses_no_definition() -> None:
+    claims = [
+        ("identity", r"\frac{c b}{a} = a"),
+        ("identity", r"\sqrt{a}^2 = x - y"),
+        ("identity", r"b - x y = 2"),
+    ]
+    found = claim_file(CHAIN, claims)
+    verdicts = {verdict.id: verdict for verdict in judged(CHAIN, *claims)}
+    assert [v.only_lacks_values for v in verdicts.values()] == [True, True, False]
+    task = definition_task(found.settings["s"], found.claims, verdicts, ())
+    assert task is not None
+    assert {suspect.token for suspect in task.suspects} == {"b"}
+    assert definition_task(found.settings["s"], found.claims[:2], verdicts, ()) is None
+    (suspect,) = task.suspects
+    assert [claim.id for claim in suspect.wrong] == ["c2"]
+    assert [claim.id for claim in suspect.kept] == ["c0"]
