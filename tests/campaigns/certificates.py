@@ -31,7 +31,7 @@ from saved_state import save
 
 import gainproof.generated
 import gainproof.verify.certificate
-from gainproof.deriving import derive_subject
+from gainproof.deriving import build, plain_subject
 from gainproof.rechecking import expected_of, recheck
 from gainproof.verify.certificate import check
 from gainproof.verify.certificate.alteration import Campaign
@@ -115,7 +115,7 @@ def report(name: str, count: int, state: Mapping[str, Data]) -> int:
 def offered(files: list[Path]) -> int:
     """Offer each certificate for other subjects and on smaller domains; how many were accepted."""
     certificates = {data["subject"]: data for data in map(read, files)}
-    expected = {name: expected_of(derive_subject(name)) for name in certificates}
+    expected = {name: expected_of(plain_subject(build(name))) for name in certificates}
     wrong, found = [], Counter[str]()
     for name, certificate in certificates.items():
         if not recheck(certificate, expected[name])["accepted"]:
