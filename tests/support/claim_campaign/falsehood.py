@@ -55,12 +55,12 @@ def _fails(
 ) -> bool | None:
     """Whether something claimed fails at a point where all that is given holds."""
     found = points(domain_of(subject, given), POINTS, random)
-    if subject.claim.kind == "value":
-        said = [_all_shown(subject, point) for point in found]
-    else:
-        said = [_all(claimed, point) for point in found]
-    if False in said:
-        return True
+    said = []
+    for point in found:
+        is_value = subject.claim.kind == "value"
+        said.append(_all_shown(subject, point) if is_value else _all(claimed, point))
+        if said[-1] is False:
+            return True
     if found and not any(said):
         return True  # defined nowhere, so nothing is claimed
     return False if True in said else None
