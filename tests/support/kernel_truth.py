@@ -7,8 +7,12 @@ description of the noise and against the catalogue.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
 from functools import cache
 from typing import Any
+
+import flint
 
 from gainproof.verify.oracles.truth import FitTruth, SteadyStateTruth, Truth, steady_state_truth
 
@@ -35,11 +39,47 @@ FITS: Mapping[str, int] = {
 }
 
 
+KNOWN_VELOCITIES: Mapping[str, str] = {"position_velocity": "continuous_white_acceleration"}
+"""Modules with a kernel for velocities that are measured exactly, and their process noise."""
+
+
+@dataclass(frozen=True)
+class KnownVelocityTruth:
+    """Position measured, velocities known: the displacement in an interval has the variance that
+    is left when both velocities at its ends are given, and the position is all there is to filter.
+    """
+
+    spread: Fraction
+    displacement: SteadyStateTruth
+
+    def at(self, argument: str, value: float) -> Mapping[str, Truth]:
+        """Variances of the position, updated and predicted before the new velocity is known."""
+        updated = self.displacement.at(argument, value)["updated_11"]
+        with flint.ctx.workprec(400):
+            more = self.spread * Fraction(value) ** 2
+            predicted = updated.value + flint.fmpq(more.numerator, more.denominator)
+            return {"updated_11": updated, "predicted_11": Truth(predicted, predicted)}
+
+
+def _known_velocity(noise: list[list[str]]) -> KnownVelocityTruth:
+    (own, cross), (_, last) = ([Fraction(entry) for entry in row] for row in noise)
+    one = [["1"]]
+    data = {
+        "transition": one,
+        "process_noise": [[str(own - cross * cross / last)]],
+        "measurement": one,
+        "measurement_noise": one,
+    }
+    return KnownVelocityTruth(own, steady_state_truth(data))
+
+
 @cache
-def truth_of(family: str) -> SteadyStateTruth | FitTruth:
+def truth_of(family: str) -> SteadyStateTruth | FitTruth | KnownVelocityTruth:
     """The truth about a family; LookupError for one without an oracle."""
     if family in STEADY_STATES:
         return steady_state_truth(STEADY_STATES[family])
+    if family in KNOWN_VELOCITIES:
+        return _known_velocity(STEADY_STATES[KNOWN_VELOCITIES[family]]["process_noise"])
     if family in FITS:
         return FitTruth(FITS[family])
     raise LookupError(f"no oracle knows the family {family}: add its model to kernel_truth")
@@ -50,6 +90,6 @@ def truth_at(
 ) -> Mapping[str, Truth]:
     """Every named quantity of a family where the argument has exactly this value."""
     truth = truth_of(family)
-    if isinstance(truth, FitTruth):
-        return truth.at(argument, value)
-    return truth.at(argument, value, near)
+    if isinstance(truth, SteadyStateTruth):
+        return truth.at(argument, value, near)
+    return truth.at(argument, value)

@@ -119,15 +119,16 @@ def pair_groups(kernels: Sequence[PrintedPair]) -> dict[tuple[str, str], list[Pr
 def points_in(kernel: PrintedPair, dtype: str, span: str, count: int, seed: int) -> NDArray[Any]:
     """Points of a kernel, a row for each argument.
 
-    `span`: "domain" and "near" (1e-6..1e6) log-uniform in all arguments, "grid" the half decades
-    of 1e-6..1e6. What lies outside the domain is left out, its corners are put in.
+    `span`: "domain" and "near" (what it has of 1e-6..1e6) log-uniform in all arguments, "grid" the
+    half decades of 1e-6..1e6. What lies outside the domain is left out, its corners are put in.
     """
     box = kernel.domain[dtype]
     if span == "grid":
         rows = np.meshgrid(*[10.0 ** np.arange(-6, 6.25, 0.5)] * len(box), indexing="ij")
         points = np.stack([row.ravel() for row in rows])
     else:
-        ends = box if span == "domain" else ((1e-6, 1e6),) * len(box)
+        near = [(max(low, 1e-6), min(high, 1e6)) for low, high in box]
+        ends = box if span == "domain" else near
         points = np.stack(
             [np.array(log_uniform(*end, count, 7 * seed + at)) for at, end in enumerate(ends)]
         )
