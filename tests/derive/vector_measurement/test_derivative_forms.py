@@ -2,33 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
-from functools import cache
 from typing import Any
 
 import mpmath
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from position_velocity_slopes import DIGITS, slopes
 
 from gainproof.derive.vector_measurement import forms
 from gainproof.derive.vector_measurement.derivative_kernels import BY_INDEX, BY_RATIO, DERIVATIVES
 from gainproof.derive.vector_measurement.forms import Basis, Noise
 from gainproof.derive.vector_measurement.rates import Rates
-from gainproof.verify.oracles import differences, doubling
-from gainproof.verify.oracles.multiprecision import fraction
-from gainproof.verify.oracles.state_space import state_space
 
-DIGITS = 70
 NOISES = {
-    "random velocity": Noise(Fraction(1), Fraction(0)),
-    "random acceleration": Noise(Fraction(0), Fraction(1, 2)),
-    "continuous white acceleration": Noise(Fraction(1, 3), Fraction(1, 2)),
+    "random_velocity": Noise(Fraction(1), Fraction(0)),
+    "random_acceleration": Noise(Fraction(0), Fraction(1, 2)),
+    "continuous_white_acceleration": Noise(Fraction(1, 3), Fraction(1, 2)),
 }
-FIRST = {"random velocity": "0", "random acceleration": "1/4"}
-"""Q11/Q22, 1/3 where nothing is said; Q12/Q22 is 1/2, or 0 without noise in the position."""
-
 CHANGING = {
     ("gain_12", BY_INDEX),
     ("gain_21", BY_INDEX),
@@ -36,40 +28,6 @@ CHANGING = {
     ("gain_12", BY_RATIO),
 }
 FALLING = {("gain_22", BY_RATIO)}
-
-
-def entries(name: str, index: Fraction, ratio: Fraction) -> dict[str, Any]:
-    """Gain and covariances of the doubling, which knows the matrices alone."""
-    first = FIRST.get(name, "1/3")
-    cross = "0" if first == "0" else "1/2"
-    data = {
-        "transition": [["1", "1"], ["0", "1"]],
-        "process_noise": [[first, cross], [cross, "1"]],
-        "measurement": [["1", "0"], ["0", "1"]],
-        "measurement_noise": [["1", "0"], ["0", str(ratio * ratio)]],
-    }
-    state = doubling.steady_state(state_space(data, index), DIGITS).state
-    places = {f"{i + 1}{j + 1}": (i, j) for i in range(2) for j in range(2)}
-    kinds = {"gain": state.gain, "predicted": state.predicted, "updated": state.updated}
-    return {
-        f"{kind}_{place}": rows[i][j]
-        for kind, rows in kinds.items()
-        for place, (i, j) in places.items()
-    }
-
-
-@cache
-def slopes(name: str, index: Fraction, ratio: Fraction, by: str) -> Mapping[str, Fraction]:
-    """Every derivative by differences, good to some 35 digits of its entry over the parameter."""
-
-    def values(at: Fraction) -> list[Any]:
-        point = (at, ratio) if by == BY_INDEX else (index, at)
-        return list(entries(name, *point).values())
-
-    at = index if by == BY_INDEX else ratio
-    found = differences.derivatives(values, at, levels=8, digits=DIGITS)
-    names = entries(name, index, ratio)
-    return {entry: fraction(slope.value) for entry, slope in zip(names, found, strict=True)}
 
 
 def evaluated(noise: Noise, index: Fraction, ratio: Fraction, kernel: str) -> dict[str, Any]:
@@ -94,7 +52,7 @@ def exactly(value: Any) -> Fraction:
 def wrong_at(name: str, noise: Noise, index: Fraction, ratio: Fraction, kernel: str) -> list[str]:
     """Entries whose form is not the derivative, and forms without the sign that they promise."""
     by = BY_INDEX if kernel.endswith(BY_INDEX) else BY_RATIO
-    reference = slopes(name, index, ratio, by)
+    reference = slopes(name, index, ratio, by.removeprefix("_by_"))
     found = []
     for entry, form in evaluated(noise, index, ratio, kernel).items():
         terms = [exactly(term) for term in (form if isinstance(form, tuple) else (form,))]
