@@ -35,15 +35,15 @@ def judge_in(
     """The finding on one reading. Raises Undecided, UndefinedSymbol, Malformed."""
     chart = environment.chart
     if chart is None or claim.kind not in KINDS:
-        return judge_reading(claim, reading, Scope(setting, environment))
+        return judge_reading(claim, reading, Scope(setting, environment, held=claim.held))
     try:
-        found = judge_reading(claim, reading, Scope(setting, chart))
+        found = judge_reading(claim, reading, Scope(setting, chart, held=claim.held))
     except Undecided:
-        return judge_reading(claim, reading, Scope(setting, environment))
+        return judge_reading(claim, reading, Scope(setting, environment, held=claim.held))
     if found.verdict == "proved":
         return found
     at_points = replace(environment, chart=None, decide=_by_points)
-    seen = judge_reading(claim, reading, Scope(setting, at_points))
+    seen = judge_reading(claim, reading, Scope(setting, at_points, held=claim.held))
     if seen.witness is None:
         raise Undecided("false on a chart, but no rational point that shows it was found")
     reason = f"fails {seen.witness.text()}"

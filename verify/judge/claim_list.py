@@ -7,7 +7,12 @@ from collections.abc import Mapping, Sequence
 from gainproof.verify.judge.claim_domains import contradiction, relations_of
 from gainproof.verify.judge.claim_errors import FileText
 from gainproof.verify.judge.claim_fields import Fields, nearest_hint
-from gainproof.verify.judge.claim_formulas import conditions_of, formula_of, plain_formula_of
+from gainproof.verify.judge.claim_formulas import (
+    conditions_of,
+    formula_of,
+    plain_formula_of,
+    token_in,
+)
 from gainproof.verify.judge.claim_kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
 from gainproof.verify.judge.claim_record import Claim, Setting
 from gainproof.verify.judge.claim_vocabulary import CLAIM_KINDS
@@ -29,6 +34,7 @@ FIELDS = (
     "text",
     "domain",
     "given",
+    "held",
     "quoted",
     "note",
     *dict.fromkeys(name for names in OWN_FIELDS.values() for name in names),
@@ -94,6 +100,10 @@ def _claim(fields: Fields, settings: Mapping[str, Setting]) -> Claim:
         given=tuple(
             formula_of(fields, "given", given, setting.symbols)
             for given in fields.texts("given", MOST_GIVEN)
+        ),
+        held=tuple(
+            token_in(fields, "held", token, setting.symbols)
+            for token in fields.texts("held", MOST_GIVEN)
         ),
         text=words,
         note=fields.text_or_none("note"),

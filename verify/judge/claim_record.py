@@ -119,7 +119,8 @@ class Claim:
     `formula` is None for a claim in words, which `text` paraphrases (`latex` is then empty).
     `plain` is the formula as typed where it was not given in LaTeX; `latex` is then printed from
     it. `domain` holds the relations of the field `domain` (conditions printed in the formula itself
-    stay with the readings). `given` are relations taken as hypotheses. `line` is the line of the
+    stay with the readings). `given` are relations taken as hypotheses, `held` the symbols that stay
+    while T or the deviation of the measurement noise changes. `line` is the line of the
     claim's id in the file, 1 for the first.
 
     The other fields belong to one kind or two (see `claim_vocabulary`). `about` lists the symbols
@@ -136,6 +137,7 @@ class Claim:
     formula: Formula | None
     domain: tuple[Relation, ...] = ()
     given: tuple[Formula, ...] = ()
+    held: tuple[str, ...] = ()
     about: tuple[str, ...] = ()
     text: str | None = None
     note: str | None = None

@@ -45,7 +45,7 @@ def _refuted(claim: Claim, reading: Reading, convention: Convention) -> Finding 
     plain = all(r.operator in COMPARED for r in printed_relations)
     if reading.connective != "if" or not plain:
         return None
-    scope = Scope(convention.setting, convention.environment)
+    scope = Scope(convention.setting, convention.environment, held=claim.held)
     relations = tuple(scope.relation(r) for r in reading.relations)
     stated = tuple(scope.relation(r) for r in (*reading.conditions, *claim.domain))
     points, put_in = generic_points(claim, reading.conditions, scope, 2)

@@ -38,7 +38,7 @@ def _sides(relations: tuple[Relation, ...]) -> Iterator[Graph]:
 
 def reached(claim: Claim, setting: Setting) -> frozenset[str]:
     """Declared symbols that the claim uses, or a definition or domain of one that it uses."""
-    texts = {*claim.about, *filter(None, (claim.variable, claim.previous))}
+    texts = {*claim.about, *claim.held, *filter(None, (claim.variable, claim.previous))}
     texts |= {name for graph in graphs_of_claim(claim) for name in names_in(graph)}
     return closure(texts, setting.symbols)
 

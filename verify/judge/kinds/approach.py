@@ -107,8 +107,6 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
     goes to the point as the base variable goes to one of its ends. Raises Undecided.
     """
     environment = frame.environment
-    if variable.kind == "symbol" and environment.moves_with(variable.name):
-        raise Undecided("a limit in a symbol with which the tracking index changes")
     if environment.intensity and variable == environment.assigned[environment.intensity]:
         if point != "infinity" and point != number(0):
             raise Undecided("a limit in the intensity of the noise other than zero and infinity")

@@ -46,6 +46,7 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     relation = reading.relations[0]
     variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
     left, right = scope.expression(relation.left), scope.expression(relation.right)
+    scope.refuse_moving(variable, left, right)
     frame = framed(claim, scope, resolved(others, scope))
     approach = approach_of(variable, point, frame)
     refuse_real_powers(left - right, frame)

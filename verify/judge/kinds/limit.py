@@ -48,6 +48,7 @@ def judge_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         raise Undecided(f"the relation {relation.operator} in a limit is not covered")
     variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
     expr, claimed = scope.expression(relation.left), end_of(relation.right, scope)
+    scope.refuse_moving(variable, expr, *([] if isinstance(claimed, str) else [claimed]))
     frame = framed(claim, scope, resolved(others, scope))
     approach = approach_of(variable, point, frame)
     if not isinstance(claimed, str) and approach.name in symbols_of(claimed):

@@ -14,6 +14,7 @@ from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.freed.monomials import monomials
 from gainproof.verify.judge.kinds.framing import Frame, framed
 from gainproof.verify.judge.kinds.identity import judge_identity, resolved
 from gainproof.verify.judge.kinds.one_way import is_one_way
@@ -45,6 +46,9 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         variable = tidied(variable)
     names = symbols_of(variable)
     _refuse_gaps(frame, names)
+    is_moving = variable.kind == "symbol" and scope.is_shared(variable.name, subject)
+    if is_moving:
+        _refuse_winding(frame, scope)
     if claim.about[1] == scope.environment.intensity:
         names = {scope.environment.parameter or ""}
     is_own = variable.kind == "symbol" or scope.environment.is_coordinate(variable)
@@ -59,7 +63,9 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     _refuse_unknown_slopes(slope, inside)
     rises = Statement((Rel(operator, slope, number(0)),), needed=(subject,))
     finding = finding_of(inside.decide(rises))
-    if finding.verdict != "proved" and operator in "<>" and _nearly(operator, slope, names, inside):
+    if finding.verdict == "proved" or operator not in "<>" or is_moving:
+        pass  # zeros of a slope are looked for with the other variables kept
+    elif _nearly(operator, slope, names, inside):
         weak = Rel(f"{operator}=", slope, number(0))
         finding = finding_of(inside.decide(replace(rises, relations=(weak,))))
     return replace(finding, method=f"sign of the derivative; {finding.method}")
@@ -96,6 +102,26 @@ def _refuse_gaps(frame: Frame, names: set[str]) -> None:
             known = coefficients(rel.left - rel.right, name)
             if known is None or max(known, default=0) > 1 or rel.operator in ("=", "!="):
                 raise Undecided("a domain that may be no interval of the variable")
+
+
+def _refuse_winding(frame: Frame, scope: Scope) -> None:
+    """Raises Undecided unless the parameter runs through an interval with the variable: what stays
+    is one product of powers, and no condition speaks of the parameter.
+    """
+    own = scope.environment.own_variables()
+    if any(not own.isdisjoint(symbols_of(c.left, c.right)) for c in frame.conditions):
+        raise Undecided("a condition on the tracking index, which changes with the variable")
+    fixing = [e for e in scope.staying().values() if not own.isdisjoint(symbols_of(e))]
+    if not all(_is_product(e) for e in fixing):
+        raise Undecided("what stays does not fix the tracking index in a simple way")
+
+
+def _is_product(expr: Expr) -> bool:
+    """Whether it is a number times powers of symbols."""
+    terms = monomials(expr)
+    bases = [base for monomial in terms for base, _ in monomial]
+    roots = [base.parts[0] if base.kind == "pow" else base for base in bases]
+    return len(terms) == 1 and all(base.kind in ("symbol", "number") for base in roots)
 
 
 def _opened(box: Box) -> Box:

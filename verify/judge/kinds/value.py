@@ -51,6 +51,7 @@ def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     arrow, others = arrow_of(reading)
     exact, shown, decimals = _turned(reading.relations[0], scope)
     variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
+    scope.refuse_moving(variable, exact)
     printed = tuple(scope.relation(r) for r in others)
     only_plain(printed)
     frame = framed(claim, scope, printed)

@@ -17,6 +17,7 @@ from gainproof.verify.judge.meaning.value import (
     Value,
     added,
     divided,
+    entries,
     kronecker,
     mapped,
     multiplied,
@@ -45,8 +46,8 @@ class Names(Protocol):
         """Whether the table of symbols has it."""
         ...
 
-    def is_shared(self, name: str) -> bool:
-        """Whether quantities change with a base variable in a way that their formulas hide."""
+    def is_shared(self, name: str, *of: Expr) -> bool:
+        """Whether expressions change with a base variable in a way that they do not show."""
         ...
 
     def function(self, name: str, arguments: Sequence[Value], bindings: Bindings) -> Value:
@@ -147,8 +148,10 @@ def _power(base: Value, node: Expr) -> Value:
 def _at(value: Value, token: str, place: Value, names: Names, bindings: Bindings) -> Value:
     target = names.symbol(token, bindings)
     names.refuse_own_terms(value, token)
-    if not isinstance(target, Expr) or target.kind != "symbol" or names.is_shared(target.name):
+    if not isinstance(target, Expr) or target.kind != "symbol":
         raise Undecided(f"substitution for {token}, which is no free symbol")
+    if names.is_shared(target.name, *entries(value)):
+        raise Undecided(f"substitution for {token}, with which the tracking index changes")
     put_in = {target.name: number_of(place)}
     names.require_at(token, put_in)
     return mapped(value, lambda entry: substituted(entry, put_in))

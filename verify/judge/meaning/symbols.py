@@ -8,13 +8,14 @@ from dataclasses import dataclass, field
 
 from gainproof.verify.judge.claim_record import Setting, SymbolEntry
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, symbol
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.domains import entry_names
+from gainproof.verify.judge.meaning.held import rate_of_parameter
 from gainproof.verify.judge.meaning.reach import Reach
 from gainproof.verify.judge.meaning.value import (
     Value,
@@ -36,7 +37,7 @@ class UndefinedSymbol(Exception):
 @dataclass
 class Symbols(ABC):
     """The symbols of a setting in one environment. `choice` says which reading of each definition
-    is taken.
+    is taken; `held` are symbols that stay while T or the deviation of the noise changes.
 
     `needed` collects what was differentiated: a derivative has a value only where its function has
     one. `required` collects what sums and integrals rest on: bounds in order, convergence; `whole`
@@ -47,6 +48,7 @@ class Symbols(ABC):
     setting: Setting
     environment: Environment
     choice: Mapping[str, int] = field(default_factory=dict)
+    held: tuple[str, ...] = ()
     needed: list[Expr] = field(default_factory=list)
     required: list[Rel] = field(default_factory=list)
     whole: list[Expr] = field(default_factory=list)
@@ -132,6 +134,27 @@ class Symbols(ABC):
         """Whether the table of symbols has it."""
         return token in self.setting.symbols
 
-    def is_shared(self, name: str) -> bool:
-        """Whether quantities change with a base variable in a way that their formulas hide."""
-        return self.environment.moves_with(name)
+    def is_shared(self, name: str, *of: Expr) -> bool:
+        """Whether expressions change with a base variable in a way that they do not show."""
+        if not self.environment.moves_with(name, *of):
+            return False
+        return self.rate(name) != number(0)
+
+    def rate(self, name: str) -> Expr:
+        """How the model's parameter changes with T or the deviation. Raises Undecided."""
+        return rate_of_parameter(self.staying(), self.environment, name)
+
+    def staying(self) -> dict[str, Expr]:
+        """The symbols that stay while T or the deviation changes, as far as they are numbers."""
+        held = {token: self.symbol(token) for token in self.held}
+        return {token: value for token, value in held.items() if isinstance(value, Expr)}
+
+    def refuse_moving(self, variable: Expr, *of: Expr) -> None:
+        """Raises Undecided where the tracking index in expressions goes with a variable of a limit,
+        and not as they show.
+        """
+        names = symbols_of(variable)
+        if names.isdisjoint(self.environment.own_variables()):
+            for name in names:
+                if self.is_shared(name, *of):
+                    raise Undecided("a limit in a symbol with which the tracking index changes")

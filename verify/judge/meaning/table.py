@@ -179,13 +179,15 @@ class Table(Symbols):
         target = number_of(self.symbol(token, bindings), "the variable of a derivative")
         self.refuse_own_terms(value, token)
         environment = self.environment
-        if target.kind == "symbol" and environment.moves_with(target.name):
-            raise Undecided(f"a derivative with respect to {token}, with which the index changes")
-        if token == environment.intensity and token not in bindings.names:
-            along = environment.parameter or ""
-            below = differentiated(target, along)
+        own = environment.parameter or ""
+        if target.kind == "symbol" and environment.moves_with(target.name, *entries(value)):
+            rate = self.rate(target.name)
             self.needed += entries(value)
-            return mapped(value, lambda entry: differentiated(entry, along) / below)
+            return mapped(value, lambda entry: _total(entry, target.name, own, rate))
+        if token == environment.intensity and token not in bindings.names:
+            below = differentiated(target, own)
+            self.needed += entries(value)
+            return mapped(value, lambda entry: differentiated(entry, own) / below)
 
         def each(entry: Expr) -> Expr:
             self.needed.append(entry)
@@ -214,3 +216,9 @@ class Table(Symbols):
             if entry.variance is not None
         }
         return mapped(value, lambda entry: expectation_of(entry, variances))
+
+
+def _total(entry: Expr, name: str, own: str, rate: Expr) -> Expr:
+    """The derivative with respect to a base variable with which the parameter changes at a rate."""
+    alone = differentiated(entry, name)
+    return alone if rate == number(0) else alone + differentiated(entry, own) * rate

@@ -62,7 +62,7 @@ class Search:
 
     def __post_init__(self) -> None:
         self.formula = printed(self.reading)
-        self.scope = Scope(self.setting, self.environment)
+        self.scope = Scope(self.setting, self.environment, held=self.claim.held)
         self.table = table_of(self.setting, self.formula, self.others)
         self.numbers = sample_numbers(self.setting)
         self.said = parts_of_claims(self.others)

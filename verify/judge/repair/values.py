@@ -94,7 +94,9 @@ class Values:
         """Derivatives, substitutions, sums and functions: in base variables only."""
         if self._own:
             return None
-        fresh = Scope(self.scope.setting, self.scope.environment, self.scope.choice)
+        fresh = Scope(
+            self.scope.setting, self.scope.environment, self.scope.choice, self.scope.held
+        )
         try:
             return self._enclosed(fresh.expression(graph_of(expr)))
         except (Undecided, Malformed, UndefinedSymbol):

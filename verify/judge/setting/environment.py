@@ -70,12 +70,20 @@ class Environment:
     decide: Decide | None = None
     squares: Mapping[str, Expr] = field(default_factory=dict)
 
-    def moves_with(self, name: str) -> bool:
-        """Whether quantities hide a base variable: with the source's other symbols kept, the
-        parameter changes too when that variable does.
+    def own_variables(self) -> frozenset[str]:
+        """The base variables that stand for the tracking index and other parameters of a model."""
+        if self.parameter == SAMPLE:
+            return frozenset()
+        known = (self.parameter, *self.coordinates, *symbols_of(*self.squares.values()))
+        return frozenset(name for name in known if name is not None)
+
+    def moves_with(self, name: str, *of: Expr) -> bool:
+        """Whether these expressions hide a base variable, of which the parameter that they hold is
+        made: it changes too when that variable does and the noises of the source stay.
         """
-        own = (self.parameter, *self.coordinates)
-        return bool(self.assigned) and name in self.boxes and name not in own
+        if name not in (INTERVAL, DEVIATION):
+            return False
+        return not self.own_variables().isdisjoint(symbols_of(*of))
 
     def is_coordinate(self, expr: Expr) -> bool:
         """Whether it is one of the coordinates in other base variables."""

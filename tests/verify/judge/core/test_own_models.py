@@ -51,8 +51,17 @@ def walk(noise: str, measured: str, transition: str = "1") -> str:
         ("limit", r"\lim_{q \to \infty} \alpha = \frac{1}{2}", "refuted"),
         ("monotone", "about = ['\\alpha', 'q']\ntrend = 'increasing'\ntext = 't'", "proved"),
         ("monotone", "about = ['\\alpha', 'q']\ntrend = 'decreasing'\ntext = 't'", "refuted"),
-        # the index changes with T and r too, while the gains are formulas of the index alone
-        ("identity", r"\frac{\partial \alpha}{\partial T} = 0", "undecided"),
+        # the index changes with T and r too, while the gains are formulas of the index alone; with
+        # T it does so that the intensity stays
+        ("identity", r"\frac{\partial \alpha}{\partial T} = 0", "refuted"),
+        (
+            "identity",
+            r"\frac{\partial}{\partial T} \frac{\beta^2}{1 - \alpha} = \frac{3 q T^2}{r}",
+            "proved",
+        ),
+        ("identity", r"\frac{\partial q}{\partial T} = 0", "proved"),
+        ("monotone", "about = ['\\alpha', 'T']\ntrend = 'increasing'\ntext = 't'", "proved"),
+        ("monotone", "about = ['\\alpha', 'T']\ntrend = 'nonincreasing'\ntext = 't'", "refuted"),
         ("identity", r"\frac{\partial \alpha}{\partial r} = 0", "undecided"),
         ("limit", r"\lim_{T \to 0} \alpha = \alpha", "undecided"),
     ],

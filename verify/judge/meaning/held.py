@@ -1,0 +1,40 @@
+"""What stays while the sampling interval or the deviation of the measurement noise changes.
+
+The tracking index is made of both and of the intensity of the process noise, so that nothing which
+depends on it has a derivative with respect to one of them alone until it is said what stays: the
+intensity (a model of the source's own has it, and it is what stays there), the index, or anything
+else that fixes the index.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gainproof.verify.judge.exact.calculus import differentiated
+from gainproof.verify.judge.exact.expression import Expr, neg, number, symbols_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.setting.environment import Environment
+
+
+def rate_of_parameter(held: Mapping[str, Expr], environment: Environment, name: str) -> Expr:
+    """The derivative of the model's parameter with respect to the base variable `name`.
+
+    `held` are the symbols that a claim says stay. Raises Undecided where they do not tell.
+    """
+    along = environment.parameter
+    own = environment.own_variables()
+    fixing = {token: e for token, e in held.items() if not own.isdisjoint(symbols_of(e))}
+    moving = [t for t, e in held.items() if t not in fixing and name in symbols_of(e)]
+    if moving:
+        raise Undecided(f"{moving[0]} is said to be held, and changes with the variable")
+    if not fixing and environment.intensity is not None:
+        fixing = {environment.intensity: environment.assigned[environment.intensity]}
+    if along is None or own != {along} or len(fixing) != 1:
+        raise Undecided(
+            "the tracking index changes with the sampling interval and with the measurement noise: "
+            "say in the field held what stays, the intensity of the process noise or the index"
+        )
+    (stays,) = fixing.values()
+    if name not in symbols_of(stays):
+        return number(0)
+    return neg(differentiated(stays, name) / differentiated(stays, along))
