@@ -15,6 +15,10 @@ class Step:
 
     `hint` is what the certificate writer needs besides the relation (a form that shows a sign,
     roots, boundary values); it carries no authority: the checker decides from the evidence alone.
+
+    `heading` opens a part of the derivation under this title. A step that `joins` is shown with the
+    one before it, whose sentence and reason speak for both. In sentences and reasons a formula
+    stands between backticks and `@id` is the number of another step.
     """
 
     id: str
@@ -24,6 +28,15 @@ class Step:
     tower: str = "main"
     hint: Mapping[str, Any] = field(default_factory=dict)
     shown: bool = True
+    heading: str = ""
+    joins: bool = False
+
+
+def joined(
+    name: str, relation: Relation, tower: str = "main", hint: Mapping[str, Any] | None = None
+) -> Step:
+    """A step that is shown with the one before it and shares its sentence and reason."""
+    return Step(name, "", relation, "", tower, hint or {}, joins=True)
 
 
 @dataclass(frozen=True)

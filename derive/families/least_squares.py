@@ -22,7 +22,18 @@ OPENING = (
     "While a track is young every sample counts alike: fit a polynomial to all of them. The fit at "
     "the newest sample can be run as a filter whose gains depend on the number of samples only."
 )
-LATEX = {"k": "k", "j": "j", "alpha": r"\alpha_k", "beta": r"\beta_k", "gamma": r"\gamma_k"}
+ENTRIES = [f"{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+LATEX = {
+    "k": "k",
+    "j": "j",
+    "alpha": r"\alpha_k",
+    "beta": r"\beta_k",
+    "gamma": r"\gamma_k",
+    **{f"information_{ij}": f"N_{{{ij}}}" for ij in ENTRIES},
+    **{f"updated_{ij}": f"P_{{{ij}}}" for ij in ENTRIES},
+    **{f"predicted_{ij}": f"M_{{{ij}}}" for ij in ENTRIES},
+    **{f"d{i}": f"d_{i}" for i in (1, 2, 3)},
+}
 
 
 def builder(degree: int) -> Callable[[], Subject]:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from gainproof.derive.algebra.limits import End
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.growing_memory.fit import GAIN_NAMES, Fit, K, gain_vector
 from gainproof.derive.relation import equal, limit
@@ -22,22 +24,26 @@ def start_steps(f: Fit) -> list[Step]:
     steps = [
         Step(
             "start-gain",
-            f"At sample {f.degree} the gain is this.",
+            f"At sample {f.degree} the fit is determined for the first time. Its gain there:",
             equal(
                 gain_vector(size).applyfunc(lambda entry: sp.Subs(entry, K, sp.Integer(f.degree))),
                 sp.ImmutableDenseMatrix(first),
             ),
-            "Put k.",
+            f"Put `k = {f.degree}` in step @gain.",
+            heading="How to start",
         ),
         Step(
             "start",
-            _start_sentence(f.degree),
+            f"{_start_sentence(f.degree)} Let {_listed(errors)} be the errors of the start in "
+            f"{_listed(('position', 'velocity', 'acceleration')[:size], '')}; the first fit makes "
+            "of them:",
             equal(
                 sp.MatMul(_error_matrix(f, f.degree), error, evaluate=False),
                 _start_errors(f.degree),
                 free=errors,
             ),
-            "(I - K H) F applied to the error (d1, ...) of the state one sample earlier.",
+            "`(I - K H) F` carries the error of the state on by one sample; insert step "
+            "@start-gain.",
         ),
     ]
     if f.degree:
@@ -48,7 +54,7 @@ def start_steps(f: Fit) -> list[Step]:
                 f"Run from sample 0 with the formula's own gains, any start at all is forgotten "
                 f"at sample {f.degree}.",
                 equal(sp.MatMul(*factors, evaluate=False), sp.zeros(size, size).as_immutable()),
-                f"The product of (I - K H) F over samples 0..{f.degree} vanishes.",
+                f"The product of the matrices `(I - K H) F` of samples 0 to {f.degree} vanishes.",
             )
         )
     return steps
@@ -88,22 +94,32 @@ def _start_errors(degree: int) -> sp.ImmutableDenseMatrix:
 
 def end_steps(f: Fit) -> list[Step]:
     """The gains fall to zero; how fast."""
-    steps = []
+    limits = []
+    rates = []
     for order, (name, value) in enumerate(zip(GAIN_NAMES, f.gain, strict=False)):
         leading = sp.limit(value * K ** (order + 1), K, sp.oo)
-        for label, expression, target in (
+        rates.append(f"`{name}_k` like `{leading}/k{f'^{order + 1}' if order else ''}`")
+        limits += [
             (f"vanishing-{name}", real(name), sp.Integer(0)),
             (f"leading-{name}", real(name) * K ** (order + 1), leading),
-        ):
-            steps.append(
-                Step(
-                    label,
-                    f"As samples accumulate, {name} falls like {leading}/k^{order + 1}."
-                    if label.startswith("leading")
-                    else f"As samples accumulate, {name} falls to zero.",
-                    limit(expression, "infinity", target, variable="k"),
-                    "Compare the leading coefficients.",
-                    hint={"ends": ENDS},
-                )
-            )
-    return steps
+        ]
+    first, *others = (
+        joined(label, limit(expression, "infinity", target, variable="k"), hint={"ends": ENDS})
+        for label, expression, target in limits
+    )
+    return [
+        replace(
+            first,
+            sentence=f"As samples accumulate the gains fall to zero, {', '.join(rates)}.",
+            reason="Compare the leading coefficients of step @gain.",
+            heading="Many samples",
+            joins=False,
+        ),
+        *others,
+    ]
+
+
+def _listed(names: tuple[str, ...], mark: str = "`") -> str:
+    """`d1`, `d2` and `d3`."""
+    marked = [f"{mark}{name}{mark}" for name in names]
+    return " and ".join([", ".join(marked[:-1]), marked[-1]] if marked[1:] else marked)

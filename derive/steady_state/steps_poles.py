@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import equal, increasing_onto, positive, same_sign
 from gainproof.derive.steady_state import poles
@@ -40,14 +40,17 @@ def pole_steps(c: Context) -> list[Step]:
     return [
         Step(
             "discriminant",
-            f"The poles are complex below Lambda = {limit}, double there and real above.",
+            f"The two poles are a complex pair while `Lambda` is below {limit}, meet at {limit} "
+            "and are real beyond.",
             same_sign(DISCRIMINANT, INDEX - limit),
-            f"The discriminant of c(z) is a positive multiple of Lambda - {limit}.",
+            "The left side is the discriminant of `c(z)` (step @closed-loop); in `rho` and `sigma` "
+            f"it is a positive multiple of `Lambda - {limit}`.",
             hint={
                 "form": (1 - rational(c.e)) ** 2
                 * (INDEX + limit)
                 / (16 * (c.basis.rho * DEVIATION) ** 2)
             },
+            heading="The poles",
         ),
         *_complex(c, limit),
         *_real(c, limit),
@@ -59,22 +62,25 @@ def _never_real(c: Context) -> list[Step]:
     return [
         Step(
             "discriminant",
-            "The poles are complex for every index.",
+            "The two poles are a complex pair for every index.",
             positive(-DISCRIMINANT),
-            "The discriminant of c(z) is negative.",
+            "The discriminant of `c(z)` (step @closed-loop) is `(alpha + beta)^2 - 4 beta`, here "
+            "`-4/(sigma rho)^2`.",
             hint={"form": 4 * width**2},
+            heading="The poles",
         ),
         Step(
             "poles",
-            "The poles are z = (2 - alpha - beta)/2 -+ i w, with this w.",
+            "Their real part is `(2 - alpha - beta)/2`, their imaginary parts are `1/(sigma rho)` "
+            "and `-1/(sigma rho)`.",
             equal(-DISCRIMINANT / 4, width**2),
-            "Solve the quadratic c(z) = 0.",
+            "Solve the quadratic `c(z) = 0`.",
         ),
         Step(
             "pole-modulus",
-            "Their modulus is one over the innovation's standard deviation.",
+            "Their modulus is one over the standard deviation of the innovations.",
             equal(1 - ALPHA, 1 / DEVIATION**2),
-            "The product of the poles is c(0).",
+            "The product of the poles is `c(0) = 1 - alpha`; step @variance.",
         ),
     ]
 
@@ -84,20 +90,23 @@ def _complex(c: Context, limit: sp.Rational) -> list[Step]:
     return [
         Step(
             "complex-range",
-            f"Below the turning index put Lambda = {limit} x^2/(1 + x^2).",
+            "",
             increasing_onto(INDEX, sp.Integer(0), limit, variable="x"),
-            f"Increasing in x, from 0 to {limit}.",
+            "",
             tower=name,
             hint={"form": 2 * limit * X / SIDE**2, "ends": complex_ends(c.e)},
+            shown=False,
         ),
         Step(
             "complex-poles",
-            "There the poles are Re z -+ i Im z with sum 2 - alpha - beta and product 1 - alpha.",
+            f"Below {limit} write the poles as `a + i b` and `a - i b` with positive `b`. Their "
+            "modulus is `1/sigma`.",
             equal(
                 sp.ImmutableDenseMatrix([[2 * RE, RE**2 + IM**2]]),
                 sp.ImmutableDenseMatrix([[2 - ALPHA - BETA, 1 - ALPHA]]),
             ),
-            "Coefficients of c(z).",
+            "Sum and product of the roots, from the coefficients of `c(z)`; `1 - alpha = "
+            "1/sigma^2` by step @variance.",
             tower=name,
         ),
     ]
@@ -108,28 +117,24 @@ def _real(c: Context, limit: sp.Rational) -> list[Step]:
     return [
         Step(
             "real-range",
-            f"From the turning index on put Lambda = {limit} + g^2.",
+            "",
             increasing_onto(INDEX, limit, "infinity", variable="g"),
-            f"Increasing in g, from {limit} without bound.",
+            "",
             tower=name,
             hint={"form": 2 * G, "ends": real_ends(c.e)},
+            shown=False,
         ),
         Step(
             "real-poles",
-            "There both poles are real and negative, with sum 2 - alpha - beta and product "
-            "1 - alpha.",
+            f"From {limit} on the poles are two negative numbers `z1` and `z2`. They start "
+            "together, and the square of their distance is the discriminant.",
             equal(
                 sp.ImmutableDenseMatrix([[FIRST + SECOND, FIRST * SECOND]]),
                 sp.ImmutableDenseMatrix([[2 - ALPHA - BETA, 1 - ALPHA]]),
             ),
-            "Coefficients of c(z); the larger modulus is a sum of positive terms.",
+            "Sum and product from the coefficients of `c(z)`; `(z2 - z1)^2 = (z1 + z2)^2 - "
+            "4 z1 z2`.",
             tower=name,
         ),
-        Step(
-            "real-distance",
-            "The square of their distance is the discriminant: both meet at the turning index.",
-            equal((SECOND - FIRST) ** 2, DISCRIMINANT),
-            "(z1 + z2)^2 - 4 z1 z2.",
-            tower=name,
-        ),
+        joined("real-distance", equal((SECOND - FIRST) ** 2, DISCRIMINANT), name),
     ]

@@ -1,18 +1,20 @@
-"""Steps that prove the steady state: covariances, residuals, stability, positivity, uniqueness."""
+"""Steps on the covariances and the proof that they are the steady state."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
-from gainproof.derive.relation import Relation, cited, equal, increasing_onto, positive
+from gainproof.derive.relation import Relation, cited, equal
 from gainproof.derive.source import RICCATI
-from gainproof.derive.steady_state import covariance_forms, forms
+from gainproof.derive.steady_state import covariance_forms
 from gainproof.derive.steady_state.context import Context
-from gainproof.derive.steady_state.names import ALPHA, BETA, INDEX, PREDICTED, UPDATED
+from gainproof.derive.steady_state.names import ALPHA, BETA, PREDICTED, UPDATED
+from gainproof.derive.steady_state.steps_gains import eta_text
 from gainproof.derive.steady_state.towers import rational
 
 
@@ -26,59 +28,79 @@ def covariance_steps(c: Context) -> list[Step]:
     m11, m12, m22 = map(real, PREDICTED)
     x11, x12, x22 = map(real, UPDATED)
     n = rational(c.n)
-    steps = [
-        Step(
-            "predicted-covariance",
-            "The predicted covariance in terms of the gains.",
-            equal(
-                sp.ImmutableDenseMatrix([[m11, m12, m22]]),
-                sp.ImmutableDenseMatrix(
-                    [
-                        [
-                            ALPHA / (1 - ALPHA),
-                            BETA / (1 - ALPHA),
-                            BETA * (ALPHA + (1 - n) * BETA) / (1 - ALPHA),
-                        ]
-                    ]
-                ),
-            ),
-            "K = M H'/S gives the first column; the Riccati equation gives the last entry.",
-        ),
-        Step(
-            "updated-covariance",
-            "The updated covariance in terms of the gains.",
-            equal(
-                sp.ImmutableDenseMatrix([[x11, x12, x22]]),
-                sp.ImmutableDenseMatrix([[ALPHA, BETA, BETA * (ALPHA - n * BETA) / (1 - ALPHA)]]),
-            ),
-            "X = (I - K H) M.",
-        ),
-    ]
     stable = {
         **covariance_forms.predicted_covariance(c.basis),
         **covariance_forms.updated_covariance(c.basis),
     }
-    steps += [
-        Step(
-            f"stable-{name.replace('_', '-')}",
-            f"{name.replace('_', ' ')} without a subtraction.",
-            equal(real(name), stable[name]),
-            "1/(1 - alpha) = sigma^2; rho - 1/2 is (rho^2 - 1/4)/(rho + 1/2).",
-        )
+    first, *others = (
+        (f"stable-{name.replace('_', '-')}", equal(real(name), stable[name]))
         for name in (*PREDICTED, "updated_22")
+    )
+    return [
+        Step(
+            "predicted-covariance",
+            "The covariance of the predicted state's error is `M`, that of the updated state's "
+            "error `X`; their entries are `M11`, `M12`, `M22` and `X11`, `X12`, `X22`. The gains "
+            "give them all.",
+            equal(
+                _row(m11, m12, m22),
+                _row(
+                    ALPHA / (1 - ALPHA),
+                    BETA / (1 - ALPHA),
+                    BETA * (ALPHA + (1 - n) * BETA) / (1 - ALPHA),
+                ),
+            ),
+            "`K = M H'/(H M H' + R)`, where `H M H' + R = sigma^2`, gives the first column of `M` "
+            "(step @variance), `X = (I - K H) M` that of `X`; entry 12 of "
+            "`M = F X F' + Lambda^2 Q0` gives `X22` and entry 22 `M22`, with `Lambda^2` from step "
+            "@noise-ratio.",
+            heading="The covariances",
+        ),
+        joined(
+            "updated-covariance",
+            equal(_row(x11, x12, x22), _row(ALPHA, BETA, BETA * (ALPHA - n * BETA) / (1 - ALPHA))),
+        ),
+        Step(
+            first[0],
+            "The same entries without a subtraction of computed numbers.",
+            first[1],
+            f"Insert steps @stable-gains and @variance: `M11 = rho Lambda sigma`, `M12 = Lambda "
+            f"sigma`, `M22 = X22 + Lambda^2` and {_velocity_text(c.n)}.",
+        ),
+        *(joined(name, relation) for name, relation in others),
     ]
-    return steps
+
+
+def _velocity_text(n: Fraction) -> str:
+    """X22 in a sentence; n = Q12/Q22."""
+    if n == 0:
+        return "`X22 = Lambda^2 rho`"
+    half = "`rho - 1/2 = (rho^2 - 1/4)/(rho + 1/2)`"
+    if n == Fraction(1, 2):
+        return f"`X22 = Lambda^2 (rho - 1/2)`, where {half}"
+    return (
+        f"`X22 = Lambda^2 (rho - {n})`, where `rho - {n} = {1 - 2 * n} rho + {2 * n} (rho - 1/2)` "
+        f"and {half}"
+    )
+
+
+def _row(*entries: sp.Expr) -> sp.ImmutableDenseMatrix:
+    return sp.ImmutableDenseMatrix([entries])
 
 
 def proof_steps(c: Context) -> list[Step]:
-    """The Riccati equation, stability, definiteness, uniqueness and the range of the gains."""
+    """The Riccati equation, stability, definiteness and uniqueness."""
     model: dict[str, Any] = c.model_data
-    largest = 2 / (1 + sp.sqrt(rational(c.e)))
-    derivative = forms.gain_derivatives(c.basis)
+    roots = "`eta` and `s` (steps @eta and @root-s)" if c.e else "`s` (step @root-s)"
+    predicted, updated = (
+        Relation("positive_definite", {"matrix": _names(entries)})
+        for entries in (PREDICTED, UPDATED)
+    )
     return [
         Step(
             "riccati",
-            "M solves the Riccati equation, K is its gain and X its updated covariance.",
+            "So far we assumed that there is a steady state and found what it must be. Now the "
+            "proof: these `K`, `M` and `X` satisfy the equations of the Kalman filter.",
             Relation(
                 "riccati",
                 {
@@ -89,23 +111,25 @@ def proof_steps(c: Context) -> list[Step]:
                     "index": "tracking_index",
                 },
             ),
-            "Each residual is a combination of the relations that define eta and s.",
+            "Insert the entries: the difference of both sides is in every entry a combination of "
+            f"the equations that define {roots}, and so zero.",
+            heading="The proof that this is the steady state",
         ),
         Step(
             "stable",
-            "Both poles lie inside the unit circle for every positive index.",
+            "Both poles lie inside the unit circle for every positive index, so the errors of a "
+            "start die out.",
             Relation("stable", {"model": model, "gain": ["alpha", "beta"]}),
-            "Every Schur-Cohn quantity is a quotient of polynomials without a minus sign.",
+            "For a quadratic `c(z)` that starts with `z^2` it is enough that `1 - c(0)`, `c(1)` "
+            f"and `c(-1)` are positive. They are `alpha`, `beta` and `{eta_text(c.e)}/sigma`.",
         ),
-        *(
-            Step(
-                f"definite-{label}",
-                f"The {label} covariance is positive definite for every positive index.",
-                Relation("positive_definite", {"matrix": _names(entries)}),
-                "Its leading minors are quotients of polynomials without a minus sign.",
-            )
-            for label, entries in (("predicted", PREDICTED), ("updated", UPDATED))
+        Step(
+            "definite-predicted",
+            "Both covariances are positive definite for every positive index.",
+            predicted,
+            "The first entry and the determinant are quotients of sums without a minus sign.",
         ),
+        joined("definite-updated", updated),
         Step(
             "uniqueness",
             "So this is the steady state: no other solution of the Riccati equation stabilises.",
@@ -113,38 +137,6 @@ def proof_steps(c: Context) -> list[Step]:
                 "A discrete algebraic Riccati equation has at most one stabilising solution.",
                 RICCATI.text(),
             ),
-            "Cited, not proved here.",
-        ),
-        Step(
-            "alpha-range",
-            "The position gain grows with the index and takes every value between 0 and 1.",
-            increasing_onto(ALPHA, sp.Integer(0), sp.Integer(1)),
-            "Its derivative is positive; the limits close the range.",
-            hint={"form": derivative["alpha"], "ends": c.ends},
-        ),
-        Step(
-            "beta-range",
-            "The velocity gain grows with the index and takes every value below its limit.",
-            increasing_onto(BETA, sp.Integer(0), sp.radsimp(largest)),
-            "Its derivative is positive; the limits close the range.",
-            hint={"form": derivative["beta"], "ends": c.ends},
-        ),
-        Step(
-            "rest",
-            "What the position gain leaves to 1 is one over the innovation variance.",
-            equal(1 - ALPHA, real("rest")),
-            "1 - alpha = 1/sigma^2.",
-        ),
-        Step(
-            "alpha-below-one",
-            "The position gain stays below 1.",
-            positive(1 - ALPHA),
-            "1/sigma^2 is positive.",
-        ),
-        Step(
-            "noise-ratio",
-            "The gains give back the index.",
-            equal(INDEX**2, BETA**2 / (1 - ALPHA)),
-            "q noise(0) = sigma^2 c(1)^2, with q = Lambda^2.",
+            "`M` is one, by steps @riccati and @stable. The theorem is cited, not proved here.",
         ),
     ]

@@ -1,48 +1,79 @@
-"""Steps on what the steady state is used for: derivatives, inverses and both ends of the index."""
+"""Steps on what the steady state is used for: derivatives, and the way back from a gain."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Tower
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
-from gainproof.derive.relation import equal, limit, positive
+from gainproof.derive.relation import Relation, equal, positive
 from gainproof.derive.steady_state import covariance_forms, forms, inverses
 from gainproof.derive.steady_state.context import Context
-from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, PREDICTED, ROOT
+from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT
 from gainproof.derive.steady_state.towers import ROOT_S, rational, root_of_16, surd
 
 
 def derivative_steps(c: Context) -> list[Step]:
     """First derivatives with respect to the index, each without a subtraction and positive."""
-    gains = forms.gain_derivatives(c.basis)
-    entries = {
-        **gains,
+    gains = {
+        **forms.gain_derivatives(c.basis),
         "predictor_position": forms.predictor_gain_derivatives(c.basis)["position"],
+    }
+    covariances = {
         **covariance_forms.predicted_covariance_derivatives(c.basis),
         "updated_22": covariance_forms.updated_covariance_derivatives(c.basis)["updated_22"],
     }
-    steps = []
+    first, *others = _derivatives(gains)
+    start, *rest = _derivatives(covariances)
+    rising, *more = (
+        (
+            f"increasing-{name.replace('_', '-')}",
+            positive(sp.Derivative(real(name), INDEX)),
+            {"form": form},
+        )
+        for name, form in {**gains, **covariances}.items()
+    )
+    return [
+        Step(
+            first[0],
+            "The gains change with the index like this.",
+            first[1],
+            "Differentiate step @stable-gains, with the derivatives of `kappa` and `rho` from step "
+            "@roots-in-the-index, and gather positive terms.",
+            heading="How the steady state changes with the index",
+        ),
+        *(_unless_predictor(joined(*entry)) for entry in others),
+        Step(
+            start[0],
+            "And the covariances. `X11` and `X12` are the gains.",
+            start[1],
+            "Differentiate step @stable-predicted-11 in the same way.",
+        ),
+        *(joined(*entry) for entry in rest),
+        Step(
+            rising[0],
+            "All of them grow with the index.",
+            rising[1],
+            f"No minus sign is left in steps @{first[0]} and @{start[0]}.",
+            hint=rising[2],
+        ),
+        *(_unless_predictor(joined(name, relation, hint=hint)) for name, relation, hint in more),
+    ]
+
+
+def _unless_predictor(step: Step) -> Step:
+    """The first entry of the predictor gain is a sum of the gains: proved, and not shown again."""
+    return replace(step, shown=False) if step.id.endswith("predictor-position") else step
+
+
+def _derivatives(entries: Mapping[str, sp.Expr]) -> Iterator[tuple[str, Relation]]:
     for name, form in entries.items():
-        label, words = name.replace("_", "-"), name.replace("_", " ")
-        derivative = sp.Derivative(real(name), INDEX)
-        steps += [
-            Step(
-                f"derivative-{label}",
-                f"How {words} changes with the index.",
-                equal(derivative, form),
-                "Differentiate kappa^2 and rho^2, then gather positive terms.",
-            ),
-            Step(
-                f"increasing-{label}",
-                f"So {words} grows with the index.",
-                positive(derivative),
-                "The derivative has no minus sign.",
-                hint={"form": form},
-            ),
-        ]
-    return steps
+        relation = equal(sp.Derivative(real(name), INDEX), form)
+        yield f"derivative-{name.replace('_', '-')}", relation
 
 
 def inverse_tower(c: Context) -> Tower:
@@ -71,87 +102,57 @@ def inverse_roots(c: Context) -> dict[str, sp.Expr]:
 
 def inverse_steps(c: Context) -> list[Step]:
     """From one gain to the other and back to the index."""
-    roots = inverse_roots(c)
-    from_alpha, from_beta = roots["alpha_radical"], roots["beta_radical"]
+    values = inverse_roots(c)
+    from_alpha, from_beta = values["alpha_radical"], values["beta_radical"]
     ratio = rational(c.e)
-    root_e = roots["root_of_e"]
+    share = "" if c.e in (0, 1) else f"({c.e}) "
+    inside = "4 (1 - alpha)" + (f" + {share}alpha^2" if c.e else "")
+    outside = f"(eta + {share}Lambda)/(2 sigma)" if c.e else "2/sigma"
     return [
         Step(
             "alpha-radical",
-            "The root that the way back from alpha needs.",
+            "The way back from `alpha` needs one square root, that of the right side here. It is "
+            f"`{outside}`.",
             equal(from_alpha**2, 4 * (1 - ALPHA) + ratio * ALPHA**2),
-            "Square it; it is positive.",
+            "Square and insert steps @variance and @position-gain; the root is positive.",
+            heading="From a gain back to the index",
         ),
         Step(
             "beta-from-alpha",
-            "The velocity gain that belongs to a position gain.",
+            "The velocity gain and the index that belong to a position gain. Below the line stands "
+            f"`{outside} = sqrt({inside})`: these are functions of `alpha` alone.",
             equal(BETA, inverses.beta_from_alpha(ALPHA, from_alpha)),
-            "Solve the gain relation for beta, the smaller root, rationalised.",
+            "Step @gain-relation is a quadratic in `beta`; its smaller root is written with a sum "
+            "below the line instead of a difference above. Then `Lambda = sigma beta`, with "
+            "`sigma = 1/sqrt(1 - alpha)`.",
         ),
-        Step(
+        joined(
             "index-from-alpha",
-            "The index that belongs to a position gain.",
-            equal(INDEX, inverses.index_from_alpha(ALPHA, from_alpha, roots["root_of_rest"])),
-            "Lambda = beta/sqrt(1 - alpha).",
+            equal(INDEX, inverses.index_from_alpha(ALPHA, from_alpha, values["root_of_rest"])),
         ),
         Step(
             "beta-radical",
-            "The root that the way back from beta needs.",
+            "And the way back from `beta` the root of the right side here, which is "
+            "`(Lambda + 2 p s)/sigma`.",
             equal(from_beta**2, BETA * (8 + ratio * BETA)),
-            "Square it; it is positive.",
+            "Square and insert steps @velocity-gain, @root-s and @deviation; the root is positive.",
         ),
         Step(
             "alpha-from-beta",
-            "The position gain that belongs to a velocity gain.",
+            "The position gain that belongs to a velocity gain, and `1 - alpha`, with which "
+            "`Lambda = beta/sqrt(1 - alpha)`. Below the line stands the root of step "
+            "@beta-radical, a function of `beta` alone.",
             equal(ALPHA, inverses.alpha_from_beta(BETA, c.e, from_beta)),
-            "Solve the gain relation for alpha, the positive root, rationalised.",
+            "Step @gain-relation is a quadratic in `alpha` too. Its positive root is a difference, "
+            "which both formulas avoid; the second vanishes where `beta` reaches its limit (step "
+            "@beta-range).",
         ),
-        Step(
+        joined(
             "index-from-beta",
-            "1 - alpha from the velocity gain, and with it Lambda = beta/sqrt(1 - alpha).",
-            equal(real("rest"), inverses.rest_from_beta(BETA, c.e, from_beta, root_e)),
-            "Multiply 1 - alpha by its conjugate; its zeros in beta are where the index ends.",
-            tower=inverse_tower(c).name,
+            equal(
+                real("rest"),
+                inverses.rest_from_beta(BETA, c.e, from_beta, values["root_of_e"]),
+            ),
+            inverse_tower(c).name,
         ),
     ]
-
-
-def end_steps(c: Context) -> list[Step]:
-    """Leading behaviour as the index falls to zero and grows without bound."""
-    root_e = sp.sqrt(rational(c.e))
-    root_2 = sp.sqrt(sp.Integer(2))
-    far = sp.radsimp((1 + root_e) / 2)
-    n = rational(c.n)
-    m11, m12, m22 = map(real, PREDICTED)
-    x22 = real("updated_22")
-    small = {
-        "alpha": (ALPHA / ROOT, root_2),
-        "beta": (BETA / INDEX, sp.Integer(1)),
-        "predicted-11": (m11 / ROOT, root_2),
-        "predicted-12": (m12 / INDEX, sp.Integer(1)),
-        "predicted-22": (m22 / ROOT**3, root_2),
-        "updated-22": (x22 / ROOT**3, root_2),
-    }
-    large = {
-        "alpha": (real("rest") * INDEX**2, sp.radsimp(4 / (1 + root_e) ** 2)),
-        "beta": (BETA, sp.radsimp(2 / (1 + root_e))),
-        "predicted-11": (m11 / INDEX**2, sp.expand(far**2)),
-        "predicted-12": (m12 / INDEX**2, far),
-        "predicted-22": (m22 / INDEX**2, far + 1 - n),
-        "updated-22": (x22 / INDEX**2, far - n) if far != n else (x22 / INDEX, sp.Integer(2)),
-    }
-    words = {"0": "As the index falls to zero", "infinity": "As the index grows without bound"}
-    steps = []
-    for point, entries in (("0", small), ("infinity", large)):
-        for name, (expression, value) in entries.items():
-            steps.append(
-                Step(
-                    f"{'small' if point == '0' else 'large'}-{name}",
-                    f"{words[point]}: the leading term of {name.replace('-', ' ')}"
-                    + (", through 1 - alpha." if name == "alpha" and point != "0" else "."),
-                    limit(expression, point, value),
-                    "Put the end values of eta and s.",
-                    hint={"ends": c.ends},
-                )
-            )
-    return steps

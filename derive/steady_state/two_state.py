@@ -16,6 +16,7 @@ from gainproof.derive.steady_state.context import Context, context
 from gainproof.derive.steady_state.kernels import alpha_graph, beta_graph, index_graph, pole_graph
 from gainproof.derive.steady_state.module import INDEX_KERNELS, kernel_module
 from gainproof.derive.steady_state.names import INDEX, LATEX
+from gainproof.derive.steady_state.steps_ends import end_steps
 from gainproof.derive.steady_state.steps_gains import gain_steps
 from gainproof.derive.steady_state.steps_model import model_steps
 from gainproof.derive.steady_state.steps_pole_kernel import pole_programs
@@ -23,7 +24,6 @@ from gainproof.derive.steady_state.steps_poles import pole_steps, pole_towers
 from gainproof.derive.steady_state.steps_proof import covariance_steps, proof_steps
 from gainproof.derive.steady_state.steps_use import (
     derivative_steps,
-    end_steps,
     inverse_roots,
     inverse_steps,
     inverse_tower,
@@ -34,7 +34,7 @@ from gainproof.derive.subject import Program, Subject
 
 OPENING = (
     "A position is measured at a fixed interval; the state holds the position and its rate. "
-    "How much of each innovation should a filter in its steady state believe?"
+    "How much of each innovation should a Kalman filter in its steady state believe?"
 )
 
 
@@ -52,8 +52,8 @@ def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
         *proof_steps(c),
         *pole_steps(c),
         *derivative_steps(c),
-        *inverse_steps(c),
         *end_steps(c),
+        *inverse_steps(c),
         *_program_steps(c, graphs),
         *pole_programs(c, graphs["closed_loop_poles"]),
     )

@@ -14,6 +14,8 @@ class DerivedStep:
     """One step: what is said, why it follows, and the relation as plain data.
 
     `shown`: false for steps that are checked like all others and would only repeat on a page.
+    `heading`: the title of the part that the step opens. `joins`: shown with the step before it,
+    whose sentence and reason speak for both.
     """
 
     id: str
@@ -23,6 +25,8 @@ class DerivedStep:
     reason: str
     claim: Plain
     shown: bool = True
+    heading: str = ""
+    joins: bool = False
 
 
 @dataclass(frozen=True)

@@ -67,6 +67,8 @@ def plain_subject(subject: Subject) -> Derived:
                 reason=step.reason,
                 claim=step.relation.claim(),
                 shown=step.shown,
+                heading=step.heading,
+                joins=step.joins,
             )
             for step in derivation.steps
         ),

@@ -12,6 +12,8 @@ OPEN, ENTRY, ROW, CLOSE = "\x0e", "\x1f", "\x1e", "\x0f"
 
 _INNERMOST = re.compile(f"{OPEN}([^{OPEN}{CLOSE}]*){CLOSE}")
 _CONTINUED = "    "
+_RELATIONS = (" = ", " -> ")
+_SIGNS = (*_RELATIONS, " + ", " - ", " as ")
 
 
 def marked_matrix(rows: Sequence[Sequence[str]]) -> str:
@@ -35,25 +37,44 @@ def set_formula(text: str, width: int) -> list[str]:
     row: list[list[str]] = []
     for piece in _pieces(text):
         if row and sum(len(block[0]) for block in [*row, piece]) + len(row) > width:
+            moved = [row.pop()] if len(row) > 1 and row[-1] == ["="] else []
             lines += _joined(row)
-            row = [[_CONTINUED]]
+            row = [[_CONTINUED[1:]], *moved]
         row.append(piece)
     return [line.rstrip() for line in lines + _joined(row)]
 
 
 def broken(text: str, width: int) -> list[str]:
-    """A formula without matrices on as few lines as it needs, broken before a sign."""
+    """A formula without matrices on as few lines as it needs, broken before a sign, outside
+    parentheses where that can be had.
+    """
     lines: list[str] = []
     rest = text
     while len(rest) > width:
-        cut = max(rest.rfind(sign, 1, width) for sign in (" = ", " + ", " - "))
-        if cut < width // 4:
-            cut = rest.rfind(" ", 1, width)
-        if cut <= len(_CONTINUED):
+        cut = _cut(rest, width)
+        if not cut:
             break
         lines.append(rest[:cut].rstrip())
-        rest = _CONTINUED + rest[cut:].lstrip()
+        # a product that goes on stands further in than a term
+        again = _CONTINUED if rest.startswith(_SIGNS, cut) else 2 * _CONTINUED
+        rest = again + rest[cut:].lstrip()
     return [*lines, rest]
+
+
+def _cut(text: str, width: int) -> int:
+    """The best place for a line to end: of the least depth of parentheses, where a sign is better
+    than a space between factors, and the last of those; 0 if there is none.
+    """
+    depth = 0
+    found: list[tuple[int, int, int]] = []
+    for place, character in enumerate(text[: width + 1]):
+        depth += (character in "([") - (character in ")]")
+        if character == " " and place > 2 * len(_CONTINUED):
+            sign = text.startswith(_SIGNS, place)
+            # early in the line only an equals sign or an arrow is worth a break
+            early = place < width // 4 and not text.startswith(_RELATIONS, place)
+            found.append((-early, -2 * depth - (not sign), place))
+    return max(found, default=(0, 0, 0))[-1]
 
 
 def _pieces(text: str) -> list[list[str]]:
@@ -63,7 +84,7 @@ def _pieces(text: str) -> list[list[str]]:
     for match in _INNERMOST.finditer(text):
         before = text[position : match.start()].strip()
         if before:
-            pieces += [[word] for word in re.split(r"(?<= =) ", before)]
+            pieces += [[word] for word in re.split(r" (?==)|(?<==) ", before)]
         pieces.append(matrix_rows([row.split(ENTRY) for row in match[1].split(ROW)]))
         position = match.end()
     after = text[position:].strip()

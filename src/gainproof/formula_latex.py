@@ -2,12 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
 
 from gainproof.formula_term import Graph, Style, lay_out
 
 
-def formula_latex(graph: Graph, names: Mapping[str, str], output: str = "value") -> str:
+def replaced(text: str, symbol: str, value: str) -> str:
+    """An expression at a value of a symbol, with a bar."""
+    return rf"\left.{text}\right|_{{{symbol} = {value}}}"
+
+
+def indexed(text: str, symbol: str, value: str) -> str:
+    """The same without the bar for a single name: `\alpha_k` as `\alpha_{1}`."""
+    if not re.fullmatch(r"\\?[A-Za-z]+(_\w|_\{\w+\})?", text):
+        return replaced(text, symbol, value)
+    if text.endswith(f"_{symbol}"):
+        return f"{text.removesuffix(symbol)}{{{value}}}"
+    return f"{text}({value})"
+
+
+def formula_latex(
+    graph: Graph,
+    names: Mapping[str, str],
+    output: str = "value",
+    at: Callable[[str, str, str], str] = replaced,
+) -> str:
     """One output of a graph; names are written as `names` says, else upright as they are."""
     style = Style(
         symbol=lambda name: symbol_latex(name, names),
@@ -18,7 +38,7 @@ def formula_latex(graph: Graph, names: Mapping[str, str], output: str = "value")
         matrix=_matrix,
         call=lambda name, parts: rf"\operatorname{{{name}}}\left({', '.join(parts)}\right)",
         derivative=lambda text, symbol: rf"\frac{{d}}{{d{symbol}}} {text}",
-        at=lambda text, symbol, value: rf"\left.{text}\right|_{{{symbol} = {value}}}",
+        at=at,
         too_long=lambda nodes: rf"\text{{an expression of {nodes} nodes}}",
     )
     return lay_out(graph, style, output)

@@ -16,11 +16,26 @@ def inline_matrix(rows: Sequence[Sequence[str]]) -> str:
     return "[" + "; ".join(", ".join(row) for row in rows) + "]"
 
 
+def replaced(text: str, symbol: str, value: str) -> str:
+    """An expression with a value for a symbol, as the reader of formulas reads it: `a[k := 1]`."""
+    return f"{text}[{symbol} := {value}]"
+
+
+def indexed(text: str, symbol: str, value: str) -> str:
+    """The same as pages for people write it: `alpha_k` as alpha_1, `M11` as M11(k - 1)."""
+    if not re.fullmatch(r"[A-Za-z]\w*", text):
+        return replaced(text, symbol, value)
+    if text.endswith(f"_{symbol}"):
+        return text.removesuffix(symbol) + (value if value.isalnum() else f"({value})")
+    return f"{text}({value})"
+
+
 def formula_text(
     graph: Graph,
     names: Mapping[str, str],
     output: str = "value",
     matrix: Callable[[Sequence[Sequence[str]]], str] = inline_matrix,
+    at: Callable[[str, str, str], str] = replaced,
 ) -> str:
     """One output of a graph; names are written as `names` says, else as they are."""
     style = Style(
@@ -32,7 +47,7 @@ def formula_text(
         matrix=matrix,
         call=lambda name, arguments: f"{name}({', '.join(arguments)})",
         derivative=lambda text, symbol: f"(d/d{symbol}) {text}",
-        at=lambda text, symbol, value: f"{text}[{symbol} := {value}]",
+        at=at,
         too_long=lambda nodes: f"(an expression of {nodes} nodes)",
     )
     return lay_out(graph, style, output)
@@ -41,6 +56,8 @@ def formula_text(
 def plain_name(latex: str) -> str:
     """A LaTeX symbol as a word: `\\alpha_k` alpha_k, `M_{11}` M11, `\\mathrm{Re} z_1` Re z1."""
     bare = re.sub(r"\\(?:operatorname|mathrm|text|bar|hat|dot|tilde)\{([^}]*)\}", r"\1", latex)
+    bare = re.sub(r"\\(?:bar|hat|dot|tilde) ", "", bare)
+    bare = re.sub(r"\\sqrt\{([^}]*)\}", r"sqrt(\1)", bare)
     return re.sub(r"[\\{}]|_(?=\{?\d)", "", bare).strip()
 
 

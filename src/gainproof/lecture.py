@@ -8,10 +8,12 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from gainproof.derived import Derived, DerivedStep
+from gainproof.derived import Derived
 from gainproof.formula_block import marked_matrix, matrix_rows, set_formula
-from gainproof.formula_text import formula_text, plain_name
+from gainproof.formula_text import formula_text, indexed, plain_name
+from gainproof.lecture_items import Item, items, numbers
 from gainproof.page import WIDTH
+from gainproof.prose import numbered, plain_prose, wrapped
 from gainproof.relation_text import Writer, relation_lines
 
 INDENT = "     "
@@ -25,34 +27,49 @@ def page(
     """
     marks = marks_of(report)
     names = {name: plain_name(latex) for name, latex in derived.symbols.items()}
-    writer = Writer(names, functools.partial(formula_text, matrix=marked_matrix))
+    writer = Writer(
+        names, functools.partial(formula_text, matrix=marked_matrix, at=indexed), plain=plain_prose
+    )
     parts = [heading(derived.title)]
     if derived.opening:
         parts.append(textwrap.fill(derived.opening, columns))
     if derived.model is not None:
-        parts.append(model_text(derived.model, names))
-    shown = [step for step in derived.steps if step.shown]
+        parts.append(model_text(derived.model, names, columns))
     if with_steps:
-        parts += [step_text(i, step, writer, marks, columns) for i, step in enumerate(shown, 1)]
+        found = items(derived.steps)
+        for item in found:
+            if item.first.heading:
+                parts.append(heading(item.first.heading, "-"))
+            parts.append(item_text(item, numbers(found), writer, marks, columns))
     else:
         parts.append(results(derived, writer, marks, columns))
     parts.append(textwrap.fill(closing(derived, report), columns))
     return "\n\n".join(parts) + "\n"
 
 
-def heading(title: str) -> str:
+def heading(title: str, line: str = "=") -> str:
     """A title underlined."""
-    return f"{title}\n{'=' * len(title)}"
+    return f"{title}\n{line * len(title)}"
 
 
-def model_text(model: Mapping[str, Any], names: Mapping[str, str]) -> str:
-    """The matrices of a scaled model side by side with their names.
+def model_sentence(model: Mapping[str, Any]) -> str:
+    """What the matrices of a scaled model are.
 
     The deviation that is 1 is called as sources call it: sigma_v of the only measurement, sigma_o
     of the position where other entries are measured too.
     """
     unit = "sigma_v" if len(model["measurement"]) == 1 else "sigma_o"
-    lines = [f"In units T = 1 and {unit} = 1, with process noise q Q0 and q = Lambda^2:", ""]
+    return (
+        "The model, with the sampling interval and the standard deviation of the measured position "
+        f"as units (`T = 1`, `{unit} = 1`): transition `F`, measurement matrix `H`, measurement "
+        "noise of covariance `R`, and process noise of covariance `Lambda^2 Q0`, where `Lambda` is "
+        "the tracking index."
+    )
+
+
+def model_text(model: Mapping[str, Any], names: Mapping[str, str], columns: int) -> str:
+    """The matrices of a scaled model below each other, with their names."""
+    lines = [*wrapped(model_sentence(model), columns), ""]
     for label, field in (
         ("F", "transition"),
         ("Q0", "process_noise"),
@@ -70,34 +87,60 @@ def _entry(entry: Any, names: Mapping[str, str]) -> str:
     return entry if isinstance(entry, str) else formula_text(entry, names)
 
 
-def step_text(
-    number: int, step: DerivedStep, writer: Writer, marks: Mapping[str, str], columns: int
+def item_text(
+    item: Item,
+    known: Mapping[str, int],
+    writer: Writer,
+    marks: Mapping[str, str],
+    columns: int,
 ) -> str:
-    """One numbered step: the sentence, the formula, the reason, and how it is known."""
-    mark = marks[step.id]
-    first = f"{number:>3}. "
-    lines = [textwrap.fill(step.sentence, columns, initial_indent=first, subsequent_indent=INDENT)]
-    lines.append("")
-    for formula in relation_lines(step.kind, step.claim, writer):
-        lines += display(formula, columns)
-    lines += ["", *reason_lines(step.reason, f"[{mark}]", columns)]
+    """One numbered item: the sentence, the formulas, the reason, and how they are known. `known`:
+    the numbers of steps by id.
+    """
+    sentence = numbered(item.first.sentence, known)
+    lines = [*wrapped(sentence, columns, f"{item.number:>3}. ", INDENT), ""]
+    lines += formula_lines(item, writer, columns)
+    reason = numbered(item.first.reason, known)
+    lines += ["", *reason_lines(reason, f"[{item.mark(marks)}]", columns)]
     return "\n".join(lines)
+
+
+def formula_lines(item: Item, writer: Writer, columns: int) -> list[str]:
+    """The formulas of an item, with a blank line beside those that take several lines."""
+    lines: list[str] = []
+    before = 0
+    for step in item.steps:
+        for formula in relation_lines(step.kind, step.claim, writer):
+            words = step.kind == "cited"
+            shown = (quoted if words else display)(formula, columns)
+            if before and before + len(shown) > 2 and not words:
+                lines.append("")
+            lines += shown
+            before = len(shown)
+    return lines
 
 
 def reason_lines(reason: str, mark: str, columns: int) -> list[str]:
     """The reason, and the mark at the right edge of its last line."""
-    lines = textwrap.wrap(reason, columns - len(INDENT)) or [""]
-    room = columns - len(INDENT) - len(mark)
-    if len(lines[-1]) + 2 > room:
+    lines = wrapped(reason, columns - len(INDENT)) or [""]
+    marked = textwrap.wrap(mark, columns - len(INDENT))
+    room = columns - len(INDENT) - len(marked[0])
+    if len(marked) > 1 or len(lines[-1]) + 2 > room:
         lines.append("")
-    lines[-1] = f"{lines[-1]:<{room}}{mark}"
-    return [INDENT + line for line in lines]
+    lines[-1] = f"{lines[-1]:<{room}}{marked[0]}"
+    return [INDENT + line for line in [*lines, *marked[1:]]]
 
 
 def display(formula: str, columns: int) -> list[str]:
     """A formula set in from the margin."""
     indent = INDENT + "   "
     return [indent + line for line in set_formula(formula, columns - len(indent))]
+
+
+def quoted(text: str, columns: int) -> list[str]:
+    """Words set in from the margin like a formula."""
+    indent = INDENT + "   "
+    return textwrap.wrap(text, columns, initial_indent=indent, subsequent_indent=indent + "    ")
 
 
 def results(derived: Derived, writer: Writer, marks: Mapping[str, str], columns: int) -> str:

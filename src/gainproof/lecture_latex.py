@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gainproof.derived import Derived, DerivedStep
-from gainproof.formula_latex import formula_latex
-from gainproof.lecture import count, marks_of
+from gainproof.derived import Derived
+from gainproof.formula_latex import formula_latex, indexed
+from gainproof.latex_display import aligned
+from gainproof.lecture import count, marks_of, model_sentence
+from gainproof.lecture_items import Item, items, numbers
+from gainproof.prose import latex_math, latex_prose, numbered
 from gainproof.relation_text import Writer, relation_lines
 
 _SPECIAL = {
@@ -24,6 +28,7 @@ _SPECIAL = {
     "<": r"\textless{}",
     ">": r"\textgreater{}",
 }
+MODEL_SYMBOLS = {"lambda": r"\Lambda", "v": r"\sigma_v", "o": r"\sigma_o"}
 MODEL_FIELDS = (
     ("F", "transition"),
     ("Q_0", "process_noise"),
@@ -37,27 +42,31 @@ def document(derived: Derived, report: Mapping[str, Any]) -> str:
     marks = marks_of(report)
     writer = Writer(
         derived.symbols,
-        formula_latex,
+        functools.partial(formula_latex, at=indexed),
         words=lambda text: rf"\text{{{escaped(text)}}}",
-        plain=lambda text: rf"\parbox{{0.85\linewidth}}{{\raggedright {escaped(text)}}}",
+        plain=lambda text: (
+            r"\parbox{0.85\linewidth}{\raggedright "
+            f"{latex_prose(text, derived.symbols, escaped)}}}"
+        ),
+        math=lambda text: latex_math(text, derived.symbols),
         tends=r"\to",
         infinity=r"\infty",
     )
-    shown = [step for step in derived.steps if step.shown]
+    found = items(derived.steps)
     tally = count(marks[step.id] for step in derived.steps)
     parts = [
         r"\documentclass{article}",
         r"\usepackage{amsmath}",
+        r"\usepackage[margin=25mm]{geometry}",
         r"\allowdisplaybreaks",
         rf"\title{{{escaped(derived.title)}}}",
         r"\author{}",
         r"\date{}",
         r"\begin{document}",
         r"\maketitle",
-        escaped(derived.opening),
+        latex_prose(derived.opening, derived.symbols, escaped) + "\n",
         *([_model(derived.model, derived.symbols)] if derived.model is not None else []),
-        r"\begin{enumerate}",
-        *(_step(step, writer, marks) for step in shown),
+        *(_item(item, numbers(found), writer, derived.symbols, marks) for item in found),
         r"\end{enumerate}",
         escaped(f"{len(derived.steps)} steps: {tally}."),
         r"\end{document}",
@@ -70,23 +79,39 @@ def escaped(text: str) -> str:
     return "".join(_SPECIAL.get(character, character) for character in text)
 
 
-def _step(step: DerivedStep, writer: Writer, marks: Mapping[str, str]) -> str:
-    lines = relation_lines(step.kind, step.claim, writer)
-    display = "\\\\\n".join(rf"&{line}" for line in lines)
-    mark = escaped(marks[step.id])
-    return (
-        f"\\item {escaped(step.sentence)}\n"
-        f"\\begin{{align*}}\n{display}\n\\end{{align*}}\n"
-        f"{escaped(step.reason)} \\hfill [{mark}]"
+def _item(
+    item: Item,
+    known: Mapping[str, int],
+    writer: Writer,
+    symbols: Mapping[str, str],
+    marks: Mapping[str, str],
+) -> str:
+    lines = [line for s in item.steps for line in relation_lines(s.kind, s.claim, writer)]
+    sentence, reason = (
+        latex_prose(numbered(text, known), symbols, escaped)
+        for text in (item.first.sentence, item.first.reason)
     )
+    return (
+        f"{_opening(item)}\\item {sentence}\n"
+        f"\\begin{{align*}}\n{aligned(lines)}\n\\end{{align*}}\n"
+        f"{reason} \\hfill [{escaped(item.mark(marks))}]"
+    )
+
+
+def _opening(item: Item) -> str:
+    """Before a new part: its title, between two lists whose numbers go on."""
+    if item.number > 1 and not item.first.heading:
+        return ""
+    ending = "\\end{enumerate}\n" if item.number > 1 else ""
+    title = rf"\section*{{{escaped(item.first.heading)}}}" if item.first.heading else ""
+    return f"{ending}{title}\n\\begin{{enumerate}}\\setcounter{{enumi}}{{{item.number - 1}}}\n"
 
 
 def _model(model: Mapping[str, Any], names: Mapping[str, str]) -> str:
     shown = ", \\quad ".join(
         f"{label} = {_matrix(model[field], names)}" for label, field in MODEL_FIELDS
     )
-    unit = r"\sigma_v" if len(model["measurement"]) == 1 else r"\sigma_o"
-    lead = rf"In units $T = 1$, ${unit} = 1$, with process noise $q Q_0$ and $q = \Lambda^2$:"
+    lead = latex_prose(model_sentence(model), {**MODEL_SYMBOLS, **names}, escaped)
     return f"{lead}\n\\[\n{shown}\n\\]"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -10,18 +11,24 @@ from gainproof.formula_term import Graph
 
 Claim = Mapping[str, Any]
 
+# equations in a definition in words: `F = [1, T; 0, 1], H = [1, 0]`
+_EQUATION = re.compile(r"[A-Za-z][\w^-]* = ")
+_EQUATIONS = re.compile(rf", (?={_EQUATION.pattern})")
+
 
 @dataclass(frozen=True)
 class Writer:
     """How formulas are written: `formula(graph, names, output)` with these names.
 
-    `words` sets words among formulas, `plain` a whole line without formulas.
+    `words` sets words among formulas, `plain` a whole line without formulas, `math` a formula of
+    plain letters.
     """
 
     names: Mapping[str, str]
     formula: Callable[[Graph, Mapping[str, str], str], str]
     words: Callable[[str], str] = str
     plain: Callable[[str], str] = str
+    math: Callable[[str], str] = str
     tends: str = "->"
     infinity: str = "infinity"
 
@@ -106,19 +113,28 @@ def _monotone(claim: Claim, w: Writer) -> list[str]:
 
 
 def _riccati(claim: Claim, w: Writer) -> list[str]:
+    first, second = _letter(claim["predicted"], w, "M"), _letter(claim["updated"], w, "X")
+    noise = f"{w.name(claim['index'])}^2 {w.math('Q0')}"
     return [
-        f"M = F X F' + {w.name(claim['index'])}^2 Q0",
-        "X = (I - K H) M",
-        "K = M H'/(H M H' + R)",
         f"K = {_gain(claim['gain'], w)}",
-        f"M = {_matrix(claim['predicted'], w)}",
-        f"X = {_matrix(claim['updated'], w)}",
+        f"{first} = {_matrix(claim['predicted'], w)}",
+        f"{second} = {_matrix(claim['updated'], w)}",
+        f"{first} = F {second} F' + {noise}",
+        f"{second} = (I - K H) {first}",
+        f"K = {first} H' (H {first} H' + R){w.math('^-1')}",
     ]
 
 
-def _stable(claim: Claim, w: Writer) -> list[str]:
+def _letter(rows: Sequence[Sequence[str]], w: Writer, otherwise: str) -> str:
+    """The letter of a matrix, from how its first entry is written."""
+    found = re.match(r"[A-Za-z]+(?=\d|_)", w.name(rows[0][0]))
+    return found[0] if found else otherwise
+
+
+def _stable(_: Claim, w: Writer) -> list[str]:
     only = w.words(" only for ")
-    return [f"det(zI - F (I - K H)) = 0{only}|z| < 1", f"K = {_gain(claim['gain'], w)}"]
+    polynomial = w.math("det(z I - F (I - K H))")
+    return [f"{polynomial} = 0{only}|z| < 1"]
 
 
 def _definite(claim: Claim, w: Writer) -> list[str]:
@@ -141,7 +157,15 @@ def _sum(claim: Claim, w: Writer) -> list[str]:
 
 
 def _definition(claim: Claim, w: Writer) -> list[str]:
-    return [w.plain(str(claim["text"]))] if "text" in claim else _equal(claim, w)
+    if "text" not in claim:
+        return _equal(claim, w)
+    parts = _EQUATIONS.split(str(claim["text"]))
+    return [w.math(_spaced(part)) if _EQUATION.match(part) else w.plain(part) for part in parts]
+
+
+def _spaced(equation: str) -> str:
+    """Factors side by side, as everywhere else."""
+    return re.sub(r"(?<=[\w)])\*(?=[\w(])", " ", equation)
 
 
 def _cited(claim: Claim, w: Writer) -> list[str]:

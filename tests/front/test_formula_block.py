@@ -22,10 +22,10 @@ def test_heights_are_centred() -> None:
 
 def test_a_long_line_goes_on_below() -> None:
     assert set_formula(f"{SQUARE} = {SQUARE}", 16) == [
-        "[ 1     T ] =",
+        "[ 1     T ]",
         "[ 0  -1/2 ]",
-        "     [ 1     T ]",
-        "     [ 0  -1/2 ]",
+        "    = [ 1     T ]",
+        "      [ 0  -1/2 ]",
     ]
 
 
@@ -44,3 +44,12 @@ def test_a_long_sum_is_broken_before_signs() -> None:
 
 def test_one_long_word_is_left_whole() -> None:
     assert set_formula("x" * 200, 60) == ["x" * 200]
+
+
+def test_a_sum_is_broken_outside_its_parentheses_where_that_can_be_had() -> None:
+    text = "y = a0 a1 a2 + b0 b1 (1/2 + c) (d0 + d1)/(1 + e0 e1)"
+    assert set_formula(text, 40) == [
+        "y = a0 a1 a2",
+        "    + b0 b1 (1/2 + c)",
+        "        (d0 + d1)/(1 + e0 e1)",
+    ]

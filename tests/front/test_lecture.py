@@ -8,6 +8,8 @@ import pytest
 
 from gainproof import cli, derivations, lecture
 from gainproof.derived import Derived, derived_from
+from gainproof.lecture_items import items, numbers
+from gainproof.prose import numbered, plain_prose
 from gainproof.workshop import open_workshop
 
 SUBJECTS = ("random-velocity", "random-acceleration", "least-squares-line")
@@ -26,14 +28,16 @@ def test_page_shows_every_step_in_order(
 ) -> None:
     assert cli.main(["derive", name, "--steps"]) == 0
     text = capsys.readouterr().out
-    shown = [step for step in subjects[name].steps if step.shown]
-    numbers = [int(n) for n in re.findall(r"^ {0,2}(\d+)\. \S", text, flags=re.MULTILINE)]
-    assert numbers == list(range(1, len(shown) + 1))
+    found = items(subjects[name].steps)
+    printed = [int(n) for n in re.findall(r"^ {0,2}(\d+)\. \S", text, flags=re.MULTILINE)]
+    assert printed == list(range(1, len(found) + 1))
     flat = " ".join(text.split())
-    for step in shown:
-        assert " ".join(step.sentence.split()) in flat, step.id
+    for item in found:
+        for words in (item.first.sentence, item.first.reason):
+            said = plain_prose(numbered(words, numbers(found)))
+            assert " ".join(said.split()) in flat, item.first.id
     marks = re.findall(r"\[(proved|cited|definition)\]$", text, flags=re.MULTILINE)
-    assert len(marks) == len(shown)
+    assert len(marks) == len(found)
 
 
 @pytest.mark.parametrize("name", SUBJECTS)
