@@ -30,6 +30,7 @@ from gainproof.derive.vector_measurement.steps_spectrum import spectrum_steps
 from gainproof.derive.vector_measurement.steps_trends import trend_steps
 from gainproof.derive.vector_measurement.steps_width import LATEX as WIDTH_LATEX
 from gainproof.derive.vector_measurement.steps_width import outer_tower, width_steps
+from gainproof.derive.vector_measurement.steps_without_trend import without_trend_steps
 from gainproof.derive.vector_measurement.textbook import textbook_forms
 
 OPENING = (
@@ -73,6 +74,7 @@ def derive_position_velocity(
         *improvement_steps(c),
         *trend_steps(c),
         *corner_steps(c),
+        *without_trend_steps(c),
         *width_steps(c),
         *program_steps(c, graphs),
     )
