@@ -36,6 +36,7 @@ from saved_state import save
 import gainproof.generated
 
 CHUNK = 500
+SPANS = ("domain", "near", "grid")
 Found = dict[str, tuple[float, Any, int]]
 HELP = "worst error of every kernel output over very many points, beside its stated bound"
 
@@ -134,13 +135,19 @@ def note(state: dict[str, Any], task: Task, found: Found) -> None:
 
 
 class Said(NamedTuple):
-    """What a docstring says of one output in one format."""
+    """What a docstring says of one output in one format; `argument` as in the key of a task."""
 
     kernel: str
+    argument: str
     output: str
     dtype: str
     where: str
     bound: Fraction
+
+    def chosen(self, only: str) -> bool:
+        """Whether any chunk of this output has the text in its key, as `tasks` chooses them."""
+        family = self.kernel.split(".")[0]
+        return any(only in f"{family}/{self.argument}/{self.dtype}/{span}" for span in SPANS)
 
 
 def statements() -> Iterator[Said]:
@@ -150,12 +157,13 @@ def statements() -> Iterator[Said]:
             for output in kernel.outputs:
                 promise = kernel.promises[dtype][output]
                 where = f"{promise.lowest:.3g}..{promise.highest:.3g}"
-                yield Said(kernel.id, output, dtype, where, promise.bound)
+                yield Said(kernel.id, kernel.argument, output, dtype, where, promise.bound)
     for pair in printed_pairs():
         for dtype in DTYPES:
             where = " x ".join(f"{low:.3g}..{high:.3g}" for low, high in pair.domain[dtype])
             for output, stated in pair.outputs.items():
-                yield Said(pair.id, output, dtype, where, stated.bound[dtype])
+                arguments = ",".join(pair.arguments)
+                yield Said(pair.id, arguments, output, dtype, where, stated.bound[dtype])
 
 
 def table(state: dict[str, Any], only: str) -> tuple[list[str], bool]:
@@ -166,10 +174,10 @@ def table(state: dict[str, Any], only: str) -> tuple[list[str], bool]:
         start = f"{said.kernel.replace('.', '/', 1)}.{said.output}/{said.dtype}"
         measured = [
             Worst(*state["worst"].get(f"{start}/{span}", (0.0, 0.0, 0)))
-            for span in ("domain", "near", "grid")
+            for span in SPANS
         ]
         count = sum(worst.points for worst in measured)
-        if not count or only not in said.kernel:
+        if not count or not said.chosen(only):
             continue
         kept &= all(worst.error <= said.bound for worst in measured)
         name = f"{said.kernel}.{said.output}"
@@ -188,7 +196,7 @@ def main() -> int:
     parser.add_argument("--points", type=int, default=100_000, help="of each kind")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--state", type=Path, default=Path("kernel_ulp.state.json"))
-    parser.add_argument("--only", default="", help="text that the family must contain")
+    parser.add_argument("--only", default="", help="text that family/argument/format/span must contain")
     options = parser.parse_args()
     state = load(options.state)
     done = set(state["done"])

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 SCRIPT = Path(__file__).resolve().parents[1] / "campaigns" / "kernel_ulp.py"
-ONLY = ["--only", "least_squares_mean", "--points", "1000", "--jobs", "1"]
+ONLY = ["--only", "least_squares_mean/sample_number", "--points", "1000", "--jobs", "1"]
 
 
 def run(state: Path) -> subprocess.CompletedProcess[str]:
