@@ -1,4 +1,6 @@
-"""Printed numbers: the exact value lies within half a unit of the last digit shown."""
+"""Printed numbers: the exact value lies within half a unit of the last digit shown, ties as
+`printed_number` says.
+"""
 
 from __future__ import annotations
 
@@ -12,15 +14,16 @@ from gainproof.verify.judge.claim_record import Claim
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure
-from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import rational
-from gainproof.verify.judge.exact.statement import Enclosure, Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import Rel, Statement, Witness
 from gainproof.verify.judge.formula import Reading, Relation
 from gainproof.verify.judge.kinds.approach import approach_of, arrow_of, end_of
 from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain
 from gainproof.verify.judge.kinds.limit import limit_by_expansion
 from gainproof.verify.judge.kinds.near_limit import open_sides, others_frame
+from gainproof.verify.judge.kinds.printed_number import PrintedNumber
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.verdict import Finding, finding_of
 
@@ -36,9 +39,8 @@ def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     only_plain(printed)
     frame = framed(claim, scope, printed)
     finding: Finding | None = None
-    for exact, shown, decimals in printed_numbers:
-        half = Fraction(1, 2) / Fraction(10) ** decimals
-        finding = _within(exact, shown, half, frame)
+    for exact, shown in printed_numbers:
+        finding = _within(exact, shown, frame)
         if finding.verdict != "proved":
             return finding
     if finding is None:
@@ -49,7 +51,7 @@ def judge_value(claim: Claim, reading: Reading, scope: Scope) -> Finding:
 def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """The same for the limit of the other side, where the arrow says."""
     arrow, others = arrow_of(reading)
-    exact, shown, decimals = _turned(reading.relations[0], scope)
+    exact, shown = _turned(reading.relations[0], scope)
     variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
     scope.refuse_moving(variable, exact)
     printed = tuple(scope.relation(r) for r in others)
@@ -59,13 +61,12 @@ def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     around, dropped = others_frame(frame, approach)
     if dropped:
         raise Undecided("a limit under conditions on its variable")
-    half = Fraction(1, 2) / Fraction(10) ** decimals
     finding: Finding | None = None
     for side in open_sides(approach, frame, around):
         found = limit_by_expansion(approach.moved(exact, side), around)
         if isinstance(found, str):
             raise Undecided(f"a printed number for a limit that is {found}")
-        finding = _within(found, shown, half, around)
+        finding = _within(found, shown, around)
         if finding.verdict != "proved":
             break
     if finding is None:
@@ -74,8 +75,8 @@ def _of_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     return replace(finding, domain=domain, method=f"expansion near the limit; {finding.method}")
 
 
-def _turned(relation: Relation, scope: Scope) -> tuple[Expr, Fraction, int]:
-    """The exact side, the number printed, and how many decimals of it are."""
+def _turned(relation: Relation, scope: Scope) -> tuple[Expr, PrintedNumber]:
+    """The exact side, and the number printed with its decimals."""
     left, right = scope.expression(relation.left), scope.expression(relation.right)
     for exact, shown, decimals in (
         (left, right, relation.right_decimals),
@@ -83,38 +84,29 @@ def _turned(relation: Relation, scope: Scope) -> tuple[Expr, Fraction, int]:
     ):
         value = constant_value(shown)
         if value is not None and decimals is not None:
-            return exact, value, decimals
+            return exact, PrintedNumber(value, decimals)
     raise Undecided("neither side is a number as printed, with its digits")
 
 
-def _within(exact: Expr, shown: Fraction, half: Fraction, frame: Frame) -> Finding:
+def _within(exact: Expr, shown: PrintedNumber, frame: Frame) -> Finding:
     point = _point(frame.conditions)
     if symbols_of(exact) <= set(point):
-        found = _by_ball(exact, shown, half, point, frame)
+        found = _by_ball(exact, shown, point, frame)
         if found is not None:
             return found
-    low, high = number(shown - half), number(shown + half)
-    found = finding_of(frame.decide(Statement((Rel("<=", low, exact), Rel("<=", exact, high)))))
-    return _against_printed(found, shown, half)
+    return _against_printed(finding_of(frame.decide(Statement(shown.bounds(exact)))), shown)
 
 
-def _against_printed(found: Finding, shown: Fraction, half: Fraction) -> Finding:
+def _against_printed(found: Finding, shown: PrintedNumber) -> Finding:
     """The finding with its witness told of the number as printed, not of an end of its interval."""
     witness = found.witness
     if witness is None or witness.left.undefined or witness.right.undefined:
         return found
     # what fails is low <= value or value <= high: the left side is below the number in the first
-    value = witness.right if Fraction(witness.left.midpoint) < shown else witness.left
-    told = replace(witness, operator="approx", left=value, right=_printed(shown, half))
-    return replace(found, witness=replace(told, note=_digits(shown, half)))
-
-
-def _printed(shown: Fraction, half: Fraction) -> Enclosure:
-    return Enclosure(str(float(shown)), str(float(half)))
-
-
-def _digits(shown: Fraction, half: Fraction) -> str:
-    return f"the digits stand for {shown - half} to {shown + half}"
+    is_low = Fraction(witness.left.midpoint) < shown.value
+    value = witness.right if is_low else witness.left
+    told = replace(witness, operator="approx", left=value, right=shown.ball(), note=shown.note())
+    return replace(found, witness=told)
 
 
 def _point(conditions: Iterable[Rel]) -> dict[str, Fraction]:
@@ -129,7 +121,7 @@ def _point(conditions: Iterable[Rel]) -> dict[str, Fraction]:
 
 
 def _by_ball(
-    exact: Expr, shown: Fraction, half: Fraction, point: Mapping[str, Fraction], frame: Frame
+    exact: Expr, shown: PrintedNumber, point: Mapping[str, Fraction], frame: Frame
 ) -> Finding | None:
     """The finding where a ball lies inside the interval of the digits shown, or outside of it."""
     used = {n: v for n, v in point.items() if n in symbols_of(exact)}
@@ -142,18 +134,16 @@ def _by_ball(
     except (NoValue, Unresolved):
         return None
     with flint.ctx.workprec(PRECISION):
-        above = ball - flint.arb(rational(shown - half))
-        below = flint.arb(rational(shown + half)) - ball
+        above = ball - flint.arb(rational(shown.low))
+        below = flint.arb(rational(shown.high)) - ball
     value = enclosure(ball, 15)
     where = {frame.labels.get(n, n): str(v) for n, v in used.items()}
     if above > 0 and below > 0:
-        interval = f"{shown - half} to {shown + half}"
-        certificate = {"point": where, "value": value.to_json(), "interval": interval}
+        certificate = {"point": where, "value": value.to_json(), "interval": shown.text()}
         reason = f"the exact value {value.midpoint} lies in the interval of the digits shown"
         return Finding("proved", reason, _text(where), "a ball round the value", None, certificate)
     if above < 0 or below < 0:
-        printed = _printed(shown, half)
-        witness = Witness(where, "approx", value, printed, note=_digits(shown, half))
+        witness = Witness(where, "approx", value, shown.ball(), note=shown.note())
         return Finding(
             "refuted", f"fails {witness.text()}", "nowhere", "a ball round the value", witness
         )
