@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.expression import (
@@ -42,10 +42,13 @@ def substituted(expr: Expr, values: Mapping[str, Expr]) -> Expr:
 
 
 def differentiated(expr: Expr, name: str) -> Expr:
-    """Partial derivative with respect to a symbol. Raises Undecided for unknown functions."""
-    slope: dict[
-        bytes, Expr | None
-    ] = {}  # None: the derivative is zero because the symbol does not occur
+    """Partial derivative with respect to a symbol. Raises Undecided for unknown functions.
+
+    It may lack a value where the function has a derivative, as that of |x| - |x| does at 0.
+    """
+    # None: the derivative is zero because the symbol does not occur
+    slope: dict[bytes, Expr | None] = {}
+    expr = _sizes_in_one_power(expr)
     for node in walk(expr):
         slope[node.key] = _slope(node, [slope[p.key] for p in node.parts], name)
     found = slope[expr.key]
@@ -60,6 +63,8 @@ def _slope(node: Expr, inner: list[Expr | None], name: str) -> Expr | None:
     match node.kind:
         case "add":
             return add(*[d for d in inner if d is not None])
+        case "mul" if (bent := _times_own_size(node, inner)) is not None:
+            return bent
         case "mul":
             terms = []
             for place, d in enumerate(inner):
@@ -88,6 +93,55 @@ def _slope(node: Expr, inner: list[Expr | None], name: str) -> Expr | None:
             return known
         case _:
             raise Undecided(f"the derivative of {node.kind} {node.value} is not known")
+
+
+def _times_own_size(node: Expr, inner: list[Expr | None]) -> Expr | None:
+    """The derivative of u^m |u| times the rest: (m + 1) u^(m-1) |u| u' times the rest, and so on.
+    The product rule has no value where u = 0, where u |u| has a slope. None for other products.
+    """
+    for place, size in enumerate(node.parts):
+        u = _inside_size(size)
+        twin = None if u is None else next(_powers_of(u, node.parts), None)
+        if twin is None or inner[twin] is None:
+            continue
+        m = node.parts[twin].fraction if node.parts[twin] != u else Fraction(1)
+        rest = [k for k in range(len(node.parts)) if k not in (place, twin)]
+        others = [node.parts[k] for k in rest]
+        terms = [mul(number((m + 1) / m), size, _known(inner[twin]), *others)]
+        for k in rest:
+            if inner[k] is not None:
+                kept = [p for n, p in enumerate(node.parts) if n != k]
+                terms.append(mul(_known(inner[k]), *kept))
+        return add(*terms)
+    return None
+
+
+def _powers_of(u: Expr, parts: tuple[Expr, ...]) -> Iterator[int]:
+    """Places of u, or of u to a whole positive power."""
+    for place, part in enumerate(parts):
+        is_power = part.kind == "pow" and part.parts[0] == u
+        if part == u or (is_power and part.fraction > 0 and part.fraction.denominator == 1):
+            yield place
+
+
+def _sizes_in_one_power(expr: Expr) -> Expr:
+    """|u|^n with a whole n >= 2 as (u^2)^(n/2), whose slope has a value where u = 0."""
+
+    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        is_whole = node.kind == "pow" and node.fraction.denominator == 1
+        if not is_whole or node.fraction < 2 or _inside_size(parts[0]) is None:
+            return None
+        return power(parts[0].parts[0], node.fraction / 2)
+
+    return rebuilt(expr, change)
+
+
+def _inside_size(expr: Expr) -> Expr | None:
+    """What the absolute value is of, which is written as the root of its square; else None."""
+    if expr.kind != "pow" or expr.fraction != Fraction(1, 2) or expr.parts[0].kind != "pow":
+        return None
+    square = expr.parts[0]
+    return square.parts[0] if square.fraction == 2 else None
 
 
 def _known(d: Expr | None) -> Expr:
