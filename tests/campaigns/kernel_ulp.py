@@ -172,10 +172,7 @@ def table(state: dict[str, Any], only: str) -> tuple[list[str], bool]:
     rows, kept = [], True
     for said in statements():
         start = f"{said.kernel.replace('.', '/', 1)}.{said.output}/{said.dtype}"
-        measured = [
-            Worst(*state["worst"].get(f"{start}/{span}", (0.0, 0.0, 0)))
-            for span in SPANS
-        ]
+        measured = [Worst(*state["worst"].get(f"{start}/{span}", (0.0, 0.0, 0))) for span in SPANS]
         count = sum(worst.points for worst in measured)
         if not count or not said.chosen(only):
             continue
@@ -196,7 +193,7 @@ def main() -> int:
     parser.add_argument("--points", type=int, default=100_000, help="of each kind")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--state", type=Path, default=Path("kernel_ulp.state.json"))
-    parser.add_argument("--only", default="", help="text that family/argument/format/span must contain")
+    parser.add_argument("--only", default="", help="a part of family/argument/format/span")
     options = parser.parse_args()
     state = load(options.state)
     done = set(state["done"])
