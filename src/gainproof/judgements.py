@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,21 +18,43 @@ def judge(files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT) -> li
 
     Raises BadInputError for a file that cannot be used.
     """
+    jobs = _jobs(files, shop, seconds)
+    # the longest first, so that the last to end is a short one
+    order = sorted(files, key=lambda file: len(jobs[file].arguments["text"]), reverse=True)
+    found = dict(zip(order, shop.results("judged", [jobs[f] for f in order]), strict=True))
+    return [found[file] for file in files]
+
+
+def judge_claim(file: Path, name: str, shop: Workshop, seconds: float = DEFAULT) -> dict[str, Any]:
+    """What `judge` says of one claim: taken from that of the file where
+    it is known, else made for this claim alone.
+
+    Raises BadInputError for a file that cannot be used, or that does not have the claim.
+    """
+    (job,) = _jobs([file], shop, seconds).values()
+    known = shop.answered(job)
+    if known is None:
+        alone = replace(job, arguments={**job.arguments, "only": name})
+        (known,) = shop.results("judged", [alone])
+    claims = {claim["id"]: claim for claim in known["claims"]}
+    if name not in claims:
+        raise unknown_name(f"claim of {known['source']['key']}", name, claims)
+    found: dict[str, Any] = claims[name]
+    return found
+
+
+def _jobs(files: Sequence[Path], shop: Workshop, seconds: float) -> dict[Path, workers.Job]:
     texts = {file: read(file) for file in files}
     models = [entry["model"] for entry in derivations.overview(shop) if entry["model"]]
     shared = {"models": models, "seconds": seconds}
     # one file has all processors for its claims; many files share them
     also = {"processes": max(1, workers.processors() // max(1, len(files)))}
-    # the longest first, so that the last to end is a short one
-    order = sorted(files, key=lambda file: len(texts[file]), reverse=True)
-    jobs = [
-        workers.Job(
+    return {
+        file: workers.Job(
             file.stem, "judge", {"path": places.shown(file), "text": texts[file], **shared}, also
         )
-        for file in order
-    ]
-    found = dict(zip(order, shop.results("judged", jobs), strict=True))
-    return [found[file] for file in files]
+        for file in files
+    }
 
 
 def read(file: Path) -> str:

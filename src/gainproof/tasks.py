@@ -95,16 +95,24 @@ def recheck(_: Desk, certificate: Any, expected: Plain) -> Plain:
 
 
 def judge(
-    desk: Desk, path: str, text: str, models: list[Plain], seconds: float, processes: int
+    desk: Desk,
+    path: str,
+    text: str,
+    models: list[Plain],
+    seconds: float,
+    processes: int,
+    only: str | None = None,
 ) -> Plain:
-    """Judge a claim file of this text, given the catalogue's models; `path` is for messages."""
+    """Judge a claim file of this text, or only one claim of it, given the catalogue's models;
+    `path` is for messages.
+    """
     from gainproof.judging import judge_text
     from gainproof.verify.judge.worker import Workers
 
     # children that judge stay for the next file: what they keep they keep by its whole content
     key = ("workers", json.dumps(models, sort_keys=True), seconds, processes)
     judges = desk.opened(key, lambda: Workers(models, seconds, processes))
-    return judge_text(path, text, models, judges, desk.tell)
+    return judge_text(path, text, models, judges, desk.tell, only)
 
 
 def _subject(desk: Desk, name: str) -> Subject:

@@ -58,6 +58,11 @@ class Workshop:
             self.progress.say(f"{work}: {unchanged} unchanged")
         return found
 
+    def answered(self, job: workers.Job) -> Any | None:
+        """What the job answers, if that is known; None if it would have to be done."""
+        key = self._key(job)
+        return self.known[key] if key in self.known else self.cache.load(key)
+
     def ahead(self, job: workers.Job) -> None:
         """Have a job done that answers other jobs in one go: its result lists {"task", "arguments",
         "result"} of these. What it says meanwhile is progress.

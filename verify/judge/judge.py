@@ -5,6 +5,7 @@ for the setting; then the nearest true formulas for what is not true.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import count
 from typing import Any
@@ -14,7 +15,13 @@ from gainproof.verify.judge.claim_record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.definition_use import contradicted, with_blame
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.setting.environment import Environment
-from gainproof.verify.judge.stages import Done, Stage, with_other_conventions, with_repairs
+from gainproof.verify.judge.stages import (
+    Done,
+    Stage,
+    may_get_repair,
+    with_other_conventions,
+    with_repairs,
+)
 from gainproof.verify.judge.task import Models, Task, TrialTask
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.undefined.choice import Fixed, fixed_symbols
@@ -40,14 +47,21 @@ def judge_file(
     seconds: float | None = None,
     processes: int = 1,
     workers: Workers | None = None,
+    only: str | None = None,
 ) -> tuple[ClaimVerdict, ...]:
     """The verdict on every claim, in order. `models` are the catalogue's, as plain data.
+
+    With `only` the verdict on the claim of this id alone: of the others, those of its setting are
+    tried, since conventions are chosen for all of them, and no repair is looked for that is not
+    its own.
 
     With `seconds` every claim is judged in a child process that is killed when the time is over;
     up to `processes` of them run at once; or by `workers`, which stay for other files. A file that
     is not trusted should be judged in one of these ways.
     Nothing is raised for a claim that cannot be decided: its verdict is `undecided` and says why.
     """
+    if only is not None:
+        claim_file = _setting_of(claim_file, only)
     wanted = [claim for claim in claim_file.claims if claim.kind not in WITHOUT_DECISION]
     so_far = count(1)
 
@@ -56,14 +70,26 @@ def judge_file(
             progress(next(so_far), len(wanted))
 
     if workers is not None:
-        return _judged(claim_file, wanted, partial(workers.run, on_trial=tell))
+        return _judged(claim_file, wanted, partial(workers.run, on_trial=tell), only)
     if seconds is None:
-        return _judged(claim_file, wanted, here(models, tell))
+        return _judged(claim_file, wanted, here(models, tell), only)
     with Workers(models, seconds, processes) as own:
-        return _judged(claim_file, wanted, partial(own.run, on_trial=tell))
+        return _judged(claim_file, wanted, partial(own.run, on_trial=tell), only)
 
 
-def _judged(claim_file: ClaimFile, wanted: Sequence[Claim], done: Done) -> tuple[ClaimVerdict, ...]:
+def _setting_of(claim_file: ClaimFile, name: str) -> ClaimFile:
+    """The file with the setting of one claim and the claims on it."""
+    (setting,) = (claim.setting for claim in claim_file.claims if claim.id == name)
+    return replace(
+        claim_file,
+        settings={setting: claim_file.settings[setting]},
+        claims=tuple(claim for claim in claim_file.claims if claim.setting == setting),
+    )
+
+
+def _judged(
+    claim_file: ClaimFile, wanted: Sequence[Claim], done: Done, only: str | None
+) -> tuple[ClaimVerdict, ...]:
     claims = claim_file.claims
     trials = dict(done([TrialTask(c, claim_file.settings[c.setting]) for c in wanted]))
     stages: list[Stage] = []
@@ -81,9 +107,11 @@ def _judged(claim_file: ClaimFile, wanted: Sequence[Claim], done: Done) -> tuple
         verdicts = _verdicts(setting, all_here, tried)
         verdicts += [used_up_verdict(c, fixed) for c in mine if c.id in used_up]
         stages.append(Stage(setting, all_here, left, tried, tuple(verdicts)))
-    stages = with_repairs(with_other_conventions(stages, done), done)
+    stages = with_other_conventions(stages, done)
+    if only is None or any(may_get_repair(v) for s in stages for v in s.verdicts if v.id == only):
+        stages = with_repairs(stages, done)
     found = {v.id: with_symbols(v, symbols) for stage in stages for v in stage.verdicts}
-    return tuple(found[claim.id] for claim in claims)
+    return tuple(found[claim.id] for claim in claims if only in (None, claim.id))
 
 
 def judge_setting(

@@ -11,6 +11,7 @@ from gainproof.verify.judge.contradiction import other_tasks, under_other_conven
 from gainproof.verify.judge.definition_use import defined_token
 from gainproof.verify.judge.repair.definition import DefinitionTask, definition_task
 from gainproof.verify.judge.repair.offer import (
+    NOT_TRUE,
     explains,
     repair_tasks,
     with_definition_repair,
@@ -80,6 +81,13 @@ def with_repairs(stages: Iterable[Stage], done: Done) -> list[Stage]:
             verdicts = with_definition_repair(verdicts, repair, _printed_in(stage, repair["token"]))
         found.append(replace(stage, verdicts=tuple(verdicts)))
     return found
+
+
+def may_get_repair(verdict: ClaimVerdict) -> bool:
+    """Whether repairs are looked for that may stand in this verdict; that of a definition may be
+    what other claims need.
+    """
+    return verdict.verdict in (*NOT_TRUE, "definition")
 
 
 def _definition_task(stage: Stage) -> DefinitionTask | None:

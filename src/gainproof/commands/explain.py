@@ -22,18 +22,13 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """0, or 2 for a claim that the file does not have."""
     from gainproof import judgements, page
-    from gainproof.bad_input import unknown_name
     from gainproof.claim_words import claim_words
     from gainproof.explanation import explanation
     from gainproof.workshop import open_workshop
 
     file = judgements.find(options.file)
-    (judgement,) = judgements.judge(
-        [file], open_workshop(fresh=options.fresh, quiet=True), options.seconds
-    )
-    claims = {claim["id"]: claim for claim in judgement["claims"]}
-    if options.claim not in claims:
-        raise unknown_name(f"claim of {judgement['source']['key']}", options.claim, claims)
+    shop = open_workshop(fresh=options.fresh, quiet=True)
+    claim = judgements.judge_claim(file, options.claim, shop, options.seconds)
     words = claim_words(judgements.read(file)).get(options.claim, "")
-    print(explanation(claims[options.claim], page.width(), words), end="")
+    print(explanation(claim, page.width(), words), end="")
     return 0
