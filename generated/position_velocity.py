@@ -1,6 +1,6 @@
 # Made by: gainproof generate position-velocity
 # From: gainproof derive position-velocity, SymPy 1.14.0
-"""Position and velocity measured, continuous white acceleration: steady state."""
+"""Position and velocity measured, continuous white acceleration."""
 
 from __future__ import annotations
 
@@ -98,10 +98,12 @@ def gains(
     """Steady-state filter gain, position and velocity measured.
 
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
@@ -211,11 +213,14 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_o^2 and T.
 
-        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma,
+        predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
@@ -329,10 +334,12 @@ def updated_covariance(
     """Updated covariance in units of sigma_o^2 and T.
 
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
@@ -451,10 +458,12 @@ def gains_by_tracking_index(
         The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
@@ -651,10 +660,12 @@ def gains_by_velocity_ratio(
         The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
@@ -843,11 +854,14 @@ def predicted_covariance_by_tracking_index(
         variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
         covariance's has products in place of the squares.
         The entries themselves:
-        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma,
+        predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
@@ -1044,11 +1058,14 @@ def predicted_covariance_by_velocity_ratio(
         variance's derivative is S/delta times squares over Lambda w and over eta, a
         covariance's has products in place of the squares.
         The entries themselves:
-        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2/2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma,
+        predicted_22 = delta h + Lambda^2/2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
@@ -1193,10 +1210,12 @@ def updated_covariance_by_tracking_index(
         The output updated_12 is the difference of two positive terms, updated_12_scale their sum.
         The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
@@ -1380,10 +1399,12 @@ def updated_covariance_by_velocity_ratio(
         covariance's has products in place of the squares.
         The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta, s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
+        s = 2 U12 + U22 + Lambda^2/3,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4); all computed without a subtraction
+        w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least

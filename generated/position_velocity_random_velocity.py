@@ -1,6 +1,6 @@
 # Made by: gainproof generate position-velocity-random-velocity
 # From: gainproof derive position-velocity-random-velocity, SymPy 1.14.0
-"""Position and velocity measured, random velocity (velocity random walk): steady state."""
+"""Position and velocity measured, random velocity (velocity random walk)."""
 
 from __future__ import annotations
 
@@ -96,10 +96,12 @@ def gains(
     """Steady-state filter gain, position and velocity measured.
 
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
@@ -195,11 +197,14 @@ def predicted_covariance(
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_o^2 and T.
 
-        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma,
+        predicted_22 = delta h + Lambda^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
@@ -295,10 +300,12 @@ def updated_covariance(
     """Updated covariance in units of sigma_o^2 and T.
 
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
@@ -401,10 +408,12 @@ def gains_by_tracking_index(
         The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
@@ -548,10 +557,12 @@ def gains_by_velocity_ratio(
         The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
@@ -748,11 +759,14 @@ def predicted_covariance_by_tracking_index(
         variance's derivative is Lambda/delta times squares over Lambda w and over eta, a
         covariance's has products in place of the squares.
         The entries themselves:
-        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma,
+        predicted_22 = delta h + Lambda^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
@@ -892,11 +906,14 @@ def predicted_covariance_by_velocity_ratio(
         variance's derivative is S/delta times squares over Lambda w and over eta, a
         covariance's has products in place of the squares.
         The entries themselves:
-        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, predicted_22 = delta h + Lambda^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma,
+        predicted_22 = delta h + Lambda^2,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
@@ -1030,10 +1047,12 @@ def updated_covariance_by_tracking_index(
         The output updated_12 is the difference of two positive terms, updated_12_scale their sum.
         The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
@@ -1164,10 +1183,12 @@ def updated_covariance_by_velocity_ratio(
         covariance's has products in place of the squares.
         The entries themselves:
         updated_11 = U11, updated_12 = U12, updated_22 = U22,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h, s = 2 U12 + U22,
+        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
+        s = 2 U12 + U22,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
-        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2; all computed without a subtraction
+        w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
+        all computed without a subtraction
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30

@@ -63,7 +63,7 @@ def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
     """The module of a family."""
     return Module(
         name=c.model.name.replace("-", "_"),
-        title=f"{c.model.title}: steady state.",
+        title=f"{c.model.title}.",
         command=f"gainproof generate {c.model.name}",
         derivation=f"gainproof derive {c.model.name}, SymPy {sympy.__version__}",
         kernels=tuple(_kernel(c, name, graph) for name, graph in graphs.items()),
@@ -102,12 +102,12 @@ def _inputs(c: Context, name: str) -> tuple[Input, ...]:
 def _equations(c: Context, name: str) -> tuple[str, ...]:
     e, d, n = c.noise.e, c.noise.determinant, c.noise.n
     own = {
-        "gains": "gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,",
+        "gains": ("gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,",),
         "predicted_covariance": (
-            "predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma, "
-            f"predicted_22 = delta h + {_product(1 - n)},"
+            "predicted_11 = (g + sigma s)/delta, predicted_12 = h sigma,",
+            f"predicted_22 = delta h + {_product(1 - n)},",
         ),
-        "updated_covariance": "updated_11 = U11, updated_12 = U12, updated_22 = U22,",
+        "updated_covariance": ("updated_11 = U11, updated_12 = U12, updated_22 = U22,",),
     }
     first = f" + {_product(c.noise.first)}" if c.noise.first else ""
     level = f"w^2 = 1 + {d} t^2" if d else "w = 1"
@@ -118,11 +118,13 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
         eta, share = "16 + Lambda^2 + 4 t^2", "sigma"
     rate = "U22 = (S^2 g + Lambda^2/sigma)/delta" if n else "U22 = delta h"
     return (
-        own[name],
-        f"U11 = (g + s/sigma)/delta, U12 = h/sigma, {rate}, s = 2 U12 + U22{first},",
+        *own[name],
+        f"U11 = (g + s/sigma)/delta, U12 = h/sigma, {rate},",
+        f"s = 2 U12 + U22{first},",
         f"h = Lambda/(w + kappa), g = Lambda w - h, kappa = t {share}/S, t = Lambda/S,",
         "sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,",
-        f"{level}, eta^2 = {eta}; all computed without a subtraction",
+        f"{level}, eta^2 = {eta};",
+        "all computed without a subtraction",
     )
 
 
