@@ -9,7 +9,7 @@ from typing import Any
 from gainproof import derivations, places
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.page import WIDTH, filled
-from gainproof.verify.judge.claim_file import ClaimFile, ClaimFileError, read_claim_file
+from gainproof.verify.judge.claim.file import ClaimFile, ClaimFileError, read_claim_file
 from gainproof.workshop import Workshop
 
 Subject = Mapping[str, Any]

@@ -59,7 +59,7 @@ def _jobs(files: Sequence[Path], shop: Workshop, seconds: float) -> dict[Path, w
 
 def read(file: Path) -> str:
     """The text of a claim file, within the judge's limit of size. Raises BadInputError."""
-    from gainproof.verify.judge.claim_file import MOST_BYTES
+    from gainproof.verify.judge.claim.file import MOST_BYTES
 
     if file.exists() and not file.is_file():
         raise BadInputError(f"{places.shown(file)}: a regular file is wanted")

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from typing import Any
 
 from gainproof.bad_input import BadInputError, unknown_name
-from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_text
+from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.worker import Workers
 

@@ -26,7 +26,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 from claim_campaign.proved import claim_paths
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.verify.judge.claim_file import FORMAT, read_claim_text
+from gainproof.verify.judge.claim.file import FORMAT, read_claim_text
 from gainproof.verify.judge.judge import judge_file
 
 HELP = "a file of sixty claims, drawn from those of the repository, judged with the clock running"

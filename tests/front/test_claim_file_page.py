@@ -9,19 +9,23 @@ from pathlib import Path
 
 import pytest
 
-from gainproof.verify.judge import (
-    claim_declarations,
-    claim_file,
-    claim_kinds,
-    claim_list,
-    claim_models,
-    claim_settings,
+from gainproof.verify.judge.claim import (
+    declarations,
+    kinds,
+    models,
+    settings,
 )
-from gainproof.verify.judge.claim_vocabulary import CLAIM_KINDS, LOCATIONS, TRENDS
+from gainproof.verify.judge.claim import (
+    file as claim_file,
+)
+from gainproof.verify.judge.claim import (
+    list as claim_list,
+)
+from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS, LOCATIONS, TRENDS
 from gainproof.verify.judge.quantity_names import quantity_names
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "claim-files.md").read_text("utf-8")
-KIND_FIELDS = {name for names in claim_kinds.OWN_FIELDS.values() for name in names}
+KIND_FIELDS = {name for names in kinds.OWN_FIELDS.values() for name in names}
 
 
 def part(title: str) -> str:
@@ -51,7 +55,7 @@ def test_fields_of_the_source() -> None:
 
 
 def test_fields_of_symbols() -> None:
-    assert set(rows(part("[symbols]"), "field")) == set(claim_declarations.FIELDS)
+    assert set(rows(part("[symbols]"), "field")) == set(declarations.FIELDS)
 
 
 def test_quantities() -> None:
@@ -65,14 +69,14 @@ def test_quantities() -> None:
 def test_fields_of_settings() -> None:
     text = part("[settings.NAME]")
     conventions = rows(text[text.index("Conventions say") :], "field")
-    assert set(conventions) == set(claim_settings.CONVENTIONS)
-    for name, choices in claim_settings.CONVENTIONS.items():
+    assert set(conventions) == set(settings.CONVENTIONS)
+    for name, choices in settings.CONVENTIONS.items():
         said = re.findall(r"`([^`]+)`", conventions[name])
         assert set(choices) - {"search"} <= set(said), name
     others = rows(text, "field")
-    assert set(others) | set(conventions) == set(claim_settings.FIELDS)
-    assert set(claim_models.MATRICES) < set(others)
-    assert all(f"`{kind}`" in others["kind"] for kind in claim_settings.SETTING_KINDS)
+    assert set(others) | set(conventions) == set(settings.FIELDS)
+    assert set(models.MATRICES) < set(others)
+    assert all(f"`{kind}`" in others["kind"] for kind in settings.SETTING_KINDS)
 
 
 def test_fields_of_claims() -> None:
@@ -82,7 +86,7 @@ def test_fields_of_claims() -> None:
 def test_kinds_of_claims_with_their_fields() -> None:
     shown = rows(part("[[claims]]"), "kind")
     assert list(shown) == list(CLAIM_KINDS)
-    for kind, names in claim_kinds.OWN_FIELDS.items():
+    for kind, names in kinds.OWN_FIELDS.items():
         own = shown[kind].split(" | ")[1]
         assert all(f"`{name}`" in own for name in names), kind
     assert all(f"`{trend}`" in shown["monotone"] for trend in TRENDS)
@@ -93,8 +97,8 @@ def test_kinds_of_claims_with_their_fields() -> None:
     "limit",
     [
         f"{claim_list.MOST_CLAIMS} claims",
-        f"{claim_declarations.MOST_SYMBOLS} symbols",
-        f"{claim_settings.MOST_SETTINGS}\nsettings",
+        f"{declarations.MOST_SYMBOLS} symbols",
+        f"{settings.MOST_SETTINGS}\nsettings",
     ],
 )
 def test_limits(limit: str) -> None:

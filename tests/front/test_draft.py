@@ -12,7 +12,7 @@ from gainproof.draft import draft
 from gainproof.draft_symbols import symbols_met
 from gainproof.tex_rows import Equation, equations
 from gainproof.tex_text import argument_of, without_comments
-from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_text
+from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
 
 PAPER = r"""
 \documentclass{article}

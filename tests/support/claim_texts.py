@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from gainproof.verify.judge.claim_file import read_claim_text
-from gainproof.verify.judge.claim_record import ClaimFile
+from gainproof.verify.judge.claim.file import read_claim_text
+from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.verdict import ClaimVerdict
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from gainproof.verify.judge.claim_file import ClaimFileError
+from gainproof.verify.judge.claim.file import ClaimFileError
 from gainproof.verify.judge.reader.errors import ReaderError
 
 Symbols = Mapping[str, Any]

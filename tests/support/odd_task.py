@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import gainproof.verify.judge.process_limits as process_limits
 import gainproof.verify.judge.worker as worker
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.statement import Enclosure, Witness
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial

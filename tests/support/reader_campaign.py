@@ -13,7 +13,7 @@ from fuzz_tally import Refused, Symbols, Tally, tallied
 from reader_fuzz import PIECES, check_input, random_text
 
 import gainproof.verify
-from gainproof.verify.judge.claim_file import read_claim_file, read_claim_text
+from gainproof.verify.judge.claim.file import read_claim_file, read_claim_text
 from gainproof.verify.judge.reader.reader import read_conditions, read_formula
 
 CLAIMS = Path(gainproof.verify.__file__).parent / "claims"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gainproof.verify.judge.claim_file import read_claim_text
+from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.judge import judge_setting
 from gainproof.verify.judge.verdict import ClaimVerdict
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from typing import Any
 
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.convention import Unusable
 from gainproof.verify.judge.exact.statement import Enclosure, Witness
 from gainproof.verify.judge.trial import Trial

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gainproof.verify.judge.choice import choose
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention_effect import VALUES, reaches
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial, try_claim

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gainproof.verify.judge.claim_record import Setting
+from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.convention_effect import choices, with_conventions, with_units
 from gainproof.verify.judge.definition_reading import with_one_reading
 from gainproof.verify.judge.exact.limits import Malformed, Undecided

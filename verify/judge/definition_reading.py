@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
 
-from gainproof.verify.judge.claim_record import Setting, SymbolEntry
+from gainproof.verify.judge.claim.record import Setting, SymbolEntry
 from gainproof.verify.judge.dimension import reading_fault
 from gainproof.verify.judge.exact.limits import Undecided
 

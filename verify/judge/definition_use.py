@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from gainproof.verify.judge.claim_record import Claim, Setting, Unit
+from gainproof.verify.judge.claim.record import Claim, Setting, Unit
 from gainproof.verify.judge.dimension import dimension_of, reading_fault, unit_text
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reach import names_in

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from gainproof.verify.judge.claim_record import Setting, SymbolEntry, Unit
+from gainproof.verify.judge.claim.record import Setting, SymbolEntry, Unit
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed

@@ -11,7 +11,7 @@ from itertools import count
 from typing import Any
 
 from gainproof.verify.judge.choice import choose, verdict_of
-from gainproof.verify.judge.claim_record import Claim, ClaimFile, Setting
+from gainproof.verify.judge.claim.record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.definition_use import contradicted, with_blame
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.setting.environment import Environment

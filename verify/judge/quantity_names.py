@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 
-from gainproof.verify.judge.claim_record import Unit
+from gainproof.verify.judge.claim.record import Unit
 
 _MOST_STATES = 3
 _ONE = Unit()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from gainproof.verify.judge.claim_record import Claim, Setting, SymbolEntry
+from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 
 

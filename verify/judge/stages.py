@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.choice import admitted
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.contradiction import other_tasks, under_other_convention
 from gainproof.verify.judge.definition_use import defined_token
 from gainproof.verify.judge.repair.definition import DefinitionTask, definition_task

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gainproof.verify.judge.attempt import judge_claim
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.pruning import seen_false

@@ -13,8 +13,8 @@ from mutation.mutants import misprints, near_misses, sample
 from mutation.tree import Tree, number, symbols, to_graph, to_tree
 
 from claim_campaign.subject import Subject, calls, rel
-from gainproof.verify.judge.claim_record import Claim
-from gainproof.verify.judge.claim_vocabulary import LOCATIONS
+from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.vocabulary import LOCATIONS
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.formula import Relation as Printed
 

@@ -17,8 +17,8 @@ from claim_campaign.draw import fraction
 from claim_campaign.point import NotCovered, Point
 from claim_campaign.subject import Subject
 from gainproof.verify.judge.attempt import judge_claim
-from gainproof.verify.judge.claim_file import read_claim_file
-from gainproof.verify.judge.claim_record import Claim, OwnModel, Setting
+from gainproof.verify.judge.claim.file import read_claim_file
+from gainproof.verify.judge.claim.record import Claim, OwnModel, Setting
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
 from gainproof.verify.judge.convention_effect import Chosen, choices
 from gainproof.verify.judge.exact.limits import Undecided

@@ -14,7 +14,7 @@ from mutation.tree import Tree, parts, symbols, to_graph, to_tree
 
 from claim_campaign.renamed import renamed
 from claim_campaign.subject import Subject
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.formula import Relation as Printed
 

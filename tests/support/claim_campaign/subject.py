@@ -9,7 +9,7 @@ from typing import Any
 from mutation.tree import Tree, symbols, to_tree
 
 from claim_campaign.point import Definition
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention_effect import Chosen
 from gainproof.verify.judge.formula import Relation as Printed
 

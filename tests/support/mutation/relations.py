@@ -11,12 +11,12 @@ from typing import Any
 import mpmath
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.verify.judge.claim_file import read_claim_file
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.file import read_claim_file
+from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.derivations.relation import judge_relation
+from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.formula import Relation as Printed
 from gainproof.verify.judge.judge import judge_setting
-from gainproof.verify.judge.relation import judge_relation
-from gainproof.verify.judge.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.verdict import Finding
 from mutation.campaign import INDEX_POINTS, SAMPLE_POINTS, Relation
 from mutation.evaluator import Subject, memory_subject, steady_subject

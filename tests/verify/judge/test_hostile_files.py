@@ -13,7 +13,7 @@ import pytest
 
 from gainproof import judgements
 from gainproof.bad_input import BadInputError
-from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_file, read_claim_text
+from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_file, read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
 

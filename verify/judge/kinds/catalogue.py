@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph import graph_of
 from gainproof.verify.judge.exact.limits import Undecided

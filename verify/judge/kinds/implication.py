@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import framed, strictly

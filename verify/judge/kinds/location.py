@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import comb
 
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power, symbols_of
 from gainproof.verify.judge.exact.free_names import is_free

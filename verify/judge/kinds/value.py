@@ -10,7 +10,7 @@ from fractions import Fraction
 
 import flint
 
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
-from gainproof.verify.judge.claim_record import Setting
+from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.free_names import free_name

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gainproof.verify.judge.claim_record import SymbolEntry
+from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol

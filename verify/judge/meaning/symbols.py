@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from gainproof.verify.judge.claim_record import Setting, SymbolEntry
+from gainproof.verify.judge.claim.record import Setting, SymbolEntry
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name

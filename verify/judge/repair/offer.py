@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.repair.edit import SLIGHT
 from gainproof.verify.judge.repair.task import RepairTask
 from gainproof.verify.judge.trial import Trial

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import ceil
 from random import Random
 
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.attempt import judge_claim
-from gainproof.verify.judge.claim_record import Claim, Setting, SymbolEntry
+from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry
 from gainproof.verify.judge.formula import Formula, Reading, Relation
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.latex import reading_to_latex

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.verdict import ClaimVerdict
 

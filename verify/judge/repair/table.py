@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from gainproof.verify.judge.claim_record import Claim, Setting, SymbolEntry
+from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry
 from gainproof.verify.judge.exact.expression import symbols_of
 from gainproof.verify.judge.repair.edit import Table
 from gainproof.verify.judge.repair.printed import Printed

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from gainproof.verify.judge.claim_record import Setting
+from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.expression import Expr, mul, number, power, sqrt, symbol
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.graph import read_tree

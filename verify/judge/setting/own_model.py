@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from gainproof.verify.judge.claim_record import Setting
+from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name

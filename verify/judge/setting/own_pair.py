@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from gainproof.verify.judge.claim_record import Setting
+from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import mul, power, symbol
 from gainproof.verify.judge.exact.free_names import free_name

@@ -8,7 +8,7 @@ from itertools import combinations
 
 import flint
 
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention
 from gainproof.verify.judge.dimension import ONE, dimension_of
 from gainproof.verify.judge.exact.expression import (

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import flint
 
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.convention import Convention
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph import read_graph

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.attempt import judge_claim
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.exact.expression import Expr, number, symbol

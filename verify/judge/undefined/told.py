@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from gainproof.verify.judge.choice import verdict_of
-from gainproof.verify.judge.claim_record import Claim
+from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.undefined.choice import Fixed
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 

@@ -10,7 +10,7 @@ import pytest
 from claim_texts import HEAD
 from mpmath import inverse, matrix, mp, mpf
 
-from gainproof.verify.judge.claim_file import read_claim_text
+from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.exact.enclose import enclosed
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gainproof.verify.judge.claim_file import read_claim_text
+from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.verdict import ClaimVerdict
 

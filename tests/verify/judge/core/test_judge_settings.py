@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from gainproof.verify.judge.choice import choose
-from gainproof.verify.judge.claim_file import read_claim_file, read_claim_text
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.file import read_claim_file, read_claim_text
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.trial import Trial, try_claim
 from gainproof.verify.judge.verdict import ClaimVerdict

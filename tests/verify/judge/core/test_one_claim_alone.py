@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from claim_texts import GAINS, HEAD, MODELS
 
-from gainproof.verify.judge.claim_file import read_claim_text
-from gainproof.verify.judge.claim_record import ClaimFile
+from gainproof.verify.judge.claim.file import read_claim_text
+from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.repair.task import RepairTask
 from gainproof.verify.judge.task import TrialTask

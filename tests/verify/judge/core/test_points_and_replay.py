@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.verify.judge.claim_file import read_claim_file
+from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import power, sqrt, symbol

@@ -11,7 +11,7 @@ import pytest
 from claim_texts import MODELS
 from small_claims import check, judged
 
-from gainproof.verify.judge.claim_errors import ClaimFileError
+from gainproof.verify.judge.claim.errors import ClaimFileError
 
 STEADY = "kind = 'steady_state'\nmodel = 'random-acceleration'\ngain = 'filter'"
 SYMBOLS = {

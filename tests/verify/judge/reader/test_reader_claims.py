@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import gainproof.verify.claims
-from gainproof.verify.judge.claim_file import read_claim_text
+from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.plain import reading_to_plain
 from gainproof.verify.judge.reader.reader import read_formula, read_plain

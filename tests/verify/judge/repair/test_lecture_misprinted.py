@@ -16,8 +16,8 @@ from mutation.mutants import misprints
 from mutation.relations import claimed_relations
 from mutation.tree import Tree, symbols, to_graph, to_tree
 
-from gainproof.verify.judge.claim_file import read_claim_file
-from gainproof.verify.judge.claim_record import ClaimFile
+from gainproof.verify.judge.claim.file import read_claim_file
+from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.formula import Formula, Reading
 from gainproof.verify.judge.formula import Relation as Printed
 from gainproof.verify.judge.judge import judge_file

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import pytest
 from claim_texts import MODELS, algebra, claim_file, judged, memory, steady
 
-from gainproof.verify.judge.claim_record import Claim, Setting
+from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.repair import chained

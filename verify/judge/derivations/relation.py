@@ -7,6 +7,13 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from gainproof.verify.judge.derivations.program import judge_program
+from gainproof.verify.judge.derivations.steady_statements import (
+    definite_statement,
+    riccati_statement,
+    stable_statement,
+)
+from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
@@ -19,14 +26,7 @@ from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.program import judge_program
 from gainproof.verify.judge.setting.environment import NotEstablished
-from gainproof.verify.judge.steady_statements import (
-    definite_statement,
-    riccati_statement,
-    stable_statement,
-)
-from gainproof.verify.judge.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 Graph = Mapping[str, Any]

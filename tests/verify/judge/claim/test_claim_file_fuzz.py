@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 import gainproof.verify
-from gainproof.verify.judge.claim_file import ClaimFile, ClaimFileError, read_claim_text
+from gainproof.verify.judge.claim.file import ClaimFile, ClaimFileError, read_claim_text
 
 INPUTS = 400
 SECONDS_EACH = 10.0

@@ -1,6 +1,6 @@
 """Claim files: one TOML file a source, read into frozen records, everything checked.
 
-`docs/claim-files.md` says what may stand in it; `claim_record` holds the records.
+`docs/claim-files.md` says what may stand in it; `record` holds the records.
 
 A claim file is untrusted input: nothing in it is evaluated, and its size and the number of its
 parts are limited.
@@ -14,11 +14,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from gainproof.verify.judge.claim_declarations import read_declarations
-from gainproof.verify.judge.claim_errors import ClaimFileError, FileText
-from gainproof.verify.judge.claim_fields import Fields
-from gainproof.verify.judge.claim_list import read_claims
-from gainproof.verify.judge.claim_record import (
+from gainproof.verify.judge.claim.declarations import read_declarations
+from gainproof.verify.judge.claim.errors import ClaimFileError, FileText
+from gainproof.verify.judge.claim.fields import Fields
+from gainproof.verify.judge.claim.list import read_claims
+from gainproof.verify.judge.claim.record import (
     Claim,
     ClaimFile,
     OwnModel,
@@ -27,8 +27,8 @@ from gainproof.verify.judge.claim_record import (
     SymbolEntry,
     Unit,
 )
-from gainproof.verify.judge.claim_settings import read_settings
-from gainproof.verify.judge.claim_symbols import complete_symbols
+from gainproof.verify.judge.claim.settings import read_settings
+from gainproof.verify.judge.claim.symbols import complete_symbols
 
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20

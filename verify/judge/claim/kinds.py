@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from gainproof.verify.judge.claim_fields import Fields
-from gainproof.verify.judge.claim_formulas import Symbols, formula_of, graph_in, token_in
-from gainproof.verify.judge.claim_record import Claim
-from gainproof.verify.judge.claim_vocabulary import LOCATIONS, TRENDS
+from gainproof.verify.judge.claim.fields import Fields
+from gainproof.verify.judge.claim.formulas import Symbols, formula_of, graph_in, token_in
+from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.claim.vocabulary import LOCATIONS, TRENDS
 from gainproof.verify.judge.formula import Formula, Reading
 
 MOST_ABOUT = 20

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from gainproof.verify.judge.derivations.surroundings import Surroundings
 from gainproof.verify.judge.exact.expression import Expr, number, power
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
@@ -20,7 +21,6 @@ from gainproof.verify.judge.setting.matrix import (
     times,
     transposed,
 )
-from gainproof.verify.judge.surroundings import Surroundings
 
 
 def _named(where: Surroundings, names: Sequence[Sequence[str]]) -> Exprs:

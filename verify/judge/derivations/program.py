@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from gainproof.verify.judge.derivations.surroundings import Surroundings
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.graph import read_graph, read_values
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.surroundings import Surroundings
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 

@@ -6,7 +6,7 @@ import difflib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gainproof.verify.judge.claim_errors import FileText
+from gainproof.verify.judge.claim.errors import FileText
 
 MOST_TEXT = 4000
 UNSAID = "TODO"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from gainproof.verify.judge.claim_fields import Fields, nearest_hint
-from gainproof.verify.judge.claim_record import SymbolEntry
+from gainproof.verify.judge.claim.fields import Fields, nearest_hint
+from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token

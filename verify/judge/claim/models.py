@@ -7,9 +7,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from gainproof.verify.judge.claim_fields import Fields
-from gainproof.verify.judge.claim_formulas import Symbols, graph_in
-from gainproof.verify.judge.claim_record import OwnModel
+from gainproof.verify.judge.claim.fields import Fields
+from gainproof.verify.judge.claim.formulas import Symbols, graph_in
+from gainproof.verify.judge.claim.record import OwnModel
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.graph import read_graph
 from gainproof.verify.judge.exact.limits import Malformed

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from gainproof.verify.judge.claim_file import (
+from gainproof.verify.judge.claim.file import (
     MOST_BYTES,
     ClaimFileError,
     read_claim_file,

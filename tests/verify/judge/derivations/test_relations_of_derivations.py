@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.verify.judge.relation import judge_relation, judge_statement
-from gainproof.verify.judge.surroundings import surroundings
+from gainproof.verify.judge.derivations.relation import judge_relation, judge_statement
+from gainproof.verify.judge.derivations.surroundings import surroundings
 
 DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}
 

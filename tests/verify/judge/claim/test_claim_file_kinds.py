@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gainproof.verify.judge.claim_file import Claim, ClaimFileError, Setting, read_claim_text
+from gainproof.verify.judge.claim.file import Claim, ClaimFileError, Setting, read_claim_text
 
 HEAD = r"""format = "gainproof claims 1"
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from gainproof.verify.judge.claim_declarations import read_declarations
-from gainproof.verify.judge.claim_domains import contradiction, relations_of
-from gainproof.verify.judge.claim_errors import FileText
-from gainproof.verify.judge.claim_fields import Fields, nearest_hint
-from gainproof.verify.judge.claim_models import MATRICES, read_own_model
-from gainproof.verify.judge.claim_record import Setting, SymbolEntry
-from gainproof.verify.judge.claim_symbols import complete_symbols
+from gainproof.verify.judge.claim.declarations import read_declarations
+from gainproof.verify.judge.claim.domains import contradiction, relations_of
+from gainproof.verify.judge.claim.errors import FileText
+from gainproof.verify.judge.claim.fields import Fields, nearest_hint
+from gainproof.verify.judge.claim.models import MATRICES, read_own_model
+from gainproof.verify.judge.claim.record import Setting, SymbolEntry
+from gainproof.verify.judge.claim.symbols import complete_symbols
 
 MOST_SETTINGS = 100
 MOST_DEGREE = 8

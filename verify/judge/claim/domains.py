@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from gainproof.verify.judge.claim_record import SymbolEntry
+from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.domain import bounded
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.constant_value import constant_value

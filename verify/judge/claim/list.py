@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from gainproof.verify.judge.claim_domains import contradiction, relations_of
-from gainproof.verify.judge.claim_errors import FileText
-from gainproof.verify.judge.claim_fields import Fields, nearest_hint
-from gainproof.verify.judge.claim_formulas import (
+from gainproof.verify.judge.claim.domains import contradiction, relations_of
+from gainproof.verify.judge.claim.errors import FileText
+from gainproof.verify.judge.claim.fields import Fields, nearest_hint
+from gainproof.verify.judge.claim.formulas import (
     conditions_of,
     formula_of,
     plain_formula_of,
     token_in,
 )
-from gainproof.verify.judge.claim_kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
-from gainproof.verify.judge.claim_record import Claim, Setting
-from gainproof.verify.judge.claim_vocabulary import CLAIM_KINDS
+from gainproof.verify.judge.claim.kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
+from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.words import BRANCHES

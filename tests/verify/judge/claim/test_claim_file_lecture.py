@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import gainproof.verify
-from gainproof.verify.judge.claim_file import ClaimFile, read_claim_file
+from gainproof.verify.judge.claim.file import ClaimFile, read_claim_file
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.reader import read_formula
 

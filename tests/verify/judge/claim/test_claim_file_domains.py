@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from gainproof.verify.judge.claim_file import ClaimFileError, read_claim_text
-from gainproof.verify.judge.claim_models import positive_semidefinite
+from gainproof.verify.judge.claim.file import ClaimFileError, read_claim_text
+from gainproof.verify.judge.claim.models import positive_semidefinite
 
 TEXT = r"""format = "gainproof claims 1"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from gainproof.verify.judge.claim_record import SymbolEntry
+from gainproof.verify.judge.claim.record import SymbolEntry
 
 MOST_DEEP = 50
 """Definitions inside one another; each is resolved inside the one that uses it."""

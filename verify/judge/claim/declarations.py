@@ -7,10 +7,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gainproof.verify.judge.claim_errors import FileText
-from gainproof.verify.judge.claim_fields import Fields, nearest_hint
-from gainproof.verify.judge.claim_record import SymbolEntry, Unit
-from gainproof.verify.judge.claim_units import read_unit, unit_text_of
+from gainproof.verify.judge.claim.errors import FileText
+from gainproof.verify.judge.claim.fields import Fields, nearest_hint
+from gainproof.verify.judge.claim.record import SymbolEntry, Unit
+from gainproof.verify.judge.claim.units import read_unit, unit_text_of
 from gainproof.verify.judge.quantity_names import quantity_names
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.names import canonical_token

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from gainproof.verify.judge.claim_circles import MOST_DEEP, find_circle, find_deepest
-from gainproof.verify.judge.claim_declarations import Declaration
-from gainproof.verify.judge.claim_errors import FileText
-from gainproof.verify.judge.claim_record import SymbolEntry
+from gainproof.verify.judge.claim.circles import MOST_DEEP, find_circle, find_deepest
+from gainproof.verify.judge.claim.declarations import Declaration
+from gainproof.verify.judge.claim.errors import FileText
+from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.reader import read_conditions, read_expression, read_formula

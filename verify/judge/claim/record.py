@@ -1,4 +1,4 @@
-"""The records of a claim file: source, symbols, settings, claims. `claim_file` makes them."""
+"""The records of a claim file: source, symbols, settings, claims. `file` makes them."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ class Claim:
     while T or the deviation of the measurement noise changes. `line` is the line of the
     claim's id in the file, 1 for the first.
 
-    The other fields belong to one kind or two (see `claim_vocabulary`). `about` lists the symbols
+    The other fields belong to one kind or two (see `vocabulary`). `about` lists the symbols
     that a claim of kind `determines` speaks of; for `monotone` it holds the text of the expression
     whose graph is `subject`, and the symbol with which it changes. `order` is that of the error in
     a claim of kind `asymptotics`, if its formula does not say it.

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from gainproof.verify.judge.claim_file import Unit, read_claim_file, read_claim_text
-from gainproof.verify.judge.claim_units import read_unit
+from gainproof.verify.judge.claim.file import Unit, read_claim_file, read_claim_text
+from gainproof.verify.judge.claim.units import read_unit
 from gainproof.verify.judge.quantity_names import quantity_names
 
 TEXT = r"""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from gainproof.verify.judge.claim_record import Unit
+from gainproof.verify.judge.claim.record import Unit
 
 _MOST_FACTORS = 8
 _MOST_POWER = 64

@@ -1,0 +1,1 @@
+"""Claim files: their records, and how TOML becomes them, field by field."""
