@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Protocol
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
@@ -12,6 +11,7 @@ from gainproof.verify.judge.exact.expression import Expr, absolute, neg, power, 
 from gainproof.verify.judge.exact.functions import is_known
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.names import Names
 from gainproof.verify.judge.meaning.square import determinant, inverse, raised, trace
 from gainproof.verify.judge.meaning.value import (
     Value,
@@ -33,52 +33,6 @@ OF_MATRICES: Mapping[str, Callable[[Value], Value]] = MappingProxyType(
     {"det": determinant, "tr": trace, "trace": trace}
 )
 HYPERBOLIC = ("sinh", "cosh", "tanh")
-
-
-class Names(Protocol):
-    """What an evaluation asks of the table of symbols."""
-
-    def symbol(self, token: str, bindings: Bindings) -> Value:
-        """What a symbol stands for."""
-        ...
-
-    def is_declared(self, token: str) -> bool:
-        """Whether the table of symbols has it."""
-        ...
-
-    def is_shared(self, name: str, *of: Expr) -> bool:
-        """Whether expressions change with a base variable in a way that they do not show."""
-        ...
-
-    def function(self, name: str, arguments: Sequence[Value], bindings: Bindings) -> Value:
-        """The value of a declared function."""
-        ...
-
-    def derivative(self, value: Value, token: str, bindings: Bindings) -> Value:
-        """The derivative with respect to a symbol."""
-        ...
-
-    def refuse_free_index(self, body: Expr, token: str) -> None:
-        """Raises Undecided if a free symbol has the token as its index."""
-        ...
-
-    def refuse_own_terms(self, value: Value, token: str) -> None:
-        """Raises Undecided if the token is a term of a sequence in the value."""
-        ...
-
-    def require_at(self, token: str, values: Mapping[str, Expr]) -> None:
-        """Notes that sums and integrals must have values where a symbol is replaced, too."""
-        ...
-
-    def bound(
-        self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
-    ) -> Value:
-        """A sum or an integral of `body` over the bound name `token`."""
-        ...
-
-    def expectation(self, value: Value) -> Value:
-        """The expectation."""
-        ...
 
 
 def evaluated(tree: Expr, names: Names, bindings: Bindings) -> Value:

@@ -14,8 +14,8 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.derivatives import rate_of_parameter
 from gainproof.verify.judge.meaning.domains import entry_names
-from gainproof.verify.judge.meaning.held import rate_of_parameter
 from gainproof.verify.judge.meaning.reach import Reach
 from gainproof.verify.judge.meaning.value import (
     Value,

@@ -15,9 +15,9 @@ from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
-from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.derivatives import partial_derivative, total_derivative
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
@@ -178,35 +178,15 @@ class Table(Symbols):
         """
         target = number_of(self.symbol(token, bindings), "the variable of a derivative")
         self.refuse_own_terms(value, token)
-        environment = self.environment
-        own = environment.parameter or ""
+        environment, own = self.environment, self.environment.parameter or ""
+        self.needed += entries(value)
         if target.kind == "symbol" and environment.moves_with(target.name, *entries(value)):
             rate = self.rate(target.name)
-            self.needed += entries(value)
-            return mapped(value, lambda entry: _total(entry, target.name, own, rate))
+            return mapped(value, lambda entry: total_derivative(entry, target.name, own, rate))
         if token == environment.intensity and token not in bindings.names:
             below = differentiated(target, own)
-            self.needed += entries(value)
             return mapped(value, lambda entry: differentiated(entry, own) / below)
-
-        def each(entry: Expr) -> Expr:
-            self.needed.append(entry)
-            if environment.is_coordinate(target):
-                return environment.slope(entry, target)
-            if target.kind == "symbol":
-                return differentiated(entry, target.name)
-            plain = tidied(target)
-            variables = symbols_of(plain)
-            # a coordinate changes alone: everything else in the entry stays
-            alone = variables <= set(environment.coordinates)
-            if len(variables) != 1 or not (alone or symbols_of(entry) <= variables):
-                raise Undecided(
-                    f"a derivative with respect to {token}, which depends on several variables"
-                )
-            name = next(iter(variables))
-            return differentiated(entry, name) / differentiated(plain, name)
-
-        return mapped(value, each)
+        return mapped(value, lambda entry: partial_derivative(entry, target, token, environment))
 
     def expectation(self, value: Value) -> Value:
         """The expectation over the symbols that are declared noises."""
@@ -216,9 +196,3 @@ class Table(Symbols):
             if entry.variance is not None
         }
         return mapped(value, lambda entry: expectation_of(entry, variances))
-
-
-def _total(entry: Expr, name: str, own: str, rate: Expr) -> Expr:
-    """The derivative with respect to a base variable with which the parameter changes at a rate."""
-    alone = differentiated(entry, name)
-    return alone if rate == number(0) else alone + differentiated(entry, own) * rate

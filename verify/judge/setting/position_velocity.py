@@ -34,9 +34,9 @@ from gainproof.verify.judge.setting.environment import (
     Fact,
     NotEstablished,
 )
+from gainproof.verify.judge.setting.established import UNIQUENESS
 from gainproof.verify.judge.setting.matrix import Exprs, minus, plus, times, transposed
 from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
-from gainproof.verify.judge.setting.steady_state import UNIQUENESS
 from gainproof.verify.judge.setting.two_measurements import (
     Entries,
     Noise,

@@ -5,8 +5,8 @@ Solved from the model's matrices alone: spectral factor, gains by matching the c
 polynomial, covariance from linear equations. None of this is trusted: what makes the result the
 steady state is that the Riccati residual vanishes identically, that the closed loop is stable and
 that the covariance is positive, each shown with the exact tools for all values of the parameter;
-and, where the parameter is not the tracking index, that it runs through all positive indices. A
-stabilising solution is unique (a textbook theorem, cited).
+and, where the parameter is not the tracking index, that it runs through all positive indices
+(`established`). A stabilising solution is unique (a textbook theorem, cited).
 """
 
 from __future__ import annotations
@@ -16,14 +16,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gainproof.verify.judge.exact.calculus import differentiated
-from gainproof.verify.judge.exact.decision import decide
-from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
-from gainproof.verify.judge.exact.limit import decide_limit
+from gainproof.verify.judge.exact.expression import Expr, number, power
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.meaning.square import determinant
-from gainproof.verify.judge.setting.environment import Fact, NotEstablished
+from gainproof.verify.judge.setting.environment import Fact
+from gainproof.verify.judge.setting.established import established
 from gainproof.verify.judge.setting.factor import Factor, stable_factor
 from gainproof.verify.judge.setting.matrix import (
     Exprs,
@@ -31,19 +27,10 @@ from gainproof.verify.judge.setting.matrix import (
     exprs,
     minus,
     model_matrices,
-    plus,
-    scaled,
     solve_rows,
     times,
-    transposed,
 )
 from gainproof.verify.judge.setting.spectrum import resolvent
-from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
-
-UNIQUENESS = (
-    "the Riccati equation has at most one stabilising solution",
-    "P. Lancaster, L. Rodman, Algebraic Riccati Equations, Oxford 1995, chapters 13 and 17",
-)
 
 
 @dataclass(frozen=True)
@@ -81,7 +68,7 @@ def solve(model: Mapping[str, Any]) -> SteadyState:
     big, seen = exprs(f), exprs(h)
     observed = times(seen, predicted)
     updated = minus(predicted, times(tuple((g,) for g in gain), observed))
-    facts = _establish(big, exprs(q), seen, r[0][0], predicted, updated, gain, predictor, factor)
+    facts = established(big, exprs(q), seen, r[0][0], predicted, updated, gain, predictor, factor)
     return SteadyState(big, seen, tuple(gain), tuple(predictor), predicted, updated, factor, facts)
 
 
@@ -131,97 +118,3 @@ def _share(row: tuple[Fraction, ...], i: int, pair: tuple[int, int]) -> Fraction
     if p == s:
         return row[p] if i == p else Fraction(0)
     return (row[s] if i == p else Fraction(0)) + (row[p] if i == s else Fraction(0))
-
-
-def _establish(
-    f: Exprs,
-    q: Exprs,
-    h: Exprs,
-    r: Fraction,
-    m: Exprs,
-    x: Exprs,
-    gain: list[Expr],
-    predictor: list[Expr],
-    factor: Factor,
-) -> tuple[Fact, ...]:
-    size = len(f)
-    variance = times(times(h, m), transposed(h))[0][0] + number(r)
-    column = times(m, transposed(h))
-    again = plus(times(times(f, x), transposed(f)), scaled(q, power(factor.index, 2)))
-    residuals = [a - b for i in range(size) for a, b in zip(again[i], m[i], strict=True)]
-    residuals += [variance * g - c[0] for g, c in zip(gain, column, strict=True)]
-    residuals += [variance - factor.innovation]
-    residuals += [
-        a[0] - b for a, b in zip(times(f, tuple((g,) for g in gain)), predictor, strict=True)
-    ]
-    # the closed loop of the gains themselves, not of the factor they came from
-    loop = minus(f, times(tuple((g,) for g in predictor), h))
-    residuals += [a - b for a, b in zip(_characteristic(loop), factor.coefficients, strict=True)]
-    positive = left_half_plane(circle_moved([*factor.coefficients, number(1)]))
-    minors = [determinant(tuple(row[:n] for row in m[:n])) for n in range(1, size + 1)]
-    facts = [
-        shown(
-            "the Riccati equation, gain and innovation variance hold identically: "
-            "M = F X F' + Q, S K = M H', S = H M H' + R",
-            [Rel("=", e, number(0)) for e in residuals],
-            factor,
-        ),
-        shown(
-            "the closed loop F - L H is stable (Hurwitz, unit circle mapped to a half plane)",
-            positive,
-            factor,
-        ),
-        shown(
-            "the predicted covariance is positive definite",
-            [Rel(">", e, number(0)) for e in (*minors, factor.innovation)],
-            factor,
-        ),
-        *_all_indices(factor),
-        Fact(f"cited: {UNIQUENESS[0]}", UNIQUENESS[1]),
-    ]
-    return tuple(facts)
-
-
-def _characteristic(matrix: Exprs) -> list[Expr]:
-    """Coefficients of det(zI - A) from power 0 up, without the leading 1: Faddeev, LeVerrier."""
-    size = len(matrix)
-    found: list[Expr] = []
-    current = exprs(tuple(tuple(Fraction(int(i == j)) for j in range(size)) for i in range(size)))
-    for k in range(1, size + 1):
-        moved = times(matrix, current)
-        total = moved[0][0]
-        for i in range(1, size):
-            total = total + moved[i][i]
-        c = number(Fraction(-1, k)) * total
-        found.append(c)
-        current = tuple(
-            tuple(e + c if i == j else e for j, e in enumerate(row)) for i, row in enumerate(moved)
-        )
-    return found[::-1]
-
-
-def _all_indices(factor: Factor) -> tuple[Fact, ...]:
-    """That the index falls from infinity to zero while its parameter rises through its box."""
-    if factor.index == symbol(factor.parameter):
-        return ()
-    falling = Rel("<", differentiated(factor.index, factor.parameter), number(0))
-    fact = shown("each positive index belongs to one value of the parameter", [falling], factor)
-    ends = ((factor.box.lower, "infinity"), (factor.box.upper, number(0)))
-    for end, value in ends:
-        if end is None:
-            raise NotEstablished("a parameter without ends")
-        found = decide_limit(factor.index, factor.parameter, factor.box, end, value, "parameter")
-        if found.verdict != "proved":
-            raise NotEstablished(f"{fact.sentence}: {found.reason}")
-    return (fact,)
-
-
-def shown(sentence: str, relations: list[Rel], factor: Factor) -> Fact:
-    """The fact that these relations hold for all values of the parameter. Raises NotEstablished."""
-    certificate: Mapping[str, Any] = {}
-    for rel in relations:
-        outcome = decide(Statement((rel,)), {factor.parameter: factor.box}, factor.parameter)
-        if outcome.verdict != "proved":
-            raise NotEstablished(f"{sentence}: {outcome.reason}")
-        certificate = outcome.certificate
-    return Fact(sentence, "tower of radicals, cells of one parameter", certificate)

@@ -1,4 +1,4 @@
-"""What stays while the sampling interval or the deviation of the measurement noise changes.
+"""Derivatives, and what stays while T or the deviation of the measurement noise changes.
 
 The tracking index is made of both and of the intensity of the process noise, so that nothing which
 depends on it has a derivative with respect to one of them alone until it is said what stays: the
@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.setting.environment import Environment
 
 
@@ -38,3 +39,27 @@ def rate_of_parameter(held: Mapping[str, Expr], environment: Environment, name: 
     if name not in symbols_of(stays):
         return number(0)
     return neg(differentiated(stays, name) / differentiated(stays, along))
+
+
+def total_derivative(entry: Expr, name: str, own: str, rate: Expr) -> Expr:
+    """The derivative with respect to a base variable with which the parameter changes at a rate."""
+    alone = differentiated(entry, name)
+    return alone if rate == number(0) else alone + differentiated(entry, own) * rate
+
+
+def partial_derivative(entry: Expr, target: Expr, token: str, environment: Environment) -> Expr:
+    """The derivative with respect to what a token stands for: a base variable, a coordinate, or an
+    expression of one variable, by the quotient of two derivatives. Raises Undecided.
+    """
+    if environment.is_coordinate(target):
+        return environment.slope(entry, target)
+    if target.kind == "symbol":
+        return differentiated(entry, target.name)
+    plain = tidied(target)
+    variables = symbols_of(plain)
+    # a coordinate changes alone: everything else in the entry stays
+    alone = variables <= set(environment.coordinates)
+    if len(variables) != 1 or not (alone or symbols_of(entry) <= variables):
+        raise Undecided(f"a derivative with respect to {token}, which depends on several variables")
+    name = next(iter(variables))
+    return differentiated(entry, name) / differentiated(plain, name)

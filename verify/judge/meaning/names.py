@@ -1,0 +1,56 @@
+"""What an evaluation asks of the table of symbols."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Protocol
+
+from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.value import Value
+
+
+class Names(Protocol):
+    """What an evaluation asks of the table of symbols."""
+
+    def symbol(self, token: str, bindings: Bindings) -> Value:
+        """What a symbol stands for."""
+        ...
+
+    def is_declared(self, token: str) -> bool:
+        """Whether the table of symbols has it."""
+        ...
+
+    def is_shared(self, name: str, *of: Expr) -> bool:
+        """Whether expressions change with a base variable in a way that they do not show."""
+        ...
+
+    def function(self, name: str, arguments: Sequence[Value], bindings: Bindings) -> Value:
+        """The value of a declared function."""
+        ...
+
+    def derivative(self, value: Value, token: str, bindings: Bindings) -> Value:
+        """The derivative with respect to a symbol."""
+        ...
+
+    def refuse_free_index(self, body: Expr, token: str) -> None:
+        """Raises Undecided if a free symbol has the token as its index."""
+        ...
+
+    def refuse_own_terms(self, value: Value, token: str) -> None:
+        """Raises Undecided if the token is a term of a sequence in the value."""
+        ...
+
+    def require_at(self, token: str, values: Mapping[str, Expr]) -> None:
+        """Notes that sums and integrals must have values where a symbol is replaced, too."""
+        ...
+
+    def bound(
+        self, kind: str, body: Expr, token: str, low: Value, high: Value, bindings: Bindings
+    ) -> Value:
+        """A sum or an integral of `body` over the bound name `token`."""
+        ...
+
+    def expectation(self, value: Value) -> Value:
+        """The expectation."""
+        ...
