@@ -22,7 +22,7 @@ def listing(shop: Workshop, columns: int = WIDTH) -> str:
     subjects = derivations.overview(shop)
     parts = ["Derivations (gainproof derive NAME --steps) and their kernels", ""]
     for subject in subjects:
-        parts.append(f"  {subject['name']}: {subject['title']}")
+        parts += filled(f"{subject['name']}: {subject['title']}", "  ", "    ", columns=columns)
         modules = sorted({kernel["module"] for kernel in subject["kernels"]})
         parts.append(f"      gainproof.generated.{', '.join(modules)}")
         parts += filled(
@@ -67,7 +67,7 @@ def citation(name: str, shop: Workshop, columns: int = WIDTH) -> str:
 
 
 def _subject_citation(subject: Subject, columns: int) -> str:
-    lines = [f"{subject['name']}: {subject['title']}", ""]
+    lines = [*filled(f"{subject['name']}: {subject['title']}", columns=columns), ""]
     if not subject["sources"]:
         lines.append("  rests on no published work")
     for source in subject["sources"]:
