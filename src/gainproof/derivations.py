@@ -12,24 +12,19 @@ from gainproof.derived import Derived, derived_from
 from gainproof.rechecking import expected_of
 from gainproof.workshop import Workshop
 
+CATALOGUE = workers.Job("the catalogue", "catalogue", {})
+
 
 def catalogue(shop: Workshop) -> list[str]:
     """Names of all subjects, in the order of the catalogue."""
-    (found,) = shop.results("", [workers.Job("the catalogue", "catalogue", {})])
+    (found,) = shop.results("", [CATALOGUE])
     return list(found)
 
 
 def overview(shop: Workshop) -> list[dict[str, Any]]:
     """{"name", "title", "model", "sources", "kernels", "cited"} of every subject."""
-    (found,) = shop.results("", [workers.Job("all subjects", "overview", {})])
-    return list(found)
-
-
-def ahead(shop: Workshop) -> None:
-    """Have all subjects listed, derived and printed by one process, which does so faster than one
-    for each: what is asked for after that is there. Raises BadInputError or JobError.
-    """
-    shop.ahead(workers.Job("all subjects", "everything", {}))
+    jobs = [workers.Job(name, "outline", {"name": name}) for name in catalogue(shop)]
+    return shop.results("", jobs)
 
 
 def derive(names: Sequence[str], shop: Workshop) -> list[Derived]:
@@ -37,6 +32,19 @@ def derive(names: Sequence[str], shop: Workshop) -> list[Derived]:
     require_names(names, shop)
     jobs = [workers.Job(name, "derive", {"name": name}) for name in names]
     return [derived_from(data) for data in shop.results("derived", jobs)]
+
+
+def everything_job(name: str) -> workers.Job:
+    """All that is to be known of one subject, made in one go."""
+    arguments = {"name": name}
+    parts = tuple(workers.Job(name, task, arguments) for task in ("outline", "derive", "print_one"))
+    return workers.Job(name, "everything", arguments, answers=parts)
+
+
+def known(name: str, shop: Workshop) -> Derived:
+    """A subject of the catalogue, and nobody is told that it was unchanged."""
+    (found,) = shop.results("", [workers.Job(name, "derive", {"name": name})])
+    return derived_from(found)
 
 
 def require_names(names: Sequence[str], shop: Workshop) -> None:
@@ -77,15 +85,13 @@ def is_file(name_or_file: str) -> bool:
 
 def recheck(pairs: Sequence[tuple[Any, Derived]], shop: Workshop) -> list[dict[str, Any]]:
     """Reports on certificates (parsed JSON), each against what its subject is expected to prove."""
-    jobs = [
-        workers.Job(
-            derived.name,
-            "recheck",
-            {"certificate": certificate, "expected": expected_of(derived)},
-        )
-        for certificate, derived in pairs
-    ]
-    return shop.results("certificate checked", jobs)
+    return shop.results("certificate checked", [recheck_job(*pair) for pair in pairs])
+
+
+def recheck_job(certificate: Any, derived: Derived) -> workers.Job:
+    """The check of one certificate (parsed JSON)."""
+    arguments = {"certificate": certificate, "expected": expected_of(derived)}
+    return workers.Job(derived.name, "recheck", arguments)
 
 
 def own_report(derived: Derived, shop: Workshop) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,20 +17,23 @@ from gainproof import (
     verdicts,
 )
 from gainproof.claim_words import claim_words
-from gainproof.derived import Derived
 from gainproof.report import Findings
+from gainproof.workers import Job
 from gainproof.workshop import Workshop
+
+DONE = {"everything": "derived and printed", "recheck": "certificate checked", "judge": "judged"}
+"""What people are told of the jobs."""
 
 
 def find(shop: Workshop, *, accept: bool = False) -> Findings:
     """Look at everything. `accept`: verdicts that changed are written to the snapshots."""
-    derivations.ahead(shop)
+    folder = places.generated_folder()
+    claim_files = places.claim_files()
+    shop.ahead([derivations.CATALOGUE], following(shop, folder, claim_files), DONE)
     subjects = derivations.derive(derivations.catalogue(shop), shop)
     files = generated_files.fresh(None, shop)
-    folder = places.generated_folder()
-    pairs = [(committed(folder, subject), subject) for subject in subjects]
+    pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     reports = derivations.recheck(pairs, shop)
-    claim_files = places.claim_files()
     judged = judgements.judge(claim_files, shop)
     changes = {
         file.name: tuple(verdicts.changes(judgement, file))
@@ -51,10 +55,46 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
     )
 
 
-def committed(folder: Path, subject: Derived) -> Any:
+def following(
+    shop: Workshop, folder: Path, claim_files: Sequence[Path]
+) -> Callable[[Job], list[Job]]:
+    """What can be done once a job is known: after the catalogue every subject, after a subject the
+    check of its committed certificate, and after the last one the claim files, since these need all
+    models.
+    """
+    missing: set[str] = set()
+
+    def after(job: Job) -> list[Job]:
+        if job.task == "catalogue":
+            names = derivations.catalogue(shop)
+            missing.update(names)
+            # the longest first, so that the last to end is a short one
+            names.sort(key=lambda name: _size(_path(folder, name)), reverse=True)
+            return [derivations.everything_job(name) for name in names]
+        if job.task != "everything":
+            return []
+        name = job.arguments["name"]
+        missing.discard(name)
+        jobs = [derivations.recheck_job(committed(folder, name), derivations.known(name, shop))]
+        return jobs if missing else [*jobs, *judgements.jobs(claim_files, shop).values()]
+
+    return after
+
+
+def committed(folder: Path, name: str) -> Any:
     """The committed certificate of a subject; None, which the checker rejects, if unreadable."""
-    path = folder / f"{subject.name.replace('-', '_')}.json"
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
+        return json.loads(_path(folder, name).read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError):
         return None
+
+
+def _path(folder: Path, name: str) -> Path:
+    return folder / f"{name.replace('-', '_')}.json"
+
+
+def _size(path: Path) -> int:
+    try:
+        return path.stat().st_size
+    except OSError:
+        return 0

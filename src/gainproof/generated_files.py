@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from gainproof import atomic_file, derivations, workers
+from gainproof.derive.printer.package import shared_files
 from gainproof.drift import Difference
 from gainproof.workshop import Workshop
 
@@ -13,8 +15,10 @@ from gainproof.workshop import Workshop
 def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
     """Content by file name, of everything or of one subject. Raises BadInputError."""
     if name_or_file is None:
-        job, depends = workers.Job("all files", "print_all", {}), []
-    elif derivations.is_file(name_or_file):
+        names = derivations.catalogue(shop)
+        jobs = [workers.Job(name, "print_one", {"name": name}) for name in names]
+        return together(shop.results("printed", jobs))
+    if derivations.is_file(name_or_file):
         path = Path(name_or_file)
         depends = [derivations.model_text(path)]
         job = workers.Job(name_or_file, "print_file", {"path": str(path.resolve())})
@@ -22,7 +26,22 @@ def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
         derivations.require_names([name_or_file], shop)
         job, depends = workers.Job(name_or_file, "print_one", {"name": name_or_file}), []
     (found,) = shop.results("printed", [job], *depends)
-    return {name: text.encode("utf-8") for name, text in found.items()}
+    # what modules share is left out: kernels import it from the installed package
+    texts = found["files"].items()
+    return {name: text.encode("utf-8") for name, text in texts if not name.startswith("_")}
+
+
+def together(parts: Sequence[Mapping[str, Any]]) -> dict[str, bytes]:
+    """The whole folder from what each subject gives to it: {"module", "title", "files"}.
+
+    Raises ValueError for a file of several subjects who do not agree on it.
+    """
+    files = shared_files({part["module"]: part["title"] for part in parts})
+    for part in parts:
+        for name, text in part["files"].items():
+            if files.setdefault(name, text) != text:
+                raise ValueError(f"{part['module']}: its {name} differs from that of another")
+    return {name: text.encode("utf-8") for name, text in files.items()}
 
 
 def put(files: Mapping[str, bytes], differences: Iterable[Difference], folder: Path) -> int:

@@ -18,10 +18,8 @@ def judge(files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT) -> li
 
     Raises BadInputError for a file that cannot be used.
     """
-    jobs = _jobs(files, shop, seconds)
-    # the longest first, so that the last to end is a short one
-    order = sorted(files, key=lambda file: len(jobs[file].arguments["text"]), reverse=True)
-    found = dict(zip(order, shop.results("judged", [jobs[f] for f in order]), strict=True))
+    asked = jobs(files, shop, seconds)
+    found = dict(zip(asked, shop.results("judged", list(asked.values())), strict=True))
     return [found[file] for file in files]
 
 
@@ -31,7 +29,7 @@ def judge_claim(file: Path, name: str, shop: Workshop, seconds: float = DEFAULT)
 
     Raises BadInputError for a file that cannot be used, or that does not have the claim.
     """
-    (job,) = _jobs([file], shop, seconds).values()
+    (job,) = jobs([file], shop, seconds).values()
     known = shop.answered(job)
     if known is None:
         alone = replace(job, arguments={**job.arguments, "only": name})
@@ -43,7 +41,13 @@ def judge_claim(file: Path, name: str, shop: Workshop, seconds: float = DEFAULT)
     return found
 
 
-def _jobs(files: Sequence[Path], shop: Workshop, seconds: float) -> dict[Path, workers.Job]:
+def jobs(
+    files: Sequence[Path], shop: Workshop, seconds: float = DEFAULT
+) -> dict[Path, workers.Job]:
+    """The judgements of files, the longest first, so that the last to end is a short one.
+
+    Raises BadInputError for a file that cannot be read.
+    """
     texts = {file: read(file) for file in files}
     models = [entry["model"] for entry in derivations.overview(shop) if entry["model"]]
     shared = {"models": models, "seconds": seconds}
@@ -53,7 +57,7 @@ def _jobs(files: Sequence[Path], shop: Workshop, seconds: float) -> dict[Path, w
         file: workers.Job(
             file.stem, "judge", {"path": places.shown(file), "text": texts[file], **shared}, also
         )
-        for file in files
+        for file in sorted(files, key=lambda file: len(texts[file]), reverse=True)
     }
 
 

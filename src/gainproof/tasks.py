@@ -6,7 +6,6 @@ Each gets the `Desk` of its process first.
 from __future__ import annotations
 
 import json
-import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -25,35 +24,25 @@ def catalogue(_: Desk) -> list[str]:
     return catalogue_names()
 
 
-def overview(desk: Desk) -> list[Plain]:
-    """Every subject with its kernels and sources, without certificates."""
-    from gainproof.deriving import catalogue_names, overview_of
+def outline(desk: Desk, name: str) -> Plain:
+    """One subject with its model, kernels and sources, without its certificate."""
+    from gainproof.deriving import overview_of
 
-    return [overview_of(_subject(desk, name)) for name in catalogue_names()]
+    return overview_of(_subject(desk, name))
 
 
 def derive(desk: Desk, name: str) -> Plain:
     """Derive one subject of the catalogue: `Derived` as plain data. SymPy is imported here."""
     from gainproof.deriving import plain_subject
 
-    return plain_subject(_subject(desk, name)).plain()
+    return desk.kept(("derived", name), lambda: plain_subject(_subject(desk, name)).plain())
 
 
-def everything(desk: Desk) -> list[Plain]:
-    """What the tasks on the whole catalogue and on each of its subjects answer, which shares most
-    of the work: {"task", "arguments", "result"} of each.
+def everything(desk: Desk, name: str) -> list[Plain]:
+    """What the tasks on one subject of the catalogue answer, which share most of the work: its
+    outline, itself derived, its files.
     """
-    asked: list[tuple[str, Plain, str]] = [("catalogue", {}, ""), ("overview", {}, "")]
-    asked += [("derive", {"name": name}, f"derived {name}") for name in catalogue(desk)]
-    asked.append(("print_all", {}, "printed all files"))
-    found = []
-    for task, arguments, work in asked:
-        start = time.perf_counter()
-        result = TASKS[task](desk, **arguments)
-        found.append({"task": task, "arguments": arguments, "result": result})
-        if work:
-            desk.tell(f"{work} ({time.perf_counter() - start:.1f} s)")
-    return found
+    return [outline(desk, name), derive(desk, name), print_one(desk, name)]
 
 
 def derive_file(_: Desk, path: str) -> Plain:
@@ -64,27 +53,20 @@ def derive_file(_: Desk, path: str) -> Plain:
     return plain_subject(build_model_file(path)).plain()
 
 
-def print_all(desk: Desk) -> dict[str, str]:
-    """Every file of generated/ by name."""
-    from gainproof.deriving import catalogue_names
-    from gainproof.generating import files_of
+def print_one(desk: Desk, name: str) -> Plain:
+    """The files of one subject of the catalogue: {"module", "title", "files"}."""
+    from gainproof.generating import printed
 
-    return files_of([_subject(desk, name) for name in catalogue_names()])
-
-
-def print_one(desk: Desk, name: str) -> dict[str, str]:
-    """The files of one subject of the catalogue."""
-    from gainproof.generating import files_of_one
-
-    return files_of_one(_subject(desk, name))
+    return printed(_subject(desk, name), derive(desk, name)["certificate"])
 
 
-def print_file(_: Desk, path: str) -> dict[str, str]:
-    """The files of the model of a user's file, which is executed."""
-    from gainproof.generating import files_of_one
+def print_file(_: Desk, path: str) -> Plain:
+    """The same of the model of a user's file, which is executed."""
+    from gainproof.generating import printed
     from gainproof.model_file import build_model_file
 
-    return files_of_one(build_model_file(path))
+    subject = build_model_file(path)
+    return printed(subject, subject.certificate())
 
 
 def recheck(_: Desk, certificate: Any, expected: Plain) -> Plain:
@@ -124,13 +106,16 @@ def _subject(desk: Desk, name: str) -> Subject:
 
 TASKS: Mapping[str, Callable[..., Any]] = {
     "catalogue": catalogue,
-    "overview": overview,
+    "outline": outline,
     "derive": derive,
     "everything": everything,
     "derive_file": derive_file,
-    "print_all": print_all,
     "print_one": print_one,
     "print_file": print_file,
     "recheck": recheck,
     "judge": judge,
 }
+DERIVING = frozenset(
+    {"catalogue", "outline", "derive", "everything", "derive_file", "print_one", "print_file"}
+)
+"""Tasks that import SymPy. The others are never done in a process in which one of these was."""

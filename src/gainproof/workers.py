@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import asyncio
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from gainproof.bad_input import BadInputError
 from gainproof.process import BrokenOffError, Process
+from gainproof.tasks import DERIVING
+from gainproof.waiting import Waiting
 
 REPRODUCIBLE = {"SYMPY_GROUND_TYPES": "python", "PYTHONHASHSEED": "0"}
 """What makes a derivation come out the same everywhere, whatever else is installed."""
@@ -25,13 +27,15 @@ WORKER = "gainproof.worker"
 @dataclass(frozen=True)
 class Job:
     """One call of a function of `gainproof.tasks` with plain data; `label` is for people, `also`
-    are arguments on which the result does not depend.
+    are arguments on which the result does not depend. The result of a job that `answers` others is
+    the list of theirs.
     """
 
     label: str
     task: str
     arguments: Mapping[str, Any]
     also: Mapping[str, Any] = field(default_factory=dict)
+    answers: tuple[Job, ...] = ()
 
     def request(self) -> dict[str, Any]:
         """What the process is asked."""
@@ -44,6 +48,7 @@ class JobError(Exception):
 
 Done = Callable[[Job, float], None]
 Told = Callable[[Job, str], None]
+Further = Callable[[Job, Any], Sequence[Job]]
 
 
 def run(
@@ -51,17 +56,20 @@ def run(
     *,
     on_done: Done | None = None,
     on_told: Told | None = None,
+    on_result: Further | None = None,
     environment: Mapping[str, str] | None = None,
     limit: int | None = None,
 ) -> list[Any]:
     """The jobs' results in the order of the jobs; `on_done` hears of each as it ends, `on_told` of
-    what a job says while it works. At most `limit` processes run at once, one for each processor
-    if it is not given.
+    what a job says while it works. `on_result` gets each result and says which jobs are to follow,
+    whose results it gets too. At most `limit` processes run at once, one for each processor if it
+    is not given.
 
     Raises BadInputError or JobError of the first job that fails, the others being ended.
     """
     settings = {**os.environ, **REPRODUCIBLE, **(environment or {})}
-    return asyncio.run(_run(jobs, on_done, on_told, settings, limit or processors()))
+    listener = _Listener(on_done, on_told, on_result)
+    return asyncio.run(_run(jobs, listener, settings, limit or processors()))
 
 
 def processors() -> int:
@@ -71,24 +79,22 @@ def processors() -> int:
     return os.cpu_count() or 1
 
 
+@dataclass(frozen=True)
+class _Listener:
+    on_done: Done | None
+    on_told: Told | None
+    on_result: Further | None
+
+
 async def _run(
-    jobs: Sequence[Job],
-    on_done: Done | None,
-    on_told: Told | None,
-    settings: Mapping[str, str],
-    limit: int,
+    jobs: Sequence[Job], listener: _Listener, settings: Mapping[str, str], limit: int
 ) -> list[Any]:
-    waiting = iter(enumerate(jobs))
-    found: dict[int, Any] = {}
-
-    def done(number: int, result: Any, seconds: float) -> None:
-        found[number] = result
-        if on_done is not None:
-            on_done(jobs[number], seconds)
-
+    waiting = Waiting(jobs)
+    # without jobs that follow, more processes than jobs would have nothing to do
+    count = limit if listener.on_result else min(limit, len(jobs))
     lines = [
-        asyncio.ensure_future(_one_after_the_other(waiting, done, on_told, settings))
-        for _ in range(min(limit, len(jobs)))
+        asyncio.ensure_future(_one_after_the_other(waiting, listener, settings))
+        for _ in range(count)
     ]
     try:
         await asyncio.gather(*lines)
@@ -97,25 +103,33 @@ async def _run(
             line.cancel()
         await asyncio.gather(*lines, return_exceptions=True)
         raise
-    return [found[number] for number in range(len(jobs))]
+    return [waiting.found[number] for number in range(len(jobs))]
 
 
 async def _one_after_the_other(
-    waiting: Iterator[tuple[int, Job]],
-    done: Callable[[int, Any, float], None],
-    on_told: Told | None,
-    settings: Mapping[str, str],
+    waiting: Waiting[Job], listener: _Listener, settings: Mapping[str, str]
 ) -> None:
-    """Jobs in one process, until none is waiting."""
+    """Jobs in one process, until none is waiting and none can follow. A job that derives and one
+    that does not have different processes.
+    """
     clock = asyncio.get_running_loop().time
     process: Process | None = None
+    derives = False
     try:
-        for number, job in waiting:
+        while (following := await waiting.following()) is not None:
+            number, job = following
             start = clock()
+            if process is not None and derives != (job.task in DERIVING):
+                await process.finish()
+                process = None
             if process is None:
+                derives = job.task in DERIVING
                 process = await Process.started(WORKER, settings)
-            result = await _asked(process, job, on_told)
-            done(number, result, clock() - start)
+            result = await _asked(process, job, listener.on_told)
+            if listener.on_done is not None:
+                listener.on_done(job, clock() - start)
+            further = listener.on_result(job, result) if listener.on_result else ()
+            await waiting.done(number, result, further)
         if process is not None:
             await process.finish()
     except BaseException:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from gainproof import code_digest, workers
 from gainproof.cache import Cache, default_folder, key_of
 from gainproof.progress import Progress
+
+Then = Callable[[workers.Job], Sequence[workers.Job]]
 
 
 @dataclass(frozen=True)
@@ -63,21 +65,39 @@ class Workshop:
         key = self._key(job)
         return self.known[key] if key in self.known else self.cache.load(key)
 
-    def ahead(self, job: workers.Job) -> None:
-        """Have a job done that answers other jobs in one go: its result lists {"task", "arguments",
-        "result"} of these. What it says meanwhile is progress.
+    def ahead(
+        self, jobs: Sequence[workers.Job], then: Then, done: Mapping[str, str] | None = None
+    ) -> None:
+        """Have jobs done that will be asked for, and those that `then` says can be done once a job
+        is known, as many at once as there are processors. `done` has the words for people by task;
+        nothing is said of other tasks.
 
-        Raises BadInputError or JobError.
+        Raises BadInputError or JobError of the first job that fails.
         """
-        key = self._key(job)
-        if self.cache.load(key) is not None:
-            return
-        (answers,) = workers.run([job], on_told=lambda _, text: self.progress.say(text))
-        for answer in answers:
-            answered = self._key(workers.Job("", answer["task"], answer["arguments"]))
-            self.known[answered] = answer["result"]
-            self.cache.store(answered, answer["result"])
-        self.cache.store(key, True)
+        words = done or {}
+
+        def missing(job: workers.Job) -> list[workers.Job]:
+            if any(self.answered(part) is None for part in job.answers or (job,)):
+                return [job]
+            return [other for further in then(job) for other in missing(further)]
+
+        def found(job: workers.Job, result: Any) -> list[workers.Job]:
+            results = zip(job.answers, result, strict=True) if job.answers else [(job, result)]
+            for part, one in results:
+                key = self._key(part)
+                self.known[key] = one
+                self.cache.store(key, one)
+            return [other for further in then(job) for other in missing(further)]
+
+        def said(job: workers.Job, seconds: float) -> None:
+            if job.task in words:
+                self.progress.say(f"{words[job.task]} {job.label} ({seconds:.1f} s)")
+
+        def told(job: workers.Job, text: str) -> None:
+            self.progress.say_sometimes(f"{job.label}: {text}")
+
+        first = [other for job in jobs for other in missing(job)]
+        workers.run(first, on_done=said, on_told=told, on_result=found)
 
     def _key(self, job: workers.Job, *depends: bytes) -> str:
         return key_of(job.task, self.code, _text(job), *depends)

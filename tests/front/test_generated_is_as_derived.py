@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import cli, drift, places, workers
+from gainproof import cli, drift, generated_files, places, workers
 from gainproof.workers import Job
 
 Capture = pytest.CaptureFixture[str]
@@ -16,8 +16,10 @@ Capture = pytest.CaptureFixture[str]
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", ["1", "4242"])
 def test_every_byte_is_as_derived(seed: str) -> None:
-    (texts,) = workers.run([Job("all", "print_all", {})], environment={"PYTHONHASHSEED": seed})
-    fresh = {name: text.encode() for name, text in texts.items()}
+    settings = {"PYTHONHASHSEED": seed}
+    (names,) = workers.run([Job("all", "catalogue", {})], environment=settings)
+    jobs = [Job(name, "print_one", {"name": name}) for name in names]
+    fresh = generated_files.together(workers.run(jobs, environment=settings))
     found = [difference.text() for difference in drift.compare(fresh, places.generated_folder())]
     assert not found, f"{found}; {drift.CURE}"
 
@@ -43,6 +45,15 @@ def test_one_subject_alone_leaves_the_others_and_the_shared_files(tmp_path: Path
     committed = places.generated_folder()
     for name in names:
         assert (tmp_path / name).read_bytes() == (committed / name).read_bytes()
+
+
+def test_subjects_agree_on_the_files_that_they_share() -> None:
+    parts = [{"module": m, "title": m, "files": {"_shared.py": "x", m: m}} for m in ("a", "b")]
+    files = generated_files.together(parts)
+    assert sorted(files) == ["__init__.py", "_runtime.py", "_shared.py", "a", "b"]
+    other = {"module": "c", "title": "c", "files": {"_shared.py": "y"}}
+    with pytest.raises(ValueError, match=r"c: its _shared\.py differs"):
+        generated_files.together([*parts, other])
 
 
 def test_an_unknown_subject_writes_nothing(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from gainproof import workers
 from gainproof.bad_input import BadInputError
 from gainproof.claim_template import template
 from gainproof.process import Process
+from gainproof.tasks import DERIVING, TASKS
 from gainproof.workers import Job, JobError
 
 SUPPORT = Path(__file__).resolve().parents[1] / "support"
@@ -103,6 +104,35 @@ def _replaced(python: str, script: str) -> Any:
         return await create(python, "-c", script, **options)
 
     return made
+
+
+def test_what_follows_from_a_result_is_done_as_well() -> None:
+    found: list[Any] = []
+
+    def further(job: Job, result: Any) -> list[Job]:
+        found.append(result)
+        return [Job("x", "wait", {"seconds": 0}) for _ in range(3)] if job.task == "note" else []
+
+    first = [Job("a", "note", {"key": "a", "value": 5})]
+    assert workers.run(first, on_result=further, limit=2) == [5]
+    assert found == [5, 0, 0, 0]
+
+
+def test_a_failure_among_what_follows_is_that_of_the_run() -> None:
+    waited = Job("x", "wait", {"seconds": 0})
+    with pytest.raises(BadInputError):
+        workers.run([waited], on_result=lambda job, _: [UNKNOWN] if job is waited else [])
+
+
+def test_what_derives_and_what_judges_have_different_processes() -> None:
+    """So that SymPy is not there where certificates are checked and claims are judged."""
+    jobs = [Job("", "process", {}), Job("", "catalogue", {}), Job("", "process", {})]
+    before, _, after = workers.run(jobs, limit=1)
+    assert before != after
+    imported = Job("", "imported", {"name": "sympy"})
+    assert workers.run([jobs[1], imported], limit=1)[1] is False
+    for task in DERIVING - {"catalogue"}:
+        assert task in TASKS
 
 
 def test_a_process_takes_job_after_job_and_keeps_by_key() -> None:

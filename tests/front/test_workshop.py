@@ -13,8 +13,8 @@ from gainproof.workers import Job
 from gainproof.workshop import Workshop, open_workshop
 
 SUPPORT = Path(__file__).resolve().parents[1] / "support"
-SEVERAL = Job("several", "several", {})
 NOW, LATER = (Job("wait", "wait", {"seconds": n}) for n in (0, 1))
+SEVERAL = Job("several", "several", {}, answers=(NOW, LATER))
 Capture = pytest.CaptureFixture[str]
 
 
@@ -28,23 +28,31 @@ def workshop(folder: Path, *, fresh: bool = False) -> Workshop:
     return Workshop(Cache(folder, fresh), Progress(), "the code")
 
 
+def nothing(_: Job) -> list[Job]:
+    return []
+
+
+def ahead(shop: Workshop) -> None:
+    shop.ahead([SEVERAL], nothing, {"several": "known ahead:"})
+
+
 @pytest.mark.parametrize("fresh", [False, True])
 def test_what_was_answered_ahead_is_not_asked_again(
     tmp_path: Path, capsys: Capture, *, fresh: bool
 ) -> None:
     shop = workshop(tmp_path, fresh=fresh)
-    shop.ahead(SEVERAL)
-    assert "several at once" in capsys.readouterr().err
+    ahead(shop)
+    assert "known ahead: several (" in capsys.readouterr().err
     assert shop.results("waited", [LATER, NOW]) == ["known", 0]
     # it was made in this run, so that it is not called unchanged
     assert not capsys.readouterr().err
 
 
 def test_what_was_answered_ahead_is_kept_for_other_runs(tmp_path: Path, capsys: Capture) -> None:
-    workshop(tmp_path).ahead(SEVERAL)
+    ahead(workshop(tmp_path))
     capsys.readouterr()
     later = workshop(tmp_path)
-    later.ahead(SEVERAL)
+    ahead(later)
     assert not capsys.readouterr().err
     assert later.results("waited", [LATER]) == ["known"]
     assert "waited: 1 unchanged" in capsys.readouterr().err
@@ -52,8 +60,38 @@ def test_what_was_answered_ahead_is_kept_for_other_runs(tmp_path: Path, capsys: 
     assert fresh.results("", [LATER]) == [1]
 
 
-def test_a_subject_is_the_same_derived_alone_or_among_all() -> None:
+def test_a_job_that_answers_others_is_done_again_if_one_is_lost(tmp_path: Path) -> None:
+    ahead(workshop(tmp_path))
+    first, *_ = tmp_path.glob("wait-*.json")
+    first.unlink()
+    shop = workshop(tmp_path)
+    ahead(shop)
+    assert shop.answered(LATER) == "known"
+    assert shop.answered(NOW) == 0
+
+
+def test_what_follows_from_a_job_is_done_too_known_or_not(tmp_path: Path) -> None:
+    notes = [Job(key, "note", {"key": key, "value": n}) for n, key in enumerate("abc")]
+    asked: list[str] = []
+
+    def then(job: Job) -> list[Job]:
+        asked.append(job.label)
+        return notes[1:] if job is notes[0] else []
+
+    workshop(tmp_path).ahead(notes[1:2], nothing)
+    shop = workshop(tmp_path)
+    shop.ahead(notes[:1], then)
+    assert asked == ["a", "b", "c"]
+    assert [shop.answered(note) for note in notes] == [0, 1, 2]
+    again = workshop(tmp_path)
+    again.ahead(notes[:1], then)
+    assert asked == ["a", "b", "c"] * 2
+    assert not again.known
+
+
+def test_a_subject_is_the_same_derived_alone_or_with_its_files() -> None:
     shop = open_workshop(quiet=True)
-    derivations.ahead(shop)
-    job = Job("alone", "derive", {"name": "least-squares-line"})
-    assert shop.results("", [job]) == workers.run([job])
+    asked = derivations.everything_job("least-squares-line")
+    shop.ahead([asked], nothing)
+    for job in asked.answers:
+        assert shop.results("", [job]) == workers.run([job])

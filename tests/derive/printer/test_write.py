@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from gainproof.derive.printer.canonical_json import WIDTH, canonical_json
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Module
-from gainproof.derive.printer.write import RUNTIME, all_files
+from gainproof.derive.printer.package import RUNTIME
+from gainproof.derive.printer.write import all_files
 
 
 def module(name: str) -> Module:
