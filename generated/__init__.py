@@ -6,11 +6,10 @@
 - `least_squares_mean`: Least-squares mean (growing memory): gains by sample number.
 - `least_squares_parabola`: Least-squares parabola (growing memory): gains by sample number.
 - `position_velocity_random_acceleration`: Position and velocity measured, random acceleration
-  (constant over each interval): steady state.
+  (constant over each interval).
 - `position_velocity_random_velocity`: Position and velocity measured, random velocity (velocity
-  random walk): steady state.
-- `position_velocity`: Position and velocity measured, continuous white acceleration: steady
-  state.
+  random walk).
+- `position_velocity`: Position and velocity measured, continuous white acceleration.
 - `random_acceleration`: Random acceleration (constant over each interval): steady state with
   measured position.
 - `random_velocity`: Random velocity (velocity random walk): steady state with measured
