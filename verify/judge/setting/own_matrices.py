@@ -8,7 +8,15 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Setting
-from gainproof.verify.judge.exact.expression import Expr, mul, number, power, sqrt, symbol
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    mul,
+    number,
+    power,
+    sqrt,
+    symbol,
+    symbols_of,
+)
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
@@ -107,7 +115,9 @@ def _number(expr: Expr, name: str) -> Fraction:
 def noise_in_units(
     q: Rows, interval: Expr, deviation: Expr
 ) -> tuple[list[list[str]], dict[str, Expr]]:
-    """Q1, and what the intensity is."""
+    """Q1, and what the intensity is. Raises Undecided, also where symbols cancel in the index: a
+    number would be left of it, and it is free in all that is shown.
+    """
     below = power(deviation, -2)
     entries = [
         [monomials(mul(x, below, power(interval, i + j))) for j, x in enumerate(row)]
@@ -117,6 +127,8 @@ def noise_in_units(
     if len(common) != 1 or any(len(found) > 1 for row in entries for found in row):
         raise Undecided("the process noise of the model is no one intensity times a matrix")
     (shared,) = common
+    if not dict(shared) and any(symbols_of(x) for row in q for x in row):
+        raise Undecided("the process noise of the model fixes the tracking index")
     diagonal = [row[i].get(shared, Fraction(0)) for i, row in enumerate(entries)]
     last = next((c for c in reversed(diagonal) if c), None)
     if last is None or last < 0:
@@ -131,7 +143,7 @@ def noise_in_units(
 def _intensity(shared: Monomial, last: Fraction) -> tuple[Fraction, dict[str, Expr]]:
     """From index^2 = last * shared what the one free symbol of it is.
 
-    Without symbols the numbers stand for index 1; the first result is what they are divided by.
+    Numbers alone stand for index 1; the first result is what they are divided by.
     """
     powers = dict(shared)
     if not powers or powers == {symbol(INDEX): 2}:

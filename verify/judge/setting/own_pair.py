@@ -30,8 +30,10 @@ def both_measured(setting: Setting) -> Environment:
     of the measured velocity. Raises Undecided, Malformed, NotEstablished.
     """
     scope, (f, q, h, r) = read_matrices(setting)
-    deviation = _velocity_noise(r)
-    put_in = {free_name(token): expr for token, expr in interval_symbol(setting, scope).items()}
+    velocity = {_velocity_noise(r): mul(symbol(RATIO), SIGMA, power(T, -1))}
+    assigned = {**interval_symbol(setting, scope), **velocity}
+    # the process noise may hold the deviation of the measured velocity too
+    put_in = {free_name(token): expr for token, expr in assigned.items()}
     f, q = ([[substituted(x, put_in) for x in row] for row in matrix] for matrix in (f, q))
     numbers = in_units(f, (1, -1), T, "transition"), in_units(h, (0, 0), T, "measurement")
     if numbers != ([["1", "1"], ["0", "1"]], [["1", "0"], ["0", "1"]]):
@@ -41,8 +43,7 @@ def both_measured(setting: Setting) -> Environment:
     if mixed != other or last != 1:
         raise Undecided("the process noise of the model is no covariance with driven velocity")
     solved = position_velocity(Noise(position, mixed), setting.name)
-    velocity = {deviation: mul(symbol(RATIO), SIGMA, power(T, -1))}
-    return with_assigned(solved, {**interval_symbol(setting, scope), **intensity, **velocity})
+    return with_assigned(solved, {**assigned, **intensity})
 
 
 def _velocity_noise(r: Rows) -> str:

@@ -165,6 +165,10 @@ measurement = [["1", "0"], ["0", "1"]]
 measurement_noise = [['o^2', "0"], ["0", 'd^2']]
 """
 
+WHITE = "[['a^2 T^4/3', 'a^2 T^3/2'], ['a^2 T^3/2', 'a^2 T^2']]"
+B = """'b' = { unit = "1", domain = 'b > 0', meaning = "ratio" }
+"""
+
 
 def only(kind: str, fields: str, setting: str = SETTING) -> ClaimVerdict:
     said = fields if fields.startswith("about") else f"latex = '{fields}'"
@@ -235,9 +239,23 @@ def test_a_divisor_that_vanishes_on_a_curve_has_an_exact_witness() -> None:
         ("['o^2', \"0\"]", "['o^2', \"1\"]"),
         ("['a^2 T^4/3', 'a^2 T^3/2']", "['a^2 T^4/2', 'a^2 T^3/2']"),
         ('measurement = [["1", "0"], ["0", "1"]]', 'measurement = [["1", "0"], ["1", "1"]]'),
+        (WHITE, "[['d^2 T^2/3', 'd^2 T/2'], ['d^2 T/2', 'd^2']]"),
+        (WHITE, "[['0', '0'], ['0', 'd^2']]"),
+        (WHITE, "[['0', '0'], ['0', 'o^2/T^2']]"),
+        (WHITE, "[['0', '0'], ['0', '4 o^2/T^2']]"),
     ],
 )
 def test_models_that_are_not_covered(before: str, after: str) -> None:
     assert before in SETTING
-    verdict = only("inequality", "P > 0", SETTING.replace(before, after))
-    assert verdict.verdict == "undecided"
+    for kind, claim in (("inequality", "P > 0"), ("identity", "S = r"), ("identity", "r = 4")):
+        verdict = only(kind, claim, SETTING.replace(before, after))
+        assert verdict.verdict == "undecided"
+
+
+def test_a_deviation_of_both_noises() -> None:
+    """What is left of the index is a symbol that the velocity's deviation is divided out of."""
+    noise = "[['0', '0'], ['0', 'b^2 d^2']]"
+    setting = SETTING.replace(WHITE, noise).replace("[settings.s]", f"{B}[settings.s]")
+    verdict = only("identity", "b = \\frac{4}{r S}", setting.replace("a T^2", "b d T"))
+    assert verdict.verdict == "proved", verdict.reason
+    assert only("identity", "b = \\frac{4}{r}", setting).verdict == "refuted"
