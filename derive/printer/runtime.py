@@ -115,7 +115,7 @@ def _run(
     # an output that is not contiguous is filled through a buffer
     direct = [y.flags.c_contiguous for y in results]
     targets: list[Array] = [
-        y.reshape(-1) if straight else np.empty(length, kind)
+        np.asarray(y).reshape(-1) if straight else np.empty(length, kind)
         for y, straight in zip(results, direct, strict=True)
     ]
     work: list[Array] = [np.empty(length, kind) for _ in range(kernel.work)]
@@ -134,7 +134,7 @@ def _run(
         kernel.block(parts, filled, work, single)
         for y, straight, result in zip(filled, direct, results, strict=True):
             if not straight:
-                result.flat[start:stop] = y
+                np.asarray(result).flat[start:stop] = y
 
 
 def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
@@ -210,6 +210,8 @@ def _checked(
             raise ValueError(f"{kernel.name}: out {name} must have shape {shape}, got {y.shape}")
         if not y.flags.writeable:
             raise ValueError(f"{kernel.name}: out {name} must be writable, got a read-only array")
+        if not _apart(y):
+            raise ValueError(f"{kernel.name}: out {name} must not hold its elements at one place")
     for i, y in enumerate(results):
         for j in range(i):
             if _overlap(y, results[j]):
@@ -217,6 +219,18 @@ def _checked(
                     f"{kernel.name}: out {kernel.outputs[j]} and {kernel.outputs[i]} share memory"
                 )
     return results
+
+
+def _apart(y: Array) -> bool:
+    """Whether each step along an axis leads beyond all that the smaller steps reach: then no two
+    elements share memory, as they do in a writable `broadcast_to`.
+    """
+    reach = y.itemsize
+    for step, count in sorted(zip(map(abs, y.strides), y.shape, strict=True)):
+        if count > 1 and step < reach:
+            return False
+        reach += step * (count - 1)
+    return True
 
 
 def _overlap(x: Array, y: Array) -> bool:

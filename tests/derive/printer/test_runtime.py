@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from graph_kernels import function_of, kernel_of
+from numpy.lib.stride_tricks import as_strided
 
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.runtime import SIZE, choose, mask_of
@@ -165,9 +166,28 @@ def test_outputs_that_do_not_fit() -> None:
         ((np.empty((1, 3)), fine), ValueError, r"must have shape \(3,\), got \(1, 3\)"),
         ((fine, frozen), ValueError, "out square must be writable"),
         ((fine, fine), ValueError, "out root and square share memory"),
+        ((fine, as_strided(np.empty(1), (3,), (0,))), ValueError, "square must not hold its"),
+        ((as_strided(np.empty(2), (3,), (4,)), fine), ValueError, "root must not hold its"),
     ):
         with pytest.raises(kind, match=text):
             two()(x, out=out)
+
+
+def test_outputs_in_any_order_with_gaps_and_of_a_subclass() -> None:
+    """A matrix and a masked array are arrays; their own ways are not what fills them."""
+    x = np.linspace(1, 3, 6 * SIZE).reshape(6, SIZE)
+    plain = two()(x)
+    swapped = np.empty((SIZE, 6)).T
+    gaps = np.empty((12, 2 * SIZE))[::-2, ::2]
+    masked: Any = np.ma.masked_array(np.zeros(x.shape), mask=x > 2)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", PendingDeprecationWarning)
+        matrix: Any = np.asmatrix(np.zeros(x.shape))
+    for target in (swapped, gaps, masked, matrix):
+        found = two()(x, out=(target, np.empty_like(x)))
+        assert found.root is target
+        assert np.array_equal(np.asarray(target), plain.root)
+    assert np.array_equal(masked.mask, x > 2)
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
