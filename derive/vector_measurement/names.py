@@ -38,6 +38,10 @@ LATEX = {
     "coupling": r"\kappa",
     "cross_mean": "h",
     "cross_rest": "g",
+    "transition_matrix": "F",
+    "process_noise": "Q",
+    "measurement_matrix": "H",
+    "measurement_noise": "R",
     "z": "z",
     "v": "v",
     **{f"predicted_{ij}": f"P_{{{ij}}}" for ij in ("11", "12", "22")},
@@ -57,22 +61,6 @@ def gain_matrix() -> sp.ImmutableDenseMatrix:
     return sp.ImmutableDenseMatrix([[real(name) for name in row] for row in GAIN_ROWS])
 
 
-WORDS = {
-    "predicted_11": "the predicted position's variance",
-    "predicted_12": "the covariance of predicted position and velocity",
-    "predicted_22": "the predicted velocity's variance",
-    "updated_11": "the updated position's variance",
-    "updated_12": "the covariance of updated position and velocity",
-    "updated_22": "the updated velocity's variance",
-    "gain_11": "the position's gain on the measured position",
-    "gain_12": "the position's gain on the measured velocity",
-    "gain_21": "the velocity's gain on the measured position",
-    "gain_22": "the velocity's gain on the measured velocity",
-    "innovation_ratio": "the root of det(P + R)/det R",
-}
-
-
-def titled(lead: str, name: str, number: int) -> str:
-    """The sentence of one of several like steps: the first says what all are about."""
-    words = WORDS[name]
-    return f"{lead}: {words}." if number == 0 else f"{words[0].upper()}{words[1:]}."
+def row(*entries: sp.Expr) -> sp.ImmutableDenseMatrix:
+    """Several expressions of which one step speaks, as a matrix of one row."""
+    return sp.ImmutableDenseMatrix([list(entries)])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -20,9 +20,11 @@ from gainproof.derive.vector_measurement.ends import LATEX as END_LATEX
 from gainproof.derive.vector_measurement.ends import ends_tower, index_tower
 from gainproof.derive.vector_measurement.names import LATEX
 from gainproof.derive.vector_measurement.steps_corners import corner_steps
-from gainproof.derive.vector_measurement.steps_entries import cross_steps, position_steps
+from gainproof.derive.vector_measurement.steps_derivatives import derivative_steps
+from gainproof.derive.vector_measurement.steps_entries import cross_steps
 from gainproof.derive.vector_measurement.steps_limits import limit_steps
 from gainproof.derive.vector_measurement.steps_model import model_steps
+from gainproof.derive.vector_measurement.steps_position import position_steps
 from gainproof.derive.vector_measurement.steps_program import program_steps
 from gainproof.derive.vector_measurement.steps_proof import form_steps, proof_steps
 from gainproof.derive.vector_measurement.steps_ratio import improvement_steps
@@ -41,14 +43,22 @@ OPENING = (
 
 @dataclass(frozen=True)
 class Printed:
-    """What a source prints: its symbols as elements of the main tower, its equations, its LaTeX."""
+    """What a source prints: its symbols as elements of the main tower, its equations, their LaTeX,
+    and what it says at steps of the derivation, by their ids.
+    """
 
     elements: Callable[[Tower], Mapping[str, sp.Expr]]
     steps: Callable[[Context], Sequence[Step]]
     latex: Mapping[str, str]
+    places: Mapping[str, str]
+
+    def beside(self, step: Step) -> Step:
+        """The step with what the source says there after its sentence."""
+        place = self.places.get(step.id)
+        return replace(step, sentence=f"{step.sentence} {place}") if place else step
 
 
-NOTHING = Printed(lambda _: {}, lambda _: (), {})
+NOTHING = Printed(lambda _: {}, lambda _: (), {}, {})
 
 
 def derive_position_velocity(
@@ -71,10 +81,11 @@ def derive_position_velocity(
         *form_steps(c),
         *printed.steps(c),
         *limit_steps(c),
-        *improvement_steps(c),
-        *trend_steps(c),
         *corner_steps(c),
+        *derivative_steps(c),
+        *trend_steps(c),
         *without_trend_steps(c),
+        *improvement_steps(c),
         *width_steps(c),
         *program_steps(c, graphs),
     )
@@ -86,7 +97,7 @@ def derive_position_velocity(
         model=c.model,
         derivation=Derivation(
             OPENING,
-            steps,
+            tuple(printed.beside(step) for step in steps),
             sources,
             {**LATEX, **END_LATEX, **CORNER_LATEX, **WIDTH_LATEX, **printed.latex, **symbols},
         ),

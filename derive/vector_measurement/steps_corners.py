@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import limit
 from gainproof.derive.vector_measurement.context import Context
@@ -20,7 +21,7 @@ from gainproof.derive.vector_measurement.corners import (
     narrow_ends,
 )
 from gainproof.derive.vector_measurement.ends import root_of_e
-from gainproof.derive.vector_measurement.names import PREDICTED, ROOT, UPDATED, titled
+from gainproof.derive.vector_measurement.names import PREDICTED, ROOT, UPDATED
 from gainproof.derive.vector_measurement.steps_limits import stable_forms
 from gainproof.derive.vector_measurement.towers import rational
 
@@ -40,22 +41,27 @@ def corner_steps(c: Context) -> list[Step]:
             "small-velocity-index",
             ("fixed_velocity_index", "0", fixed),
             _small(c),
-            "Both the index and the velocity's error fall to zero, t = Lambda/S held; gamma is "
-            "sqrt(4 + t^2)",
+            "Where both parameters tend together, the steady state changes its shape in three "
+            "ways. First let `Lambda` and `S` fall to zero with `t = Lambda/S` held. For short "
+            "`p` is the root of `Lambda`, and `gamma = sqrt(4 + t^2)`. Then the position is "
+            "carried by the measured velocity.",
+            "The corners of the domain",
         ),
         *_steps(
             c,
             "small-narrow",
             ("narrow", "0", narrow),
             _narrow(),
-            "The index falls to zero faster, x = S/sqrt(Lambda) held",
+            "Second let the index fall faster, with `x = S/sqrt(Lambda)` held; from here on this "
+            "is `x`. The larger it is, the less the velocity is measured and the more estimated.",
         ),
         *_steps(
             c,
             "large-velocity-index",
             ("fixed_velocity_index", "infinity", fixed),
             _large(c),
-            "The index and the velocity's error grow without bound, t = Lambda/S held",
+            "Third let `Lambda` and `S` grow without bound with `t` held. Each measurement is then "
+            "worth more than all before.",
         ),
     ]
 
@@ -121,26 +127,34 @@ def _steps(
     label: str,
     place: tuple[str, str, Mapping[str, Any]],
     terms: Terms,
-    lead: str,
+    sentence: str,
+    heading: str = "",
 ) -> list[Step]:
     tower, point, ends = place
     steps = []
-    for number, (name, (power, value)) in enumerate(terms.items()):
+    for name, (power, value) in terms.items():
         expression = real(name) / power
         hint: dict[str, Any] = {"ends": ends}
         if not _shows(c, label, name):
             hint["limit_form"] = stable_forms(c)[name] / power
-        steps.append(
-            Step(
-                f"{label}-{name.replace('_', '-')}",
-                titled(lead, name, number),
-                limit(expression, point, value, "p"),
-                "Put the end values of the roots.",
-                tower=tower,
-                hint=hint,
-            )
-        )
-    return steps
+        relation = limit(expression, point, value, "p")
+        steps.append(joined(f"{label}-{name.replace('_', '-')}", relation, tower, hint))
+    first, *others = steps
+    return [
+        replace(
+            first,
+            sentence=sentence,
+            reason=f"Insert `Lambda = p^2` and {_held(label)} in step @result and take the leading "
+            "power of `p` in every root and every sum.",
+            heading=heading,
+            joins=False,
+        ),
+        *others,
+    ]
+
+
+def _held(label: str) -> str:
+    return "`S = p x`" if label == "small-narrow" else "`S = p^2/t`"
 
 
 def _shows(c: Context, label: str, name: str) -> bool:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import limit
 from gainproof.derive.vector_measurement import forms
@@ -16,7 +18,6 @@ from gainproof.derive.vector_measurement.names import (
     RATIO,
     SIGMA,
     UPDATED,
-    titled,
 )
 from gainproof.derive.vector_measurement.towers import rational
 
@@ -43,14 +44,35 @@ def _without_velocity(c: Context) -> list[Step]:
         "gain_12": (RATIO**2 * real("gain_12"), real("only_beta")),
         "gain_22": (RATIO**2 * real("gain_22"), real("only_updated_22")),
     }
-    lead = (
-        "As the velocity's error grows without bound the steady state with measured position alone "
-        "returns (superscript o; its own page derives it)"
-    )
+    first, *others = (_step(c, "infinity", name, claim) for name, claim in claims.items())
     return [
-        _step(c, "infinity", name, claim, titled(lead, name, number))
-        for number, (name, claim) in enumerate(claims.items())
+        replace(
+            first,
+            sentence="As the velocity's error grows without bound, the steady state with measured "
+            "position alone returns, which a page of its own derives: its `sigma^o`, its "
+            "covariances `P11^o`, `P12^o`, `P22^o` and `U11^o`, `U12^o`, `U22^o`, and its gains "
+            "`alpha` and `beta`.",
+            reason=f"With `Lambda` held, {_far_text(c)}. Insert this in step "
+            "@result; the quotients tend to the other page's formulas.",
+            heading="A useless and a perfect measurement of the velocity",
+            joins=False,
+        ),
+        *others,
     ]
+
+
+def _far_text(c: Context) -> str:
+    """What the roots do as S grows without bound, in a sentence."""
+    level = "`w` tends to 1, " if c.noise.determinant else ""
+    eta = f"`sqrt(16 + {times_text(rational(c.noise.e), 'Lambda^2')})`" if c.noise.e else "4"
+    return f"`t` and `kappa` tend to 0, {level}`eta` to {eta}"
+
+
+def times_text(number: sp.Rational, text: str) -> str:
+    """A product with a positive number in a sentence: t^2/12."""
+    if number.p == 1:
+        return text if number.q == 1 else f"{text}/{number.q}"
+    return f"({number}) {text}"
 
 
 def _velocity_known(c: Context) -> list[Step]:
@@ -72,38 +94,53 @@ def _velocity_known(c: Context) -> list[Step]:
         "gain_21": (real("gain_21"), zero),
         "gain_22": (real("gain_22"), sp.Integer(1)),
     }
-    lead = (
-        f"As the velocity's error falls to zero, with phi = sqrt(Lambda^2 + {16 / noise.e})"
+    first, *others = (_step(c, "0", name, claim) for name, claim in claims.items())
+    named = f"; here `phi = sqrt(Lambda^2 + {16 / noise.e})`" if noise.determinant else ""
+    left = (
+        "What is left of the position's variance comes from the motion within one interval that "
+        "the velocities at its ends do not tell."
         if noise.determinant
-        else "As the velocity's error falls to zero"
+        else "The velocities at both ends of an interval tell all of the motion between: nothing "
+        "is left of the updated position's variance."
     )
     steps = [
-        _step(c, "0", name, claim, titled(lead, name, number))
-        for number, (name, claim) in enumerate(claims.items())
+        replace(
+            first,
+            sentence=f"Now let the velocity's error fall to zero{named}. {left}",
+            reason="With `Lambda` held, `t` grows without bound; the leading terms of the roots "
+            "grow like powers of `t`. Insert them in step @result.",
+            joins=False,
+        ),
+        *others,
     ]
     if not noise.determinant:
-        claim = (real("updated_11") / RATIO, sp.Integer(1))
-        text = "The position's variance vanishes like S."
-        steps.append(_step(c, "0", "leading_11", claim, text))
+        step = _step(c, "0", "leading_11", (real("updated_11") / RATIO, sp.Integer(1)))
+        steps.append(
+            replace(
+                step,
+                sentence="More exactly, `U11` vanishes like `S`.",
+                reason="The same leading terms, divided by `S`.",
+                joins=False,
+            )
+        )
     return steps
 
 
-def _step(c: Context, point: str, name: str, claim: tuple[sp.Expr, sp.Expr], sentence: str) -> Step:
+def _step(c: Context, point: str, name: str, claim: tuple[sp.Expr, sp.Expr]) -> Step:
     expression, value = claim
     hint: dict[str, object] = {"ends": ratio_ends(c.noise)}
     if not _shows(c, point, name):
         stable = stable_forms(c)["updated_11" if name == "leading_11" else name]
         hint["limit_form"] = expression.subs(real(name.replace("leading", "updated")), stable)
     label = {"0": "velocity-known", "infinity": "velocity-absent"}[point]
-    return Step(
+    step = joined(
         f"{label}-{name.replace('_', '-')}",
-        sentence,
         limit(expression, point, value, "velocity_ratio"),
-        "Put the end values of the roots; Lambda is held.",
         tower="ends",
         hint=hint,
-        shown=point == "infinity" or name not in ("gain_11", "gain_21"),
     )
+    # K11 and K21 are U11 and U12
+    return replace(step, shown=point == "infinity" or name not in ("gain_11", "gain_21"))
 
 
 def _shows(c: Context, point: str, name: str) -> bool:

@@ -12,7 +12,7 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.relation import definition, equal, positive
 from gainproof.derive.vector_measurement.context import Context
-from gainproof.derive.vector_measurement.names import CROSS, DELTA, INDEX, MEAN, RATIO, ROOT
+from gainproof.derive.vector_measurement.names import CROSS, DELTA, INDEX, MEAN, RATIO, ROOT, row
 from gainproof.derive.vector_measurement.steps_entries import P11, P12, P22, U11, U12, U22
 
 SYMBOLS = {
@@ -70,97 +70,122 @@ def _in_a(c: Context, name: str) -> sp.Expr:
     return sp.factor(c.tower.expressions[name].subs(INDEX, sp.sqrt(A)))
 
 
-def _row(*entries: sp.Expr) -> sp.ImmutableDenseMatrix:
-    return sp.ImmutableDenseMatrix([list(entries)])
-
-
 def printed_steps(c: Context) -> list[Step]:
     """The source's parameters, its K, X, B, C, and its equations (16) to (19)."""
+    return [*_parameters(c), *_cross_entries(), *_quadratic(c), *_position_entries()]
+
+
+def _parameters(c: Context) -> list[Step]:
     return [
         Step(
             "printed-index",
-            "How the source writes it. Its r is 4/Lambda, (14), and its A is Lambda^2, (14a). Its "
-            "S is ours: (15) prints sigma_a where the words beside it mean sigma_d.",
-            equal(_row(R, A), _row(4 / INDEX, (4 / R) ** 2)),
-            "r = 4 sigma_o/(sigma_a T^2).",
+            "The source's parameters are `r = 4 sigma_o/(sigma_a T^2)`, (14), `A`, (14a), and `S`, "
+            "(15). Its (15) prints `sigma_a` where the words beside it mean `sigma_d`; read so, "
+            "its `S` is ours.",
+            equal(row(R, A), row(4 / INDEX, (4 / R) ** 2)),
+            "Insert `Lambda = sigma_a T^2/sigma_o` (step @index).",
+            heading="The steady state as the source writes it, (14) to (19)",
         ),
         Step(
             "printed-x",
-            "X is the difference of the cross covariances, and so the mean of both velocity "
-            "variances: (16c), (19c).",
-            equal(_row(X, P22, U22), _row(P12 - U12, X + A / 2, X - A / 2)),
-            "P12 - U12 = delta h = U22 + A/2.",
+            "Its `X` is the difference of the cross covariances. That gives the variances of the "
+            "velocity, (16c) and (19c), and with `K22 = U22/S^2` the gain (18d).",
+            equal(row(X, P22, U22), row(P12 - U12, X + A / 2, X - A / 2)),
+            "`P12 - U12 = delta h` by step @sum-of-cross, and step @velocity-from-cross.",
         ),
         Step(
             "printed-k",
-            "(17g): the number K of the source, here k so that it is no gain.",
-            equal(_row(K, K), _row(X**2 + SQUARE * CROSS**2, _in_a(c, "source_k"))),
-            "The cross equation times h, or U22 P22 = S^2 (A - h^2).",
+            "Its number `K` of (17g) is called `k` here, for it is no gain.",
+            equal(row(K, K), row(X**2 + SQUARE * CROSS**2, _in_a(c, "source_k"))),
+            "The update (step @filter) is `U R^-1 P = P - U`; its entry 22 is "
+            "`h^2 + U22 P22/S^2 = A`. Insert step @printed-x.",
         ),
         Step(
             "printed-c",
-            "(17h): its number C.",
+            "Its number `C` of (17h).",
             definition(C, A * K * (1 + SQUARE / 6)),
-            "The name of this quantity.",
+            "Its name.",
         ),
         Step(
             "printed-b",
-            "The source never says what B is. (16b) and (19b), added, leave it no choice: it has "
-            "to be this polynomial.",
+            "Its number `B` appears in (17b) to (17e), but nowhere does the source say what it is. "
+            "(16b) and (19b), added, leave `B` no choice: it has to be this polynomial.",
             equal(
-                _row(B * X**2 + C, B),
-                _row(K * SQUARE * (P12 + U12), _in_a(c, "source_b")),
+                row(B * X**2 + C, B),
+                row(K * SQUARE * (P12 + U12), _in_a(c, "source_b")),
             ),
-            "Q1 + Q2 = 2 (B X^2 + C), and X is not zero: solve for B.",
+            "By (17b) and (17c) the sum of both numerators is `2 (B X^2 + C)`; `X` is not zero, so "
+            "the first line can be solved for `B`. With this `B` all the rest comes out.",
         ),
+    ]
+
+
+def _cross_entries() -> list[Step]:
+    return [
         Step(
             "printed-q",
-            "(17b), (17c), and with them (16b), (19b), and the gains (18b), (18c).",
-            equal(_row(P12, U12), _row(Q1 / (2 * K * SQUARE), Q2 / (2 * K * SQUARE))),
-            "Sum and difference of the cross covariances are m h and X.",
-        ),
+            "Its numerators are `Q1 = B X^2 + S^2 k X + C`, (17b), and `Q2 = B X^2 - S^2 k X + C`, "
+            "(17c). With them the cross covariances (16b) and (19b), and so the gains (18b) and "
+            "(18c).",
+            equal(row(P12, U12), row(Q1 / (2 * K * SQUARE), Q2 / (2 * K * SQUARE))),
+            "Half of sum and difference: steps @printed-b and @printed-x. The gains are "
+            "`K12 = U12/S^2` and `K21 = U12` (step @gain).",
+        )
+    ]
+
+
+def _quadratic(c: Context) -> list[Step]:
+    return [
         Step(
             "printed-quadratic",
-            "The square of (P12 + U12)^2 = X^2 + 4 h^2 is a quadratic for X^2, with p1 = B^2, "
-            "p2 = 2 B C - S^2 k^2 (S^2 - 4) and p3 = C^2 - 4 S^2 k^3: (17d) to (17f).",
+            "`X^2` is a root of a quadratic with the coefficients `p1 = B^2`, (17d), "
+            "`p2 = 2 B C - S^2 k^2 (S^2 - 4)`, (17e), and `p3 = C^2 - 4 S^2 k^3`, (17f).",
             equal(P1 * X**4 + P2 * X**2 + P3, sp.Integer(0)),
-            "Insert B X^2 + C = k S^2 (P12 + U12) and S^2 h^2 = k - X^2.",
+            "`(P12 + U12)^2 = X^2 + 4 h^2`; insert `B X^2 + C = S^2 k (P12 + U12)` (step "
+            "@printed-b) and `S^2 h^2 = k - X^2` (step @printed-k).",
         ),
         Step(
             "printed-root",
-            "Its discriminant is the square of rho = p2 + 2 p1 X^2.",
+            "The discriminant of (17a) is a square: that of `rho = p2 + 2 p1 X^2`.",
             equal(
-                _row(RHO**2, P2**2 - 4 * P1 * P3),
-                _row(P2**2 - 4 * P1 * P3, _discriminant(c)),
+                row(RHO**2, P2**2 - 4 * P1 * P3),
+                row(P2**2 - 4 * P1 * P3, _discriminant(c)),
             ),
-            "Complete the square.",
+            "Complete the square in step @printed-quadratic; insert the coefficients.",
         ),
         Step(
             "printed-root-sign",
-            "rho is positive everywhere, so the root of (17a) has the right sign: X^2 = (-p2 + "
-            "rho)/(2 p1) wherever B is not 0.",
+            "`rho` is positive everywhere, so (17a) takes the right root: "
+            "`X^2 = (-p2 + rho)/(2 p1)` wherever `B` is not 0.",
             positive(RHO),
-            "It is a quotient of polynomials without a minus sign.",
+            "`rho` is a quotient of polynomials without a minus sign.",
         ),
         Step(
             "printed-other-root",
-            "Where B = 0, (17a) is 0/0. Written from the other end the root has no gap: there it "
-            "gives X^2 = -p3/p2.",
+            "Where `B = 0`, (17a) is 0/0. Written from the other end the root has no gap: there it "
+            "gives `X^2 = -p3/p2`.",
             equal(X**2 * (P2 + RHO), -2 * P3),
-            "The product of the roots of the quadratic is p3/p1.",
+            "The product of the roots of the quadratic is `p3/p1`.",
         ),
+    ]
+
+
+def _position_entries() -> list[Step]:
+    return [
         Step(
             "printed-position",
-            "(16a), (18a) and (19a): the position entries, times their denominators.",
+            "Last the position: (16a), and (18a), which is (19a) too; each times its denominator. "
+            "With this every equation of the source's steady state is derived.",
             equal(
-                _row(SQUARE * Q2 * P11, SQUARE * Q1 * U11),
-                _row(
+                row(SQUARE * Q2 * P11, SQUARE * Q1 * U11),
+                row(
                     2 * K * RATIO**4 * X + Q1 * (A / 2 - X),
                     2 * K * RATIO**4 * X - Q2 * (A / 2 + X),
                 ),
             ),
-            "P11 U12 = P12 - U12 - U22 P12/S^2 and U11 P12 = P12 - U12 - U12 P22/S^2, from "
-            "U R^-1 P = P - U.",
+            "The cross entries of `U R^-1 P = P - U` (step @filter) are "
+            "`P11 U12 = P12 - U12 - U22 P12/S^2` and `U11 P12 = P12 - U12 - U12 P22/S^2`; insert "
+            "steps @printed-q and @printed-x.",
         ),
     ]
 

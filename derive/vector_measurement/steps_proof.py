@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, cited, equal
 from gainproof.derive.source import RICCATI
@@ -25,6 +25,7 @@ from gainproof.derive.vector_measurement.names import (
 )
 from gainproof.derive.vector_measurement.spectrum import V
 from gainproof.derive.vector_measurement.steps_entries import P11, P12, P22, U11, U12, U22
+from gainproof.derive.vector_measurement.steps_spectrum import one_end_text
 from gainproof.derive.vector_measurement.towers import rational
 
 
@@ -37,11 +38,14 @@ def proof_steps(c: Context) -> list[Step]:
     """The Riccati equation, stability, definiteness and uniqueness."""
     gain = [list(row) for row in GAIN_ROWS]
     v = 2 - Z - 1 / Z
-    step = CROSS / SIGMA * 2 + _rate(c) + rational(c.noise.first) * INDEX**2
+    one_end = one_end_text(c)
+    w, level = ("`w`, ", "@level, ") if c.noise.determinant else ("", "")
+    roots = f"{w}`eta` and `delta` (steps {level}@at-minus-one and @delta)"
     return [
         Step(
             "riccati",
-            "Now the proof. P and U solve the equations of the filter, and K is their gain.",
+            "So far we assumed that there is a steady state and found what it must be. Now the "
+            "proof: these `K`, `P` and `U` satisfy the equations of the filter.",
             Relation(
                 "riccati",
                 {
@@ -52,24 +56,29 @@ def proof_steps(c: Context) -> list[Step]:
                     "index": "tracking_index",
                 },
             ),
-            "Each residual is a combination of the relations that define the roots.",
+            "Insert the entries: the difference of both sides is in every entry a combination of "
+            f"the equations that define {roots}, and so zero.",
             hint={"innovation": [real("predicted_11") + 1, SIGMA**2 * RATIO**2]},
+            heading="The proof that this is the steady state",
         ),
         Step(
             "factorisation",
-            "With this gain the spectrum is what was assumed of it.",
+            "With this gain the spectrum is what step @at-one took it for.",
             equal(
                 c.spectrum.polynomial.subs(V, v),
                 SIGMA**2 * c.closed_loop * c.closed_loop.subs(Z, 1 / Z),
                 free=("z",),
             ),
-            "Both sides agree for every z.",
+            "Both sides agree for every `z`.",
         ),
         Step(
             "stable",
-            "Both poles lie inside the unit circle for all positive Lambda and S.",
+            "Both poles lie inside the unit circle for all positive `Lambda` and `S`, so the "
+            "errors of a start die out.",
             Relation("stable", {"model": c.model_data, "gain": gain}),
-            "c(1), c(-1), 1 - c(0) and 1 + c(0) are Lambda w, eta, delta and m over sigma.",
+            "For a quadratic `c(z)` that starts with `z^2` it is enough that `1 - c(0)`, "
+            "`1 + c(0)`, `c(1)` and `c(-1)` are positive. They are `delta`, `m`, "
+            f"`{one_end}` and `eta`, each over `sigma`.",
             hint={
                 "values": [
                     DELTA / SIGMA,
@@ -79,19 +88,7 @@ def proof_steps(c: Context) -> list[Step]:
                 ]
             },
         ),
-        *(
-            Step(
-                f"definite-{label}",
-                f"The {label} covariance is positive definite for all positive Lambda and S.",
-                Relation("positive_definite", {"matrix": _names(entries)}),
-                "Its leading minors are positive: det U = S^2 g/sigma, det P = S^2 g sigma.",
-                hint={"minors": [corner, RATIO**2 * REST * power]},
-            )
-            for label, entries, corner, power in (
-                ("predicted", PREDICTED, (REST + step * SIGMA) / DELTA, SIGMA),
-                ("updated", UPDATED, (REST + step / SIGMA) / DELTA, 1 / SIGMA),
-            )
-        ),
+        *_definite(c),
         Step(
             "uniqueness",
             "So this is the steady state: no other solution of the Riccati equation stabilises.",
@@ -99,8 +96,33 @@ def proof_steps(c: Context) -> list[Step]:
                 "A discrete algebraic Riccati equation has at most one stabilising solution.",
                 RICCATI.text(),
             ),
-            "Cited, not proved here.",
+            "`P` is one, by steps @riccati and @stable. The theorem is cited, not proved here.",
         ),
+    ]
+
+
+def _definite(c: Context) -> list[Step]:
+    step = CROSS / SIGMA * 2 + _rate(c) + rational(c.noise.first) * INDEX**2
+    predicted, updated = (
+        (
+            Relation("positive_definite", {"matrix": _names(entries)}),
+            {"minors": [corner, RATIO**2 * REST * power]},
+        )
+        for entries, corner, power in (
+            (PREDICTED, (REST + step * SIGMA) / DELTA, SIGMA),
+            (UPDATED, (REST + step / SIGMA) / DELTA, 1 / SIGMA),
+        )
+    )
+    return [
+        Step(
+            "definite-predicted",
+            "Both covariances are positive definite for all positive `Lambda` and `S`.",
+            predicted[0],
+            "The first entries (step @position) and the determinants, `det P = S^2 g sigma` and "
+            "`det U = S^2 g/sigma` (steps @rest and @at-zero), are sums without a minus sign.",
+            hint=predicted[1],
+        ),
+        joined("definite-updated", updated[0], hint=updated[1]),
     ]
 
 
@@ -123,15 +145,19 @@ def form_steps(c: Context) -> list[Step]:
         P12: CROSS * SIGMA,
         P22: DELTA * CROSS + (1 - n) * area,
     }
+    velocity = "@velocity-from-cross" + (", @velocity-from-rest" if c.noise.interval else "")
     return [
         Step(
             "result",
-            "The result. sigma, delta, kappa, h and g are sums, products, quotients and roots of "
-            "positive terms, and so is every entry: computed like this no digit is lost.",
+            "The result. `sigma`, `delta`, `kappa`, `h` and `g` are sums, products, quotients and "
+            "roots of positive terms, and so is every entry. No two computed numbers are "
+            "subtracted, so no digit cancels in a computer.",
             equal(
                 sp.ImmutableDenseMatrix([list(entries)]),
                 sp.ImmutableDenseMatrix([list(entries.values())]),
             ),
-            "Collected from the steps above.",
+            f"Collected from steps @cross, {velocity} and @position. The gains follow by step "
+            "@gain.",
+            heading="The steady state",
         )
     ]

@@ -13,6 +13,7 @@ from gainproof.derive.relation import equal, increasing_onto, limit
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.ends import FAR, SLOPE, index_tower, root_of_e
 from gainproof.derive.vector_measurement.names import INDEX, ROOT
+from gainproof.derive.vector_measurement.steps_limits import times_text
 from gainproof.derive.vector_measurement.towers import rational
 
 IMPROVEMENT = real("improvement")
@@ -31,9 +32,8 @@ def improvement_steps(c: Context) -> list[Step]:
     return [
         Step(
             "improvement",
-            "What is an exact velocity worth? Compare the predicted position's variance with the "
-            "velocity known (superscript d) and without it (o): the ratio G depends on the index "
-            f"alone, with phi = sqrt(Lambda^2 + {16 / noise.e}).",
+            "Compare the predicted position's variance `P11^d` that an exact velocity leaves with "
+            "`P11^o`, that without it. Their ratio `G` depends on the index alone.",
             equal(
                 sp.ImmutableDenseMatrix([[IMPROVEMENT, KNOWN, FAR**2]]),
                 sp.ImmutableDenseMatrix(
@@ -46,34 +46,39 @@ def improvement_steps(c: Context) -> list[Step]:
                     ]
                 ),
             ),
-            "The limits of P11 as S falls to 0 and grows without bound.",
+            "Steps @velocity-known-predicted-11 and @velocity-absent-predicted-11.",
             tower=tower.name,
+            heading="What an exact velocity is worth",
         ),
         Step(
             "improvement-without",
-            "Without the velocity the variance is that of the filter with position alone.",
+            "Without the velocity the variance is that of the filter with position alone. Here "
+            "`p^2 = Lambda`, and `p s` is the difference of that filter's `sigma` and `1/sigma`.",
             equal(
                 ONLY,
                 ROOT * SLOPE * (ROOT**2 + root_of_e(noise)[0] * FAR + 2 * ROOT * SLOPE) / 4,
             ),
-            "Its own derivation; p is sqrt(Lambda) and p s its sigma - 1/sigma.",
+            "That filter's page derives it, with "
+            f"`eta = sqrt(16 + {times_text(e, 'Lambda^2')})`, that is `phi` times the root of {e}.",
             tower=tower.name,
         ),
         Step(
             "improvement-range",
-            "The ratio grows with the index, from 0 to this limit: the larger the position's error "
-            "(small Lambda, large r) the more the velocity helps, and it always helps by more than "
-            "the limit says.",
+            "The ratio grows with the index from 0 to this limit. So the larger the position's "
+            "error (small `Lambda`, large `r`) the more the velocity helps, and it always helps by "
+            "more than the limit says.",
             increasing_onto(IMPROVEMENT, sp.Integer(0), largest),
-            "Its derivative has a form without a minus sign.",
+            "Its derivative is a quotient of sums without a minus sign; the leading terms of step "
+            "@improvement at both ends of the index close the range.",
             tower=tower.name,
             hint={"form": _rising(tower), "ends": ends},
         ),
         Step(
             "improvement-small-index",
-            "For a small index (large r) the ratio falls like the root of the index.",
+            "For a small index (large `r`) the ratio falls like the root of the index.",
             limit(IMPROVEMENT / ROOT, "0", start, "p"),
-            "Put the end values of the roots.",
+            "Here `phi` and `s` tend to their values at `Lambda = 0`; insert them in steps "
+            "@improvement and @improvement-without.",
             tower=tower.name,
             hint={"ends": ends},
         ),

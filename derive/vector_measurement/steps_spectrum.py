@@ -19,96 +19,92 @@ from gainproof.derive.vector_measurement.names import (
     SPEED,
     Z,
     gain_matrix,
+    row,
 )
 from gainproof.derive.vector_measurement.spectrum import V, spectral_matrix
 from gainproof.derive.vector_measurement.towers import symbolic_noise
 
 
+def one_end_text(c: Context) -> str:
+    """sigma c(1) in a sentence."""
+    return "Lambda w" if c.noise.determinant else "Lambda"
+
+
 def spectrum_steps(c: Context) -> list[Step]:
     """The spectrum, its factor c(z), and the values of both at z = 1, z = -1 and z = 0."""
-    v = 2 - Z - 1 / Z
-    matrix = spectral_matrix(c.model)
-    (a, b), (d, e) = matrix.tolist()
     one, other = c.closed_loop.subs(Z, 1), c.closed_loop.subs(Z, -1)
     return [
+        _spectrum(c),
+        _closed_loop(c),
         Step(
-            "spectrum",
-            "Put D = zI - F. The determinant of the innovation spectrum D R D* + Lambda^2 Q0, over "
-            "det R, depends on z through v = 2 - z - 1/z alone: it is a square polynomial in v.",
-            equal(
-                sp.Add(sp.Mul(a, e, evaluate=False), -sp.Mul(b, d, evaluate=False), evaluate=False)
-                / c.model.measurement_noise.det(),
-                c.spectrum.polynomial.subs(V, v),
-                free=("z",),
-            ),
-            "Write out the determinant; D* is the transpose of D with 1/z for z.",
-        ),
-        Step(
-            "closed-loop",
-            "The errors of the filter die out like powers of the roots of c(z) = det(zI - F(I-K)).",
-            equal(
-                (Z * sp.eye(2) - c.model.transition * (sp.eye(2) - gain_matrix())).det(),
-                c.closed_loop,
-                free=("z",),
-            ),
-            "The error of the update is (I - K) F times the one before, and new noise.",
+            "at-zero",
+            "Its constant coefficient is `c(0) = det(I - K)`. Let `sigma^2 = det(P + R)/det R`, "
+            "`sigma` positive: it says how much wider than the measurement noise the innovations "
+            "spread. Then `c(0)` is `1/sigma^2`.",
+            equal(c.closed_loop.subs(Z, 0), 1 / SIGMA**2),
+            "By step @filter `K = U R^-1`, so `I - K = U P^-1`, and "
+            "`det U/det P = det R/det(P + R)`.",
         ),
         *_level_steps(c, one),
         *_eta_steps(c, other),
-        Step(
-            "at-zero",
-            "The constant coefficient of c is det(I - K) = det U/det P = 1/sigma^2.",
-            equal(c.closed_loop.subs(Z, 0), 1 / SIGMA**2),
-            "I - K = U P^-1 and det U/det P = det R/det(P + R).",
-        ),
-        Step(
-            "mean-root",
-            "A quadratic c with leading coefficient 1 has c(1) + c(-1) = 2 + 2 c(0). Times sigma/2 "
-            "this is one equation for sigma alone; m is the mean of both ends.",
-            equal(
-                sp.ImmutableDenseMatrix([[MEAN, MEAN]]),
-                sp.ImmutableDenseMatrix([[(INDEX * c.level + ETA) / 2, SIGMA + 1 / SIGMA]]),
-            ),
-            "Insert the values at z = 1, -1 and 0.",
-        ),
-        Step(
-            "delta",
-            "So sigma is the larger root of a quadratic. Let delta be sigma - 1/sigma; its square "
-            "m^2 - 4 is a sum of positive terms.",
-            equal(
-                sp.ImmutableDenseMatrix([[DELTA, DELTA**2, DELTA**2]]),
-                sp.ImmutableDenseMatrix([[SIGMA - 1 / SIGMA, MEAN**2 - 4, _delta_squared(c)]]),
-            ),
-            "Square m, insert the squares of its terms: the 4 cancels.",
-        ),
-        Step(
-            "sigma",
-            "That gives sigma, and with it the innovation's determinant, without a subtraction.",
-            equal(SIGMA, (MEAN + DELTA) / 2),
-            "Add m = sigma + 1/sigma and delta = sigma - 1/sigma.",
-        ),
+        *_sigma_steps(c),
     ]
+
+
+def _spectrum(c: Context) -> Step:
+    (a, b), (d, e) = spectral_matrix(c.model).tolist()
+    return Step(
+        "spectrum",
+        "The spectrum of what the radar measures has the numerator `D R D^* + Lambda^2 Q0`, where "
+        "`D = z I - F`, and `D^*` is its transpose with `1/z` for `z`. The determinant of this "
+        "matrix over `det R` depends on `z` through `v = 2 - z - 1/z` alone, and is a quadratic in "
+        "`v`.",
+        equal(
+            sp.Add(sp.Mul(a, e, evaluate=False), -sp.Mul(b, d, evaluate=False), evaluate=False)
+            / c.model.measurement_noise.det(),
+            c.spectrum.polynomial.subs(V, 2 - Z - 1 / Z),
+            free=("z",),
+        ),
+        "Write out the determinant, product of the diagonal less the other product, and use "
+        "`(z - 1) (1/z - 1) = v`.",
+        heading="The spectrum of the measurements",
+    )
+
+
+def _closed_loop(c: Context) -> Step:
+    inner = Z * sp.eye(2) - c.model.transition * (sp.eye(2) - gain_matrix())
+    determinant = sp.Add(
+        sp.Mul(inner[0, 0], inner[1, 1]), sp.Mul(-1, inner[0, 1], inner[1, 0]), evaluate=False
+    )
+    terms = [
+        sp.Mul(coefficient, Z**power) for (power,), coefficient in sp.Poly(c.closed_loop, Z).terms()
+    ]
+    return Step(
+        "closed-loop",
+        "The error of a prediction is carried to the next by `F (I - K)`. The roots of "
+        "`c(z) = det(z I - F (I - K))` are the poles of the filter.",
+        equal(determinant, sp.Add(*terms, evaluate=False), free=("z",)),
+        "The error of an update is `I - K` times that of the prediction, plus noise; `F` leads to "
+        "the next prediction. Write out the determinant.",
+    )
 
 
 def _level_steps(c: Context, one: sp.Expr) -> list[Step]:
     text = (
-        "Spectral factorisation: the spectrum is sigma^2 c(z) c(1/z), sigma^2 = det(P + R)/det R. "
-        "At z = 1 v is 0, and the positive root of what is left is sigma c(1)"
+        "Spectral factorisation: in the steady state the innovations are white, and the spectrum "
+        "of step @spectrum is `sigma^2 c(z) c(1/z)`. At `z = 1` it ties the gains to the index"
     )
+    named = "; this names `w`" if c.noise.determinant else ""
     steps = [
         Step(
             "at-one",
-            text
-            + (
-                ", Lambda times a number w."
-                if c.noise.determinant
-                else ": Lambda itself, so that w is 1 below."
-            ),
+            f"{text}{named}.",
             equal(
-                sp.ImmutableDenseMatrix([[SIGMA * one, INDEX**2 * c.level**2]]),
-                sp.ImmutableDenseMatrix([[INDEX * c.level, c.spectrum.constant]]),
+                row(SIGMA * one, INDEX**2 * c.level**2),
+                row(INDEX * c.level, c.spectrum.constant),
             ),
-            "Put v = 0 and take the positive root on both sides.",
+            "There `v = 0`: `sigma^2 c(1)^2` is the last term of step @spectrum. We look for poles "
+            "inside the unit circle; then `c(1)` is positive.",
         )
     ]
     if c.noise.determinant:
@@ -116,10 +112,11 @@ def _level_steps(c: Context, one: sp.Expr) -> list[Step]:
         steps.append(
             Step(
                 "level",
-                "w is near 1 while the velocity is measured badly, S > Lambda, and grows when it "
-                "is measured well.",
+                "`w` is near 1 while the velocity is measured badly, and grows when it is measured "
+                "well.",
                 equal(LEVEL**2, _over_square(forms.level_squared(noise, INDEX, RATIO))),
-                "Divide by Lambda^2.",
+                "Divide the second line of step @at-one by `Lambda^2`; `t = Lambda/S` by step "
+                "@ratio.",
             )
         )
     return steps
@@ -132,13 +129,42 @@ def _eta_steps(c: Context, other: sp.Expr) -> list[Step]:
     return [
         Step(
             "at-minus-one",
-            "At z = -1 v is 4; eta is sigma c(-1), and its square is " + shape + ".",
+            f"At `z = -1` the root of both sides is called `eta`. Its square is {shape}.",
             equal(
-                sp.ImmutableDenseMatrix([[SIGMA * other, ETA**2, ETA**2]]),
-                sp.ImmutableDenseMatrix([[ETA, c.spectrum.at_minus_one, form]]),
+                row(SIGMA * other, ETA**2, ETA**2),
+                row(ETA, c.spectrum.at_minus_one, form),
             ),
-            "Put v = 4 and take the positive root on both sides.",
+            "There `v = 4`, and `c(-1)` is positive like `c(1)`.",
         )
+    ]
+
+
+def _sigma_steps(c: Context) -> list[Step]:
+    return [
+        Step(
+            "mean-root",
+            f"Both values together are an equation for `sigma` alone. Let `m` be the mean of "
+            f"`{one_end_text(c)}` and `eta`.",
+            equal(row(MEAN, MEAN), row((INDEX * c.level + ETA) / 2, SIGMA + 1 / SIGMA)),
+            "A quadratic that starts with `z^2` has `c(1) + c(-1) = 2 + 2 c(0)`. Multiply by "
+            "`sigma/2` and insert steps @at-one, @at-minus-one and @at-zero.",
+        ),
+        Step(
+            "delta",
+            "So `sigma` and `1/sigma` are the roots of a quadratic with the sum `m` and the "
+            "product 1. Let `delta` be their difference; its square is a sum of positive terms.",
+            equal(
+                row(DELTA, DELTA**2, DELTA**2),
+                row(SIGMA - 1 / SIGMA, MEAN**2 - 4, _delta_squared(c)),
+            ),
+            "Square `m` (step @mean-root) and insert the squares of its terms: the 4 cancels.",
+        ),
+        Step(
+            "sigma",
+            "That gives `sigma`, the larger root, without a subtraction.",
+            equal(SIGMA, (MEAN + DELTA) / 2),
+            "Add steps @mean-root and @delta. The larger root is the one with `c(0)` below 1.",
+        ),
     ]
 
 

@@ -23,6 +23,7 @@ from gainproof.derive.source import ELEMENTARY
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.corners import T, W, X
 from gainproof.derive.vector_measurement.ends import ratio_ends
+from gainproof.derive.vector_measurement.steps_limits import times_text
 from gainproof.derive.vector_measurement.towers import rational
 
 MORE = sp.Rational(11, 10)
@@ -46,28 +47,32 @@ def width_steps(c: Context) -> list[Step]:
     return [
         Step(
             "width-range",
-            "For every index P11 grows with S from its value with the velocity known to that "
-            "without it, and takes each value between them once. So S1, where P11 is 1.1 times the "
-            "first, and S2, where it is the second over 1.1, exist and are unique: the ratio of "
-            "the ends is below 1/1.1^2, by the range of the improvement.",
+            "For every index `P11` takes each value between its limits at exactly one `S`. So "
+            "`S1`, where it is 1.1 times the first, and `S2`, where it is the second over 1.1, "
+            "exist and are unique: the step of `P11` reaches from `S1` to `S2`.",
             increasing_onto(
                 P11, real("known_predicted_11"), real("only_predicted_11"), "velocity_ratio"
             ),
-            "Its derivative has no minus sign; the limits close the range.",
+            "`P11` grows with `S` (step @increasing-predicted-11-velocity-ratio); its limits are "
+            "in steps @velocity-known-predicted-11 and @velocity-absent-predicted-11. The ratio of "
+            "both is below `1/1.1^2` by step @improvement-range, so `S1` lies before `S2`.",
             tower="ends",
+            heading="The width of the step",
             hint={"ends": ends},
         ),
         *_small_index(c),
         *_large_index(c),
         Step(
             "width-crossings",
-            "In both corners the crossings tend to those of the limit function.",
+            "That `S1` and `S2` themselves tend to these crossings of the limits rests on a "
+            "theorem.",
             cited(
                 "If strictly monotone functions tend at every point to a strictly monotone "
                 "function, the points where they cross a value tend to where it does.",
                 ELEMENTARY.text(),
             ),
-            "Compare the values a little before and a little after the limit's crossing.",
+            "Compare the values a little before and a little after the limit's crossing. The "
+            "theorem is cited, not proved here.",
         ),
     ]
 
@@ -79,38 +84,41 @@ def _small_index(c: Context) -> list[Step]:
     return [
         Step(
             "width-start-small-trend",
-            "For a small index (large r) and t = Lambda/S held, P11/Lambda tends to w/t, which "
-            "falls with t.",
+            "Where is `S1` for a small index (large `r`)? There, `t` held, `P11/Lambda` tends to "
+            "`w/t`, which falls as `t` grows.",
             monotone(W / T, "decreasing", "t"),
-            "The derivative is -1/(w t^2).",
+            "Step @small-velocity-index-predicted-11; the derivative is `-1/(w t^2)`.",
             tower="fixed_velocity_index",
         ),
         Step(
             "width-start-small",
-            f"It is 1.1 times its limit where 1/t^2 = {first}: S1/Lambda tends to the root of "
-            f"{first}, and r S1 to {sp.sqrt(16 * first)} = {float(sp.sqrt(16 * first)):.6f}.",
+            f"It is 1.1 times its limit for large `t` where `1/t^2 = {first}`. So `S1/Lambda` "
+            f"tends to the root of {first}, and `r S1` to `{sp.sqrt(16 * first)}`, about "
+            f"{float(sp.sqrt(16 * first)):.6f}.",
             equal((W / T) ** 2 - MORE**2 * d, 1 / T**2 - first),
-            "Square both sides.",
+            f"`w^2 = 1 + {times_text(d, 't^2')}` (step @level), so the limit of `w^2/t^2` is {d}; "
+            "square `w/t`. `S1/Lambda` is `1/t`, and `r = 4/Lambda`.",
             tower="fixed_velocity_index",
         ),
         Step(
             "width-end-small-trend",
-            "With x = S/sqrt(Lambda) held, P11/sqrt(Lambda) tends to a function that grows with x; "
-            "here u = sqrt(1 + 2 x^2).",
+            "And `S2`? For a small index, `x = S/sqrt(Lambda)` held, `P11/sqrt(Lambda)` tends to a "
+            "function that grows with `x`; here `u = sqrt(1 + 2 x^2)`.",
             monotone(outer, "increasing", "x"),
-            "Differentiate.",
+            "Step @small-narrow-predicted-11; differentiate.",
             tower="outer",
         ),
         Step(
             "width-end-small",
-            "It is its limit sqrt(2) over 1.1 where 42 x^4 - 279 x^2 - 200 = 0. So S2/sqrt(Lambda) "
-            f"tends to {_narrow_root():.6f}, sqrt(r) S2 to twice that, and the step's width S2/S1 "
-            "grows like sqrt(r).",
+            "It is its limit `sqrt(2)` over 1.1 where `42 x^4 - 279 x^2 - 200 = 0`. So "
+            f"`S2/sqrt(Lambda)` tends to {_narrow_root():.6f}, `sqrt(r) S2` to twice that, and the "
+            "width `S2/S1` of the step grows like `sqrt(r)`.",
             equal(
                 MORE**2 * outer**2 - 2,
                 (42 * X**4 - 279 * X**2 - 200) / (100 * (1 + X**2) ** 2),
             ),
-            "Square both sides; the quadratic in x^2 has one positive root.",
+            "Square 1.1 times the function and compare with 2. The quadratic in `x^2` has one "
+            "positive root.",
             tower="outer",
         ),
     ]
@@ -128,37 +136,39 @@ def _large_index(c: Context) -> list[Step]:
     steps = [
         Step(
             "width-large-trend",
-            "For a large index (small r) and t held, P11/Lambda^2 tends to a function that falls "
-            f"with t; here b = {root / 2} gamma.",
+            "For a large index (small `r`), `t` held, `P11/Lambda^2` tends to a function that "
+            "falls as `t` grows; here `b` is `gamma` times half the root of "
+            f"{e}, so `b^2 = {times_text(e, '(1 + t^2/4)')}`.",
             monotone(shape, "decreasing", "t"),
-            "Differentiate.",
+            "Step @large-velocity-index-predicted-11; differentiate.",
             tower="fixed_velocity_index",
         )
     ]
     for label, name, text, level in (
-        ("start", "S1", "1.1 times its limit for large t", MORE * first),
-        ("end", "S2", "its limit for small t over 1.1", (1 + root) ** 2 / (4 * MORE)),
+        ("start", "S1", "1.1 times its limit for large `t`", MORE * first),
+        ("end", "S2", "its limit for small `t` over 1.1", (1 + root) ** 2 / (4 * MORE)),
     ):
         slope, square = _crossing(e, level)
         crossing = 1 / sp.sqrt(square)
         steps += [
             Step(
                 f"width-{label}-large",
-                f"It is {text} where w/b is {slope}.",
+                f"It is {text} where `w/b` is `{_written(slope)}`.",
                 same_sign(shape - _in_tower(level), W - _in_tower(slope) * B),
-                "Multiply out: the difference is a positive multiple of w - b times this number.",
+                "Multiply out: the left difference is a positive multiple of the right one.",
                 tower="fixed_velocity_index",
                 hint={"form": _factor(e, _in_tower(level))},
             ),
             Step(
                 f"width-{label}-large-root",
-                f"That is where t^2 is {square}: {name}/Lambda tends to "
-                f"{float(crossing):.6f}, and r {name} to {float(4 * crossing):.6f}.",
+                f"That is where `t^2` is `{_written(square)}`. So `{name}/Lambda` tends to "
+                f"{float(crossing):.6f}, and `r {name}` to {float(4 * crossing):.6f}.",
                 equal(
                     W**2 - _in_tower(slope**2) * B**2,
                     _in_tower((slope**2 - 1) * e / 4) * (_in_tower(square) - T**2),
                 ),
-                "Square both sides; w^2 = 1 + d t^2 and b^2 = e (1 + t^2/4).",
+                f"Square both sides of step @width-{label}-large and insert `w^2` and `b^2`, both "
+                "linear in `t^2`.",
                 tower="fixed_velocity_index",
             ),
         ]
@@ -170,6 +180,14 @@ def _crossing(e: sp.Expr, level: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     share = level + (1 - e) / 4
     slope = _plain((share - (1 - e) / 2) / (share * e))
     return slope, _plain(4 / e * (1 - slope**2 * e) / (slope**2 - 1))
+
+
+def _written(number: sp.Expr) -> str:
+    """A number of Q(sqrt(3)) in a sentence, its positive term first."""
+    terms = sorted(sp.Add.make_args(number), key=lambda term: bool(term < 0))
+    first, *others = (sp.sstr(abs(term)).replace("*", " ") for term in terms)
+    signs = ("-" if term < 0 else "+" for term in terms[1:])
+    return " ".join([first, *(f"{sign} {text}" for sign, text in zip(signs, others, strict=True))])
 
 
 def _plain(number: sp.Expr) -> sp.Expr:

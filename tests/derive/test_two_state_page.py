@@ -1,4 +1,4 @@
-"""The page of a two-state family read in order: what is named before it is used, what refers where.
+"""The page of a family read in order: what is named before it is used, what refers where.
 
 The names are taken from the relations themselves; the sentences are the text under test.
 """
@@ -18,7 +18,14 @@ from gainproof.deriving import plain_subject
 from gainproof.formula_text import plain_name
 from gainproof.lecture_items import Item, items, numbers
 
-FAMILIES = ("random-velocity", "random-acceleration", "continuous-white-acceleration")
+FAMILIES = (
+    "random-velocity",
+    "random-acceleration",
+    "continuous-white-acceleration",
+    "position-velocity-random-velocity",
+    "position-velocity-random-acceleration",
+    "position-velocity",
+)
 REFERENCE = re.compile(r"@([a-z0-9-]*[a-z0-9])")
 
 
@@ -48,7 +55,8 @@ def _symbols(value: Any) -> Iterator[str]:
 def _words(text: str) -> set[str]:
     """Names in the formulas of a sentence."""
     formulas = " ".join(re.findall(r"`([^`]*)`", text))
-    return set(re.findall(r"\(FK\)1|[A-Za-z]\w*", formulas))
+    # P11^o is a name, z^2 a power
+    return set(re.findall(r"\(FK\)1|[A-Za-z]\w*(?:\^[od]\b)?", formulas))
 
 
 def _used(item: Item, derived: Derived) -> set[str]:
