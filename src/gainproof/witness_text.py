@@ -9,27 +9,39 @@ from typing import Any
 _DIGITS = 6
 """Digits shown of a side; more where fewer would not tell the sides apart."""
 _MOST_DIGITS = 40
+_APPROACH = "->"
+"""How the value of a symbol begins that tends to a point instead of having a value."""
+_NO_VALUE = "a side has no value"
+"""The note of a witness at which a side is not defined."""
 
 
 def at_point(witness: Mapping[str, Any]) -> str:
-    """`at r = 1`, or nothing for a formula that holds no symbols."""
-    point = ", ".join(f"{name} = {value}" for name, value in witness["point"].items())
-    return f"at {point}" if point else ""
+    """`at r = 1`, `as r -> infinity`, or nothing for a formula that holds no symbols."""
+    places = [(name, str(value)) for name, value in witness["point"].items()]
+    fixed = [f"{name} = {value}" for name, value in places if not value.startswith(_APPROACH)]
+    moving = [f"{name} {value}" for name, value in places if value.startswith(_APPROACH)]
+    parts = (("at", fixed), ("as", moving))
+    return " ".join(f"{word} {', '.join(inner)}" for word, inner in parts if inner)
 
 
 def sides(witness: Mapping[str, Any]) -> str:
-    """`the left side is 0.5, the right 4.5`, or which side has no value."""
+    """`the left side is 0.5, the right 4.5`, which side has no value, or what a limit is."""
     left, right = witness["left"], witness["right"]
-    for name, side in (("left", left), ("right", right)):
-        if side.get("undefined"):
-            return f"the {name} side has no value ({side['undefined']})"
+    missing = [name for name in ("left", "right") if witness[name].get("undefined")]
+    if _is_approach(witness) and witness.get("note") != _NO_VALUE:
+        first, second = _apart(left, right)
+        if witness.get("operator") == _APPROACH:
+            return f"the left side tends to {first}, not to {second}"
+        if len(missing) == 2:
+            return f"the left side is {first}, the right {second}"
+        if witness.get("note") and not missing:
+            return f"the left side is {first}, the right {second} ({witness['note']})"
+    for name in missing:
+        return f"the {name} side has no value ({witness[name]['undefined']})"
     if witness.get("exact"):
         return f"both sides are {_shown(left, _DIGITS)}"
-    digits = next(
-        (n for n in range(_DIGITS, _MOST_DIGITS) if _shown(left, n) != _shown(right, n)),
-        _MOST_DIGITS,
-    )
-    return f"the left side is {_shown(left, digits)}, the right {_shown(right, digits)}"
+    first, second = _apart(left, right)
+    return f"the left side is {first}, the right {second}"
 
 
 def in_words(witness: Mapping[str, Any]) -> str:
@@ -44,8 +56,23 @@ def ball(value: Mapping[str, Any]) -> str:
     return f"{value['midpoint']} +/- {value['radius']}"
 
 
+def _is_approach(witness: Mapping[str, Any]) -> bool:
+    return any(str(value).startswith(_APPROACH) for value in witness["point"].values())
+
+
+def _apart(left: Mapping[str, Any], right: Mapping[str, Any]) -> tuple[str, str]:
+    """Both sides with as many digits as tell them apart; words, such as `infinity`, as they are."""
+    digits = next(
+        (n for n in range(_DIGITS, _MOST_DIGITS) if _shown(left, n) != _shown(right, n)),
+        _MOST_DIGITS,
+    )
+    return _shown(left, digits), _shown(right, digits)
+
+
 def _shown(side: Mapping[str, Any], digits: int) -> str:
-    """The midpoint rounded to so many digits, without trailing zeros."""
+    """The midpoint rounded to so many digits, without trailing zeros, or the word in its place."""
+    if side.get("undefined"):
+        return str(side["undefined"])
     try:
         rounded = Context(prec=digits).create_decimal(str(side["midpoint"]))
     except ArithmeticError:

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from gainproof import verdict_text, witness_text
+from gainproof import verdict_text
 from gainproof.claim_words import claim_words
 from gainproof.page import filled, width
 
@@ -127,27 +127,6 @@ def test_lines_fit(columns: int) -> None:
     long = " + ".join([r"\alpha \beta"] * 40)
     text = table(claim("a" * 20, "refuted", latex=long, reason="word " * 50), columns=columns)
     assert max(map(len, text.splitlines())) <= columns
-
-
-def test_digits_tell_the_sides_apart() -> None:
-    right = {"midpoint": "0.50000000001", "radius": "0"}
-    assert witness_text.sides({**WITNESS, "right": right}).endswith("the right 0.50000000001")
-
-
-@pytest.mark.parametrize(
-    ("midpoint", "shown"),
-    [("1e-30", "1e-30"), ("123456.4", "123456"), ("-0.25", "-0.25"), ("0", "0"), ("nan?", "nan?")],
-)
-def test_numbers(midpoint: str, shown: str) -> None:
-    left = {"midpoint": midpoint, "radius": "0"}
-    text = witness_text.sides({**WITNESS, "left": left})
-    assert text.lower().startswith(f"the left side is {shown.lower()}, ")
-
-
-def test_a_side_without_value() -> None:
-    side = {"midpoint": "", "radius": "", "undefined": "division by zero"}
-    text = witness_text.in_words({**WITNESS, "right": side})
-    assert text == "at r = 1 the right side has no value (division by zero)"
 
 
 def test_files_have_a_fixed_width(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,0 +1,87 @@
+"""Witnesses in words: points, approaches, and what the sides are there."""
+
+from __future__ import annotations
+
+import pytest
+
+from gainproof import witness_text
+
+WITNESS = {
+    "point": {"r": "1"},
+    "left": {"midpoint": "0.500000000", "radius": "0"},
+    "operator": "=",
+    "right": {"midpoint": "4.383960761730", "radius": "2e-12"},
+    "exact": False,
+}
+
+
+def test_digits_tell_the_sides_apart() -> None:
+    right = {"midpoint": "0.50000000001", "radius": "0"}
+    assert witness_text.sides({**WITNESS, "right": right}).endswith("the right 0.50000000001")
+
+
+@pytest.mark.parametrize(
+    ("midpoint", "shown"),
+    [("1e-30", "1e-30"), ("123456.4", "123456"), ("-0.25", "-0.25"), ("0", "0"), ("nan?", "nan?")],
+)
+def test_numbers(midpoint: str, shown: str) -> None:
+    left = {"midpoint": midpoint, "radius": "0"}
+    text = witness_text.sides({**WITNESS, "left": left})
+    assert text.lower().startswith(f"the left side is {shown.lower()}, ")
+
+
+@pytest.mark.parametrize(
+    ("point", "shown"),
+    [
+        ({"r": "-> infinity"}, "as r -> infinity"),
+        ({"r": "-> 0 from above", "s": "2"}, "at s = 2 as r -> 0 from above"),
+        ({"r": "-1"}, "at r = -1"),
+        ({}, ""),
+    ],
+)
+def test_points_and_approaches(point: dict[str, str], shown: str) -> None:
+    assert witness_text.at_point({**WITNESS, "point": point}) == shown
+
+
+NUMBER = {"midpoint": "2", "radius": "0"}
+
+
+@pytest.mark.parametrize(
+    ("changed", "shown"),
+    [
+        (
+            {"operator": "->", "left": NUMBER, "right": {"undefined": "infinity"}},
+            "as r -> 0 the left side tends to 2, not to infinity",
+        ),
+        (
+            {
+                "operator": "sim",
+                "left": {"undefined": "of order 1"},
+                "right": {"undefined": "of order 2"},
+            },
+            "as r -> 0 the left side is of order 1, the right of order 2",
+        ),
+        (
+            {"left": NUMBER, "right": {**NUMBER, "midpoint": "0"}, "note": "coefficient"},
+            "as r -> 0 the left side is 2, the right 0 (coefficient)",
+        ),
+        (
+            {
+                "operator": "->",
+                "left": NUMBER,
+                "right": {"undefined": "division by zero"},
+                "note": "a side has no value",
+            },
+            "as r -> 0 the right side has no value (division by zero)",
+        ),
+    ],
+)
+def test_limits(changed: dict[str, object], shown: str) -> None:
+    point = {"r": "-> 0"}
+    assert witness_text.in_words({**WITNESS, "point": point, **changed}) == shown
+
+
+def test_a_side_without_value() -> None:
+    side = {"midpoint": "", "radius": "", "undefined": "division by zero"}
+    text = witness_text.in_words({**WITNESS, "right": side})
+    assert text == "at r = 1 the right side has no value (division by zero)"
