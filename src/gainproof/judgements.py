@@ -81,7 +81,7 @@ def read(file: Path) -> str:
 
 
 def find(name: str) -> Path:
-    """A claim file by its path, or one of gainproof's own by its key."""
+    """A claim file by its path, or one of gainproof's own by its key; keys have no dot in them."""
     own = {path.stem: path for path in places.claim_files()}
     if name in own:
         return own[name]
@@ -90,6 +90,6 @@ def find(name: str) -> Path:
             f"{name} is LaTeX; a claim file is drafted from it by: "
             f"gainproof check --draft {name} --out {Path(name).stem}.toml"
         )
-    if Path(name).exists() or name.endswith(".toml") or Path(name).name != name:
+    if Path(name).exists() or "." in name or Path(name).name != name:
         return Path(name)
     raise unknown_name("claim file", name, own)

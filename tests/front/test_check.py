@@ -175,6 +175,7 @@ def test_files_of_another_kind_have_status_2(
     [
         ("paper.tex", "gainproof check --draft paper.tex --out paper.toml"),
         ("none.toml", "none.toml: cannot be read: No such file"),
+        ("none.tml", "none.tml: cannot be read: No such file"),
         ("q", "no claim file is called 'q'; `gainproof list` shows"),
     ],
 )
