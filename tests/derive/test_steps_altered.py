@@ -116,7 +116,9 @@ def test_every_step_is_proved(name: str) -> None:
 def test_an_altered_step_fails_and_only_it(name: str) -> None:
     """Every altered step fails; of a long derivation only some are checked with all the others."""
     certificate = _certificate(name)
-    stride = 1 + len(certificate["statements"]) // 15
+    count = len(certificate["statements"])
+    # a certificate of two parameters takes seconds to check whole
+    stride = 1 + count // (15 if count < 100 else 3)
     original = {result.id: result.status for result in check(certificate).statements}
     for number, statement in enumerate(certificate["statements"]):
         if statement["kind"] in UNDECIDABLE:

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from kernel_truth import STEADY_STATES
 from numpy.typing import NDArray
@@ -27,6 +27,8 @@ from gainproof.verify.oracles.state_space import NotConverged
 
 Reals = NDArray[np.float64]
 PROMISED = Fraction(1, 2**50)
+# closer to an end than the kernels' errors it is not known on which side of it a variance lies
+NEAR = 2.0**-46
 # of the kernels, 53 bits: more than any of them states
 BOUND = Fraction(64, 2**53)
 SHARES = st.floats(-9, 9).map(lambda odds: 1 / (1 + 10.0**odds))
@@ -41,8 +43,9 @@ def ends(index: Reals, covariance: str = "predicted", noise: str = DEFAULT) -> l
 
 @pytest.mark.parametrize("noise", sorted(PROCESS_NOISES))
 @pytest.mark.parametrize("covariance", COVARIANCES)
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=4, deadline=None)
 @given(index=st.floats(-6, 6).map(lambda e: 10.0**e), share=SHARES)
+@example(index=10.0**5.5, share=0.5)
 def test_the_answer_is_exact_for_a_wanted_variance_within_the_promise(
     noise: str, covariance: str, index: float, share: float
 ) -> None:
@@ -50,7 +53,7 @@ def test_the_answer_is_exact_for_a_wanted_variance_within_the_promise(
     low, high = (float(end) for end in ends(np.array(index), covariance, noise))
     # near 0, where some limits are, in the logarithm
     wanted = low + (high - low) * share if share > 0.5 else low * (high / low) ** (2 * share)
-    assume(low < wanted < high)
+    assume(low * (1 + NEAR) < wanted < high * (1 - NEAR))
     ratio = float(velocity_ratio_for(index, wanted, covariance=covariance, process_noise=noise))
     shape = STEADY_STATES[noise.replace("-", "_")]["process_noise"]
     truth = oracle.named(doubling.steady_state(oracle.model(shape, index, ratio), 30).state)
