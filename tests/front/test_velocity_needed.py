@@ -27,7 +27,7 @@ from gainproof.verify.oracles.state_space import NotConverged
 
 Reals = NDArray[np.float64]
 PROMISED = Fraction(1, 2**50)
-# closer to an end than the kernels' errors it is not known on which side of it a variance lies
+# nearer to an end than the stated errors of both kernels a variance may be refused, as is said
 NEAR = 2.0**-46
 # of the kernels, 53 bits: more than any of them states
 BOUND = Fraction(64, 2**53)
@@ -43,7 +43,7 @@ def ends(index: Reals, covariance: str = "predicted", noise: str = DEFAULT) -> l
 
 @pytest.mark.parametrize("noise", sorted(PROCESS_NOISES))
 @pytest.mark.parametrize("covariance", COVARIANCES)
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(index=st.floats(-6, 6).map(lambda e: 10.0**e), share=SHARES)
 @example(index=10.0**5.5, share=0.5)
 def test_the_answer_is_exact_for_a_wanted_variance_within_the_promise(

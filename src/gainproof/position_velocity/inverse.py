@@ -35,7 +35,9 @@ def velocity_ratio_for(
 
     There is one answer exactly when the wanted G1 lies between the limits with the velocity known
     exactly (S to 0) and with no velocity measured (S to infinity); else ValueError says which is
-    in the way, with both limits and the place. The search is over the S that the kernels take;
+    in the way, with both limits and the place. The limits are computed like everything else: a
+    wanted G1 nearer to one of them than the errors that its kernel states may be refused, since on
+    which side it lies is not known. The search is over the S that the kernels take;
     where the answer lies beyond them, ValueError says so.
 
     **What is promised.** The S returned is the exact answer to a nearby question:
