@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
@@ -15,6 +15,7 @@ from gainproof.derive.printer.one_input import OneInput
 from gainproof.derive.printer.proof import Settled
 from gainproof.derive.printer.several_inputs import SeveralInputs
 from gainproof.derive.printer.value import Box, PrintingError
+from gainproof.derive.printer.zero import ZeroCase, zero_cases
 
 DIGITS = 100  # printed bounds are rounded up to hundredths of the format's epsilon
 
@@ -80,9 +81,22 @@ def prove(kernel: Kernel, form: Format) -> KernelBound:
     kind = OneInput if len(kernel.inputs) == 1 else SeveralInputs
     try:
         with np.errstate(all="ignore"):
-            return _printed(kernel, form, kind(kernel, form).run())
+            found = kind(kernel, form).run()
+            for case in zero_cases(kernel):
+                found = _both(found, case, SeveralInputs(case.kernel, form, case.of(found.bounds)))
+            return _printed(kernel, form, found)
     except (PrintingError, OverflowError) as error:
         raise PrintingError(f"{kernel.name} ({form.name}): {error}") from error
+
+
+def _both(found: Settled, case: ZeroCase, proof: SeveralInputs) -> Settled:
+    """The larger bounds of both; an output that is exact where inputs are 0 keeps its own."""
+    other = proof.run()
+    factors = {
+        name: case.greater(sizes, other.factors.get(name)) for name, sizes in found.factors.items()
+    }
+    bounds = case.greater(found.bounds, other.bounds)
+    return replace(found, bounds=bounds, factors=factors, boxes=found.boxes + other.boxes)
 
 
 def _printed(kernel: Kernel, form: Format, found: Settled) -> KernelBound:

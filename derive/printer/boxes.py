@@ -47,9 +47,12 @@ def special_points(program: Program, form: Format) -> list[list[Gap]]:
     return [sorted(gaps) for gaps in found]
 
 
-def cover(domain: Box, near: Gaps, plain: Gaps) -> Grid:
+def cover(domain: Box, near: Gaps, plain: Gaps, ratio: float = RATIO) -> Grid:
     """Boxes over the domain without the gaps; their ends crowd at the gaps in `near`."""
-    axes = [_axis(*ends, *gaps) for ends, *gaps in zip(domain, near, plain, strict=True)]
+    axes = [
+        _axis(*ends, crowded, bare, ratio)
+        for ends, crowded, bare in zip(domain, near, plain, strict=True)
+    ]
     places = np.indices([len(low) for low, _ in axes]).reshape(len(axes), -1)
     low, high = (
         np.stack([ends[side][place] for ends, place in zip(axes, places, strict=True)])
@@ -59,7 +62,7 @@ def cover(domain: Box, near: Gaps, plain: Gaps) -> Grid:
 
 
 def _axis(
-    lowest: float, highest: float, near: Iterable[Gap], plain: Iterable[Gap]
+    lowest: float, highest: float, near: Iterable[Gap], plain: Iterable[Gap], ratio: float
 ) -> tuple[Array, Array]:
     cuts = dict.fromkeys(near, True)
     cuts |= {gap: False for gap in plain if gap not in cuts}
@@ -71,17 +74,19 @@ def _axis(
     for (start, crowd_start), (end, crowd_end) in zip(starts, ends, strict=True):
         if start > end:
             continue
-        points = _points(start, end, crowd_start, crowd_end)
+        points = _points(start, end, crowd_start, crowd_end, ratio)
         low += points[:-1] or points
         high += points[1:] or points
     return np.array(low), np.array(high)
 
 
-def _points(start: float, end: float, crowd_start: bool, crowd_end: bool) -> list[float]:
+def _points(
+    start: float, end: float, crowd_start: bool, crowd_end: bool, ratio: float
+) -> list[float]:
     points = {start, end}
     x = start
-    while 0 < x < end / RATIO:
-        x *= RATIO
+    while 0 < x < end / ratio:
+        x *= ratio
         points.add(x)
     for k in range(1, 53):
         if crowd_start:

@@ -37,6 +37,7 @@ def number_text(value: float, form: Format) -> str:
 def wanted_text(given: Input) -> str:
     """The domain of an input in words, for its guard's message."""
     number = "a whole number" if given.integer else "a number"
+    number = f"0 or {number}" if given.zero else number
     text = f"{number} {_ends_text(given)}"
     if given.single is None:
         return text

@@ -14,7 +14,7 @@ operation on the same operands is one node.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NotRequired, TypedDict
@@ -115,6 +115,12 @@ class GraphBuilder:
     def operation(self, name: str, *operands: Node | Number) -> Node:
         """Appends one operation of the format on nodes or numbers."""
         return self._append(name, *(self.node(operand).number for operand in operands))
+
+    def operation_of(self, node: GraphNode, parts: Sequence[Node] = ()) -> Node:
+        """A node of another graph, its operands replaced by `parts`, one for each."""
+        left = iter(part.number for part in map(self.node, parts))
+        entries = (next(left) if isinstance(entry, int) else entry for entry in node[1:])
+        return self._append(str(node[0]), *entries)
 
     def number(self, value: Number) -> Node:
         """An exact rational constant."""

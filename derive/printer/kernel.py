@@ -21,7 +21,7 @@ class Input:
     numbers. `single`: lower and upper in float32, where they are others.
 
     A kernel with several inputs has its bounds on the whole product of their domains, which are
-    closed and positive: `closed` makes such an input.
+    closed and positive: `closed` makes such an input. `zero`: 0 is admitted beside them.
     """
 
     name: str
@@ -32,13 +32,19 @@ class Input:
     upper_open: bool = True
     integer: bool = False
     single: tuple[Limit, Limit] | None = None
+    zero: bool = False
 
 
 def closed(
-    name: str, meaning: str, lower: Limit, upper: Limit, single: tuple[Limit, Limit] | None = None
+    name: str,
+    meaning: str,
+    lower: Limit,
+    upper: Limit,
+    single: tuple[Limit, Limit] | None = None,
+    zero: bool = False,
 ) -> Input:
-    """An input of a kernel with several: from `lower` to `upper`, both admitted."""
-    return Input(name, meaning, lower, upper, False, False, single=single)
+    """An input of a kernel with several: from `lower` to `upper`, both admitted, `zero`: and 0."""
+    return Input(name, meaning, lower, upper, False, False, single=single, zero=zero)
 
 
 @dataclass(frozen=True)

@@ -114,7 +114,9 @@ def _kernel_domains(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[_Doma
         for bound in bounds:
             least, most = (literal(end) for end in bound.inputs[row])
             lines.append(f"({least}, {most}),")
-        found.append((*lines, "whole=True,") if given.integer else tuple(lines))
+        lines += ["whole=True,"] if given.integer else []
+        lines += ["zero=True,"] if given.zero else []
+        found.append(tuple(lines))
     return found
 
 

@@ -24,13 +24,17 @@ SIZE = 65536  # elements of a block: calls cost little beside it, a few buffers 
 
 
 class Domain(NamedTuple):
-    """One input: its name, the numbers wanted in words, least and greatest of each type."""
+    """One input: its name, the numbers wanted in words, least and greatest of each type.
+
+    `whole`: whole numbers only; `zero`: 0 besides.
+    """
 
     name: str
     wanted: str
     double: tuple[float, float]
     single: tuple[float, float]
     whole: bool = False
+    zero: bool = False
 
 
 class Signature(NamedTuple):
@@ -176,8 +180,12 @@ def _guard(
     if inside and not (domain.whole and np.any(x != np.floor(x))):
         return
     fine = (x >= low) & (x <= high)
+    if domain.zero:
+        fine |= x == 0
     if domain.whole:
         fine &= x == np.floor(x)
+    if fine.all():
+        return
     first = int(np.argmin(fine))
     where = ""
     if whole.shape:

@@ -15,6 +15,7 @@ from gainproof.derive.printer.proof import Proof, Settled
 from gainproof.derive.printer.structural import Structural
 from gainproof.derive.printer.value import Grid
 
+WIDE = 2  # inputs: of more the first box is the whole domain, boxes of each would be too many
 WORST = 2.0**7  # epsilons: a larger bound tells of an underflow on the way, and is refused
 
 
@@ -22,19 +23,21 @@ class SeveralInputs(Proof):
     """Boxes over the product of the domains, bisected where the bounds are largest.
 
     Nothing is searched: a value that is not normal, or that has no bound, anywhere in the product
-    is refused.
+    is refused. `enough`: bounds, one an output, below which none is made smaller.
     """
 
-    def __init__(self, kernel: Kernel, form: Format) -> None:
+    def __init__(self, kernel: Kernel, form: Format, enough: Array | None = None) -> None:
         super().__init__(kernel, form, product(kernel.inputs, form))
         self.greatest = WORST * form.epsilon
+        self.enough = np.zeros(len(self.ends)) if enough is None else enough
 
     def run(self) -> Settled:
         """The bounds, after NaN has been excluded."""
         corners = self._corners()
         adjoint = self.adjoint(corners)
         self.refuse(adjoint, adjoint.upper > self.greatest)  # at once, and with a clear place
-        grid = boxes.cover(self.inputs, self.near, [() for _ in self.inputs])
+        ratio = boxes.RATIO if len(self.inputs) <= WIDE else np.inf
+        grid = boxes.cover(self.inputs, self.near, [() for _ in self.inputs], ratio)
         exclude_nan(grid, self.forward, self.ends, self.domains)
         return self._refine(grid)
 
@@ -52,6 +55,7 @@ class SeveralInputs(Proof):
         count, budget = len(self.ends), frontier.WORK // len(self.program.steps)
         others = count * len(self.kernel.cancellations)
         progress = frontier.Frontier(count, others, self.form, self.greatest, budget)
+        progress.least = self.enough
         following: Grid | None = grid
         while following is not None:
             adjoint = self.adjoint(following)

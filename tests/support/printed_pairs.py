@@ -38,7 +38,9 @@ class Stated:
 
 @dataclass(frozen=True)
 class PrintedPair:
-    """One function of several arguments; `domain` by format, as the guard has it."""
+    """One function of several arguments; `domain` by format, as the guard has it; `zeros`: which
+    arguments may be 0 besides.
+    """
 
     family: str
     name: str
@@ -47,6 +49,7 @@ class PrintedPair:
     domain: Mapping[str, Box]
     outputs: Mapping[str, Stated]
     graph: Any
+    zeros: tuple[bool, ...] = ()
 
     @property
     def id(self) -> str:
@@ -91,6 +94,7 @@ def pair_of(family: str, function: Any, signature: Any, graph: Any) -> PrintedPa
         },
         {output: stated(text, output) for output in signature.outputs},
         graph,
+        tuple(domain.zero for domain in signature.inputs),
     )
 
 
@@ -120,10 +124,13 @@ def points_in(kernel: PrintedPair, dtype: str, span: str, count: int, seed: int)
     """Points of a kernel, a row for each argument.
 
     `span`: "domain" and "near" (what it has of 1e-6..1e6) log-uniform in all arguments, "grid" the
-    half decades of 1e-6..1e6. What lies outside the domain is left out, its corners are put in.
+    half decades of 1e-6..1e6, of more than two arguments places of it drawn. What lies outside the
+    domain is left out, its corners are put in, and of arguments that may be 0 some are.
     """
-    box = kernel.domain[dtype]
-    if span == "grid":
+    box, generator = kernel.domain[dtype], np.random.default_rng(seed)
+    if span == "grid" and len(box) > 2:
+        points = 10.0 ** (generator.integers(-12, 13, (len(box), 4 * count)) / 2)
+    elif span == "grid":
         rows = np.meshgrid(*[10.0 ** np.arange(-6, 6.25, 0.5)] * len(box), indexing="ij")
         points = np.stack([row.ravel() for row in rows])
     else:
@@ -135,7 +142,9 @@ def points_in(kernel: PrintedPair, dtype: str, span: str, count: int, seed: int)
     corners = np.stack([row.ravel() for row in np.meshgrid(*box, indexing="ij")])
     points = np.concatenate([points, corners], axis=1).astype(dtype)
     inside = [(row >= low) & (row <= high) for row, (low, high) in zip(points, box, strict=True)]
-    return points[:, np.logical_and.reduce(inside)]
+    points = points[:, np.logical_and.reduce(inside)]
+    points[(generator.random(points.shape) < 0.2) & np.array(kernel.zeros)[:, None]] = 0
+    return points
 
 
 def measure_pairs(kernels: Sequence[PrintedPair], dtype: str, points_of: Any) -> Table:
@@ -149,7 +158,10 @@ def measure_pairs(kernels: Sequence[PrintedPair], dtype: str, points_of: Any) ->
             exact = balls(kernel.graph, dict(zip(kernel.arguments, place, strict=True)))
             for (output, said), column in zip(kernel.outputs.items(), columns, strict=True):
                 value = flint.arb(float(column[at]))
-                error = abs((value - exact[output]) / exact[said.scale])
+                if exact[output] == value:
+                    error = flint.arb(0)  # 0 is exactly 0
+                else:
+                    error = abs((value - exact[output]) / exact[said.scale])
                 size = float(error.upper()) / float(EPSILON[dtype])
                 key = kernel.name, output
                 worst = Worst(size if size == size else np.inf, place, 1)
