@@ -7,6 +7,8 @@ earlier nodes only::
     | ["div", i, j] | ["neg", i] | ["pow", i, "1/2"]
     | ["call", "abs", i] | ["call", "select", a, b, x, y]
 
+`fixed_point` tells of three more calls.
+
 ``GraphBuilder`` writes such data from ordinary Python operators. The order of operations is the
 author's: nothing is reordered, flattened or simplified, since every rounding counts. The same
 operation on the same operands is one node.
@@ -121,6 +123,10 @@ class GraphBuilder:
         left = iter(part.number for part in map(self.node, parts))
         entries = (next(left) if isinstance(entry, int) else entry for entry in node[1:])
         return self._append(str(node[0]), *entries)
+
+    def call(self, name: str, *operands: Node | Number) -> Node:
+        """Appends a call of a named function."""
+        return self._append("call", name, *(self.node(operand).number for operand in operands))
 
     def number(self, value: Number) -> Node:
         """An exact rational constant."""
