@@ -8,6 +8,7 @@ from gainproof.derive.printer import boxes
 from gainproof.derive.printer.behaviour import exclude_nan
 from gainproof.derive.printer.domain import input_range, normal_interval
 from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.proof import Proof, Settled
 from gainproof.derive.printer.refinement import Refinement
@@ -45,10 +46,21 @@ class OneInput(Proof):
         factors = np.zeros(len(self.ends) * len(self.kernel.cancellations))
         while True:
             adjoint = self.adjoint(grid)
-            again = progress.step(grid, adjoint.upper, adjoint.lower)
+            again = progress.step(grid, adjoint.upper, self._least(grid, adjoint.lower))
             self.refuse(adjoint, np.isinf(adjoint.upper) & ~again)
             settled = self.cancellations(adjoint)[:, ~again]
             factors = np.maximum(factors, settled.max(axis=1, initial=0.0))
             if not again.any():
                 return self.settled(progress.settled, factors, progress.total)
             grid = progress.finer(grid, again)
+
+    def _least(self, grid: Grid, least: Array) -> Array:
+        """What no finer box gets below; of a named cancellation, that at one end of the box.
+
+        Errors that enter a difference are not set off against each other, so that the reverse pass
+        knows no least size of theirs.
+        """
+        if not self.kernel.cancellations:
+            return least
+        at_one_end = self.adjoint(boxes.grid(grid.low, grid.low)).upper
+        return np.maximum(least, np.where(np.isfinite(at_one_end), at_one_end, 0.0))

@@ -26,8 +26,14 @@ from gainproof.derive.printer.value import Mask, Value
 
 
 def measured_by_parts(program: Program, output: int, scale: int) -> bool:
-    """Whether an output is a difference and its scale the sum of the same two steps."""
+    """Whether an output is a difference and its scale the sum of the same two steps.
+
+    Both may be multiplied by the same power of two, which is exact.
+    """
     difference, both = program.steps[output], program.steps[scale]
+    if difference.scale is not None and difference.scale == both.scale:
+        ((inside,), (within,)) = difference.operands, both.operands
+        difference, both = program.steps[inside], program.steps[within]
     same = sorted(difference.operands) == sorted(both.operands)
     return difference.operation == "sub" and both.operation == "add" and same
 

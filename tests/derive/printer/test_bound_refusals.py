@@ -97,6 +97,27 @@ def test_a_named_cancellation_carries_its_condition() -> None:
     assert scaled.bound < 3
 
 
+def over_both(factor: int, other: int) -> KernelBound:
+    """factor (x sqrt(x) - sqrt(1 + x)) over other (x sqrt(x) + sqrt(1 + x)), x being anything."""
+    b = GraphBuilder()
+    x = b.symbol("x")
+    first, second = x * b.sqrt(x), b.sqrt(1 + x)
+    gap = first - second
+    graph = b.graph({"y": gap * factor, "_s": (first + second) * other}, {"gap": gap})
+    return prove(kernel_of(graph, {"y": "_s"}, {"gap": "it vanishes once"}), FLOAT64)
+
+
+def test_a_difference_over_the_sum_of_its_terms_settles_in_few_boxes() -> None:
+    """Two roundings of the larger term and one of the difference, over all floats; scaled, too."""
+    for factor in (1, 2**20):
+        found = over_both(factor, factor)
+        (output,) = found.outputs
+        assert Fraction(3, 2) <= output.bound <= Fraction(3, 2) + Fraction(3, 100)
+        assert 1 <= output.amplification["gap"] < 1 + 1e-6
+        assert found.boxes < 2000
+    assert Fraction(3, 4) <= over_both(2, 4).outputs[0].bound < 3  # half the ratio
+
+
 def test_what_cannot_use_a_named_cancellation() -> None:
     b = GraphBuilder()
     x = b.symbol("x")
