@@ -63,10 +63,10 @@ class _Writer:
         if isinstance(value, sp.Pow):
             return self._power(value)
         if isinstance(value, sp.Derivative):
-            variables = cast("tuple[Any, ...]", value.variables)
-            if len(variables) != 1:
-                raise ExpressionError(f"one derivative at a time is wanted, {value} came")
-            return self._put("derivative", self.write(value.expr), variables[0].name)
+            number = self.write(value.expr)
+            for variable in cast("tuple[Any, ...]", value.variables):
+                number = self._put("derivative", number, variable.name)
+            return number
         if isinstance(value, sp.Subs):
             (name,), (point,) = value.variables, value.point
             return self._put("at", self.write(value.expr), name.name, self.write(point))

@@ -37,7 +37,7 @@ def formula_latex(
         quotient=_quotient,
         matrix=_matrix,
         call=lambda name, parts: rf"\operatorname{{{name}}}\left({', '.join(parts)}\right)",
-        derivative=lambda text, symbol: rf"\frac{{d}}{{d{symbol}}} {text}",
+        derivative=_derivative,
         at=at,
         too_long=lambda nodes: rf"\text{{an expression of {nodes} nodes}}",
     )
@@ -49,6 +49,11 @@ def symbol_latex(name: str, names: Mapping[str, str]) -> str:
     if name in names:
         return names[name]
     return name if len(name) == 1 else r"\mathrm{" + name.replace("_", r"\_") + "}"
+
+
+def _derivative(text: str, symbol: str, order: int) -> str:
+    power = f"^{{{order}}}" if order > 1 else ""
+    return rf"\frac{{d{power}}}{{d{symbol}{power}}} {text}"
 
 
 def _quotient(top: Sequence[str], bottom: Sequence[str]) -> str:

@@ -27,7 +27,7 @@ class Style:
     quotient: Callable[[Sequence[str], Sequence[str]], str]
     matrix: Callable[[Sequence[Sequence[str]]], str]
     call: Callable[[str, Sequence[str]], str]
-    derivative: Callable[[str, str], str]
+    derivative: Callable[[str, str, int], str]
     at: Callable[[str, str, str], str]
     too_long: Callable[[int], str]
 
@@ -64,7 +64,10 @@ def lay_out(graph: Graph, style: Style, output: str = "value") -> str:
     nodes: Sequence[Sequence[Any]] = graph["nodes"]
     terms: list[Term] = []
     for node in nodes:
-        term = _term(node, terms, style)
+        if node[0] == "derivative":
+            term = _derivative(nodes, node, terms, style)
+        else:
+            term = _term(node, terms, style)
         if sum(map(len, term.top)) + sum(map(len, term.bottom)) > LONGEST:
             return style.too_long(len(nodes))
         terms.append(term)
@@ -130,8 +133,6 @@ def _term(node: Sequence[Any], terms: Sequence[Term], style: Style) -> Term:
         entries = [written(terms[i], style) for i in node[3:]]
         rows = [entries[r : r + columns] for r in range(0, len(entries), columns)]
         return factor(style.matrix(rows))
-    if kind == "derivative":
-        return factor(style.derivative(_as_factor(terms[node[1]], style), style.symbol(node[2])))
     if kind == "at":
         inner, value = _as_factor(terms[node[1]], style), written(terms[node[3]], style)
         return factor(style.at(inner, style.symbol(node[2]), value))
@@ -140,6 +141,17 @@ def _term(node: Sequence[Any], terms: Sequence[Term], style: Style) -> Term:
     if kind == "call":
         return factor(style.call(node[1], [written(terms[i], style) for i in node[2:]]))
     return _arithmetic(kind, [terms[i] for i in node[1:]], style)
+
+
+def _derivative(
+    nodes: Sequence[Sequence[Any]], node: Sequence[Any], terms: Sequence[Term], style: Style
+) -> Term:
+    """The derivative of a derivative by the same symbol is one of second order."""
+    inner, order = node[1], 1
+    while nodes[inner][0] == "derivative" and nodes[inner][2] == node[2]:
+        inner, order = nodes[inner][1], order + 1
+    text = _as_factor(terms[inner], style)
+    return factor(style.derivative(text, style.symbol(node[2]), order))
 
 
 def _arithmetic(kind: str, parts: Sequence[Term], style: Style) -> Term:

@@ -30,6 +30,10 @@ def indexed(text: str, symbol: str, value: str) -> str:
     return f"{text}({value})"
 
 
+def _derivative(text: str, symbol: str, order: int) -> str:
+    return f"(d/d{symbol}){f'^{order}' if order > 1 else ''} {text}"
+
+
 def formula_text(
     graph: Graph,
     names: Mapping[str, str],
@@ -46,7 +50,7 @@ def formula_text(
         quotient=_quotient,
         matrix=matrix,
         call=lambda name, arguments: f"{name}({', '.join(arguments)})",
-        derivative=lambda text, symbol: f"(d/d{symbol}) {text}",
+        derivative=_derivative,
         at=at,
         too_long=lambda nodes: f"(an expression of {nodes} nodes)",
     )

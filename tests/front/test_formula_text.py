@@ -124,6 +124,16 @@ QUOTIENT = single(["symbol", "a"], ["symbol", "b"], ["mul", 0, 1], ["add", 0, 1]
         ),
         (single(["symbol", "a"], ["derivative", 0, "b"]), "(d/db) a", r"\frac{d}{db} a"),
         (
+            single(["symbol", "a"], ["derivative", 0, "b"], ["derivative", 1, "b"]),
+            "(d/db)^2 a",
+            r"\frac{d^{2}}{db^{2}} a",
+        ),
+        (
+            single(["symbol", "a"], ["derivative", 0, "b"], ["derivative", 1, "c"]),
+            "(d/dc) (d/db) a",
+            r"\frac{d}{dc} \frac{d}{db} a",
+        ),
+        (
             single(["symbol", "a"], ["number", "2"], ["at", 0, "b", 1]),
             "a[b := 2]",
             r"\left.a\right|_{b = 2}",
