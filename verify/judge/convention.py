@@ -93,10 +93,28 @@ def _bases(
 
 
 def _models(setting: Setting, models: Sequence[Model]) -> Iterator[Model]:
-    found = [m for m in models if setting.model in ("search", m.get("name"))]
+    """Those that may be meant: a filter has as many gains as states, so that a source which speaks
+    of a second component, and of no third, means two states.
+    """
+    if setting.model != "search":
+        found = [m for m in models if m.get("name") == setting.model]
+        if not found:
+            raise Undecided(f"the model {setting.model!r} is not known")
+        yield from found
+        return
+    last = _last_component(setting)
+    found = [m for m in models if last < 2 or len(m.get("transition", ())) == last]
     if not found:
-        raise Undecided(f"the model {setting.model!r} is not known")
+        raise Undecided(f"no model with {last} states is known")
     yield from found
+
+
+def _last_component(setting: Setting) -> int:
+    """The highest number of a component of state, gain or covariance; 0 if there is none."""
+    quantities = [entry.quantity or "" for entry in setting.symbols.values()]
+    return max(
+        (int(part) for q in quantities for part in q.split(".") if part.isdigit()), default=0
+    )
 
 
 def _own(setting: Setting, solved: dict[Any, Environment]) -> Environment | Unusable:

@@ -31,6 +31,7 @@ UNIQUENESS = (
     "the Riccati equation has at most one stabilising solution",
     "P. Lancaster, L. Rodman, Algebraic Riccati Equations, Oxford 1995, chapters 13 and 17",
 )
+METHOD = "tower of radicals, cells of one parameter"
 
 
 def established(
@@ -48,10 +49,10 @@ def established(
     size = len(f)
     variance = times(times(h, m), transposed(h))[0][0] + number(r)
     column = times(m, transposed(h))
-    again = plus(times(times(f, x), transposed(f)), scaled(q, power(factor.index, 2)))
+    again = plus(times(times(f, x), transposed(f)), scaled(q, factor.squared_index))
     residuals = [a - b for i in range(size) for a, b in zip(again[i], m[i], strict=True)]
     residuals += [variance * g - c[0] for g, c in zip(gain, column, strict=True)]
-    residuals += [variance - factor.innovation]
+    residuals += [variance - factor.innovation, power(factor.index, 2) - factor.squared_index]
     residuals += [
         a[0] - b for a, b in zip(times(f, tuple((g,) for g in gain)), predictor, strict=True)
     ]
@@ -77,7 +78,8 @@ def established(
             [Rel(">", e, number(0)) for e in (*minors, factor.innovation)],
             factor,
         ),
-        *_all_indices(factor),
+        *_have_values([*gain, *predictor, *[e for row in (*m, *x) for e in row]], factor),
+        *_all_indices(factor.in_parameter()),
         Fact(f"cited: {UNIQUENESS[0]}", UNIQUENESS[1]),
     ]
     return tuple(facts)
@@ -101,16 +103,30 @@ def _characteristic(matrix: Exprs) -> list[Expr]:
     return found[::-1]
 
 
+def _have_values(entries: list[Expr], factor: Factor) -> tuple[Fact, ...]:
+    """That what is cancelled has a value everywhere: then what is shown of it is true of it."""
+    if not factor.put_in:
+        return ()
+    known = factor.in_parameter()
+    needed = [*map(factor.placed, entries), *known.coefficients, known.innovation, known.index]
+    nothing = Statement((Rel("=", number(0), number(0)),), needed=tuple(needed))
+    outcome = decide(nothing, {factor.parameter: factor.box}, factor.parameter)
+    sentence = "gains and covariances have a value everywhere"
+    if outcome.verdict != "proved":
+        raise NotEstablished(f"{sentence}: {outcome.reason}")
+    return (Fact(sentence, METHOD, outcome.certificate),)
+
+
 def _all_indices(factor: Factor) -> tuple[Fact, ...]:
     """That the index falls from infinity to zero while its parameter rises through its box."""
     if factor.index == symbol(factor.parameter):
         return ()
     falling = Rel("<", differentiated(factor.index, factor.parameter), number(0))
     fact = shown("each positive index belongs to one value of the parameter", [falling], factor)
-    ends = ((factor.box.lower, "infinity"), (factor.box.upper, number(0)))
-    for end, value in ends:
-        if end is None:
-            raise NotEstablished("a parameter without ends")
+    if factor.box.lower is None:
+        raise NotEstablished("a parameter without a least value")
+    last = "infinity" if factor.box.upper is None else factor.box.upper
+    for end, value in ((factor.box.lower, "infinity"), (last, number(0))):
         found = decide_limit(factor.index, factor.parameter, factor.box, end, value, "parameter")
         if found.verdict != "proved":
             raise NotEstablished(f"{fact.sentence}: {found.reason}")
@@ -121,8 +137,10 @@ def shown(sentence: str, relations: list[Rel], factor: Factor) -> Fact:
     """The fact that these relations hold for all values of the parameter. Raises NotEstablished."""
     certificate: Mapping[str, Any] = {}
     for rel in relations:
+        if factor.put_in:
+            rel = Rel(rel.operator, factor.placed(rel.left - rel.right), number(0))
         outcome = decide(Statement((rel,)), {factor.parameter: factor.box}, factor.parameter)
         if outcome.verdict != "proved":
             raise NotEstablished(f"{sentence}: {outcome.reason}")
         certificate = outcome.certificate
-    return Fact(sentence, "tower of radicals, cells of one parameter", certificate)
+    return Fact(sentence, METHOD, certificate)

@@ -16,11 +16,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gainproof.verify.judge.exact.expression import Expr, number, power
+from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.setting.environment import Fact
 from gainproof.verify.judge.setting.established import established
-from gainproof.verify.judge.setting.factor import Factor, stable_factor
+from gainproof.verify.judge.setting.factor import Factor
 from gainproof.verify.judge.setting.matrix import (
     Exprs,
     Numbers,
@@ -31,12 +31,13 @@ from gainproof.verify.judge.setting.matrix import (
     times,
 )
 from gainproof.verify.judge.setting.spectrum import resolvent
+from gainproof.verify.judge.setting.stable_factor import stable_factor
 
 
 @dataclass(frozen=True)
 class SteadyState:
     """All in units T = 1, measurement noise variance of the model; expressions of the parameter of
-    `factor`, which for one and two states is the tracking index.
+    `factor`, which for one and two states is the tracking index, and for three is none.
     """
 
     transition: Exprs
@@ -69,7 +70,16 @@ def solve(model: Mapping[str, Any]) -> SteadyState:
     observed = times(seen, predicted)
     updated = minus(predicted, times(tuple((g,) for g in gain), observed))
     facts = established(big, exprs(q), seen, r[0][0], predicted, updated, gain, predictor, factor)
-    return SteadyState(big, seen, tuple(gain), tuple(predictor), predicted, updated, factor, facts)
+    return SteadyState(
+        big,
+        seen,
+        tuple(factor.placed(e) for e in gain),
+        tuple(factor.placed(e) for e in predictor),
+        tuple(tuple(factor.placed(e) for e in row) for row in predicted),
+        tuple(tuple(factor.placed(e) for e in row) for row in updated),
+        factor.in_parameter(),
+        facts,
+    )
 
 
 def _predictor_gain(f: Numbers, h: Numbers, factor: Factor) -> list[Expr]:
@@ -92,7 +102,7 @@ def _predicted(
     """M from M H' = S K and M - F M F' = index^2 Q - S L L', linear in its upper entries."""
     size = len(f)
     pairs = [(i, j) for i in range(size) for j in range(i, size)]
-    index2, innovation = power(factor.index, 2), factor.innovation
+    index2, innovation = factor.squared_index, factor.innovation
     rows: list[list[Fraction]] = []
     right: list[Expr] = []
     for i in range(size):

@@ -19,8 +19,10 @@ from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
 from gainproof.verify.judge.setting import steady_state as module
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, NotEstablished
-from gainproof.verify.judge.setting.factor import SHARE, Factor, stable_factor
+from gainproof.verify.judge.setting.factor import Factor
 from gainproof.verify.judge.setting.quantities import memory, steady_state
+from gainproof.verify.judge.setting.stable_factor import stable_factor
+from gainproof.verify.judge.setting.three_states import SHARE
 from gainproof.verify.oracles import doubling, least_squares
 from gainproof.verify.oracles.state_space import state_space
 
@@ -41,6 +43,10 @@ INCREMENTS = [["0", "0", "0"], ["0", "0", "0"], ["0", "0", "1"]]
 THROUGH_POSITION = [["1/4", "1/2", "1/2"], ["1/2", "1", "1"], ["1/2", "1", "1"]]
 UNIT = [["1", "0"], ["0", "1"]]
 UNIT_OF_THREE = [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]
+UNDRIVEN = [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "0"]]
+INDEFINITE = [["-3", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]
+NEGATIVE = [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "-1"]]
+DECAYING = [["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1/2"]]
 
 
 def model(name: str) -> dict[str, Any]:
@@ -184,7 +190,11 @@ def test_unstable_solution_is_not_established(monkeypatch: pytest.MonkeyPatch) -
         ({"process_noise": [["1.5", "0"], ["0", "1"]]}, Malformed),
         ({"transition": [["0"]], "process_noise": [["1"]], "measurement": [["1"]]}, Undecided),
         ({"measurement": [["1", "0"], ["0", "1"]], "measurement_noise": UNIT}, Undecided),
-        ({**THREE, "process_noise": UNIT_OF_THREE}, Undecided),
+        ({**THREE, "process_noise": UNDRIVEN}, Undecided),
+        ({**THREE, "process_noise": UNIT_OF_THREE, "transition": UNIT_OF_THREE}, Undecided),
+        ({**THREE, "process_noise": UNIT_OF_THREE, "transition": DECAYING}, Undecided),
+        ({**THREE, "process_noise": INDEFINITE}, NotEstablished),
+        ({**THREE, "process_noise": NEGATIVE}, Undecided),
     ],
 )
 def test_models_it_cannot_solve(change: dict[str, Any], error: type[Exception]) -> None:
