@@ -14,6 +14,7 @@ from gainproof.derive.families import (
     random_acceleration,
     random_velocity,
 )
+from gainproof.derive.recursion import two_states
 from gainproof.derive.subject import Subject
 
 
@@ -51,4 +52,5 @@ CATALOGUE: tuple[Entry, ...] = (
         position_velocity_random_velocity.TITLE,
         position_velocity_random_velocity.build,
     ),
+    Entry(two_states.NAME, two_states.TITLE, two_states.build),
 )

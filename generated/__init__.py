@@ -14,4 +14,5 @@
   measured position.
 - `random_velocity`: Random velocity (velocity random walk): steady state with measured
   position.
+- `recursion_two_states`: Kalman recursion of position and velocity, any intervals.
 """

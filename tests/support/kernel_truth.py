@@ -61,6 +61,34 @@ class KnownVelocityTruth:
             return {"updated_11": updated, "predicted_11": Truth(predicted, predicted)}
 
 
+@dataclass(frozen=True)
+class HandOverTruth:
+    """The sample, as a real number, at which the gain of a fitted line is alpha: between two whole
+    numbers whose gains, sums over the samples, lie on both sides, then by halving. The gain
+    between samples is that fraction of polynomials that the sums are at three of them.
+    """
+
+    def at(self, argument: str, value: float) -> Mapping[str, Truth]:
+        """`last_sample` where alpha has exactly this value."""
+        assert argument == "alpha"
+        alpha = Fraction(value)
+        low, high = Fraction(1), Fraction(2)
+        while self.gain(high) > alpha:
+            low, high = high, 2 * high
+        for _ in range(400):
+            middle = (low + high) / 2
+            low, high = (middle, high) if self.gain(middle) > alpha else (low, middle)
+        with flint.ctx.workprec(400):
+            ends = [flint.arb(flint.fmpq(x.numerator, x.denominator)) for x in (low, high)]
+            found = ends[0].union(ends[1])
+            return {"last_sample": Truth(found, found)}
+
+    def gain(self, k: Fraction) -> Fraction:
+        """Newest weight of the fit: 1/n + (last deviation)^2/(sum of squared deviations)."""
+        n = k + 1
+        return 1 / n + (k / 2) ** 2 / (n * (n * n - 1) / 12)
+
+
 def _known_velocity(noise: list[list[str]]) -> KnownVelocityTruth:
     (own, cross), (_, last) = ([Fraction(entry) for entry in row] for row in noise)
     one = [["1"]]
@@ -74,7 +102,7 @@ def _known_velocity(noise: list[list[str]]) -> KnownVelocityTruth:
 
 
 @cache
-def truth_of(family: str) -> SteadyStateTruth | FitTruth | KnownVelocityTruth:
+def truth_of(family: str) -> SteadyStateTruth | FitTruth | KnownVelocityTruth | HandOverTruth:
     """The truth about a family; LookupError for one without an oracle."""
     if family in STEADY_STATES:
         return steady_state_truth(STEADY_STATES[family])
@@ -82,6 +110,8 @@ def truth_of(family: str) -> SteadyStateTruth | FitTruth | KnownVelocityTruth:
         return _known_velocity(STEADY_STATES[KNOWN_VELOCITIES[family]]["process_noise"])
     if family in FITS:
         return FitTruth(FITS[family])
+    if family == "recursion_two_states":
+        return HandOverTruth()
     raise LookupError(f"no oracle knows the family {family}: add its model to kernel_truth")
 
 

@@ -38,7 +38,7 @@ def derived_relations() -> Iterator[Relation]:
         certificate = subject.certificate()
         degree = DEGREES.get(entry.name)
         model = subject.model_data if degree is None else None
-        if model is not None and not _of_one_measurement(model):
+        if degree is None and (model is None or not _of_one_measurement(model)):
             continue
         towers = certificate["towers"]
         around = {n: surroundings(model, degree, tower) for n, tower in towers.items()}

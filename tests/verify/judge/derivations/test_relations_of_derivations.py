@@ -20,8 +20,9 @@ def symbol_graph(*names: str, kind: str = "add") -> dict[str, Any]:
     return {"nodes": nodes, "outputs": {"value": len(nodes) - 1}}
 
 
-# the judge reads relations over one index; those over two parameters have the checker alone
-OF_ONE_INDEX = [entry for entry in CATALOGUE if not entry.name.startswith("position-velocity")]
+# the judge reads relations over one index; those over several parameters have the checker alone
+SEVERAL = ("position-velocity", "recursion")
+OF_ONE_INDEX = [entry for entry in CATALOGUE if not entry.name.startswith(SEVERAL)]
 
 
 @pytest.mark.slow

@@ -1,0 +1,988 @@
+# Made by: gainproof generate recursion-two-states
+# From: gainproof derive recursion-two-states, SymPy 1.14.0
+"""Kalman recursion of position and velocity, any intervals."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Arrays, Real
+
+__all__ = [
+    "Covariance",
+    "Factors",
+    "Gains",
+    "HandOver",
+    "PredictContinuousWhiteAcceleration",
+    "PredictRandomAcceleration",
+    "PredictRandomVelocity",
+    "StepContinuousWhiteAcceleration",
+    "StepRandomAcceleration",
+    "StepRandomVelocity",
+    "covariance",
+    "gains",
+    "hand_over",
+    "predict_continuous_white_acceleration",
+    "predict_random_acceleration",
+    "predict_random_velocity",
+    "step_continuous_white_acceleration",
+    "step_random_acceleration",
+    "step_random_velocity",
+    "update",
+]
+
+_DIAGONAL_1_DOMAIN = Domain(
+    "diagonal_1",
+    "a number at least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9",
+    (1e-40, 1e40),
+    (1.0000000116860974e-07, 1000000000.0),
+)
+_SHEAR_DOMAIN = Domain(
+    "shear",
+    "0 or a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4",
+    (1e-20, 1e20),
+    (9.999999747378752e-05, 10000.0),
+    zero=True,
+)
+_DIAGONAL_2_DOMAIN = Domain(
+    "diagonal_2",
+    "a number at least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9",
+    (1e-40, 1e40),
+    (1.0000000116860974e-07, 1000000000.0),
+)
+_MEASUREMENT_VARIANCE_DOMAIN = Domain(
+    "measurement_variance",
+    "a number at least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9",
+    (1e-40, 1e40),
+    (1.0000000116860974e-07, 1000000000.0),
+)
+_INTERVAL_DOMAIN = Domain(
+    "interval",
+    "0 or a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4",
+    (1e-20, 1e20),
+    (9.999999747378752e-05, 10000.0),
+    zero=True,
+)
+_STRENGTH_DOMAIN = Domain(
+    "strength",
+    "0 or a number at least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e6",
+    (1e-40, 1e40),
+    (1.0000000116860974e-07, 1000000.0),
+    zero=True,
+)
+_ALPHA_DOMAIN = Domain(
+    "alpha",
+    "a number above 0 and below 1",
+    (5e-324, 0.9999999999999999),
+    (1.401298464324817e-45, 0.9999999403953552),
+)
+
+
+class Covariance(NamedTuple):
+    """Result of `covariance`."""
+
+    covariance_11: Real
+    """Variance of the position, m^2."""
+    covariance_12: Real
+    """Covariance of position and velocity, m^2/s."""
+    covariance_22: Real
+    """Variance of the velocity, m^2/s^2."""
+
+
+def covariance(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> Covariance:
+    """Covariance of position and velocity from its factors d1, u, d2.
+
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+
+    covariance_11: variance of the position, m^2. Relative error at most 1.51 * 2^-52 (float64),
+        1.51 * 2^-23 (float32), proved for every input.
+    covariance_12: covariance of position and velocity, m^2/s. Relative error at most 0.51 * 2^-52
+        (float64), 0.51 * 2^-23 (float32), proved for every input.
+    covariance_22: variance of the velocity, m^2/s^2. Relative error at most 0.00 * 2^-52 (float64),
+        0.00 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return Covariance(*evaluate(_COVARIANCE, (diagonal_1, shear, diagonal_2), out))
+
+
+def _covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    diagonal_1, shear, diagonal_2 = given
+    covariance_11, covariance_12, covariance_22 = out
+    (w0,) = work
+    np.multiply(shear, diagonal_2, covariance_12)
+    t4 = np.multiply(shear, covariance_12, w0)
+    np.add(diagonal_1, t4, covariance_11)
+    np.copyto(covariance_22, diagonal_2)
+
+
+_COVARIANCE = Signature(
+    "covariance",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN),
+    ("covariance_11", "covariance_12", "covariance_22"),
+    1,
+    _covariance_block,
+)
+
+
+class Gains(NamedTuple):
+    """Result of `gains`."""
+
+    position_gain: Real
+    """Gain of the position, dimensionless."""
+    velocity_gain: Real
+    """Gain of the velocity, 1/s."""
+    innovation_variance: Real
+    """Variance of the innovation, m^2."""
+
+
+def gains(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> Gains:
+    """Kalman gain and variance of the innovation, before the position is measured.
+
+        position_gain = (d1 + u^2 d2)/S, velocity_gain = u d2/S,
+        S = innovation_variance = d1 + u^2 d2 + r,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e9.
+
+    position_gain: gain of the position, dimensionless. Relative error at most 2.51 * 2^-52
+        (float64), 2.51 * 2^-23 (float32), proved for every input.
+    velocity_gain: gain of the velocity, 1/s. Relative error at most 2.51 * 2^-52 (float64), 2.45 *
+        2^-23 (float32), proved for every input.
+    innovation_variance: variance of the innovation, m^2. Relative error at most 2.01 * 2^-52
+        (float64), 2.01 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return Gains(*evaluate(_GAINS, (diagonal_1, shear, diagonal_2, measurement_variance), out))
+
+
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    diagonal_1, shear, diagonal_2, measurement_variance = given
+    position_gain, velocity_gain, innovation_variance = out
+    w0, w1 = work
+    t3 = np.multiply(shear, diagonal_2, w0)
+    t5 = np.multiply(shear, t3, w1)
+    t6 = np.add(diagonal_1, t5, w1)
+    np.add(t6, measurement_variance, innovation_variance)
+    np.divide(t6, innovation_variance, position_gain)
+    np.divide(t3, innovation_variance, velocity_gain)
+
+
+_GAINS = Signature(
+    "gains",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("position_gain", "velocity_gain", "innovation_variance"),
+    2,
+    _gains_block,
+)
+
+
+class Factors(NamedTuple):
+    """Result of `update`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+
+
+def update(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> Factors:
+    """Factors of the covariance after the position is measured.
+
+        diagonal_1 = d1 r/(d1 + r), shear = u r/(d1 + r), diagonal_2 = d2 (d1 + r)/S,
+        S = d1 + u^2 d2 + r,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e9.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 1.51 * 2^-52 (float64), 1.51 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 1.51 * 2^-52 (float64), 1.51 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 3.51 * 2^-52
+        (float64), 3.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return Factors(*evaluate(_UPDATE, (diagonal_1, shear, diagonal_2, measurement_variance), out))
+
+
+def _update_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    diagonal_1, shear, diagonal_2, measurement_variance = given
+    diagonal_1_, shear_, diagonal_2_ = out
+    w0, w1 = work
+    t3 = np.multiply(shear, diagonal_2, w0)
+    t5 = np.add(diagonal_1, measurement_variance, w1)
+    t6 = np.multiply(shear, t3, w0)
+    t7 = np.add(diagonal_1, t6, w0)
+    t8 = np.add(t7, measurement_variance, w0)
+    t9 = np.divide(measurement_variance, t5, shear_)
+    t12 = np.divide(t5, t8, diagonal_2_)
+    np.multiply(diagonal_1, t9, diagonal_1_)
+    np.multiply(shear, t9, shear_)
+    np.multiply(diagonal_2, t12, diagonal_2_)
+
+
+_UPDATE = Signature(
+    "update",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2"),
+    2,
+    _update_block,
+)
+
+
+class PredictRandomVelocity(NamedTuple):
+    """Result of `predict_random_velocity`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+
+
+def predict_random_velocity(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictRandomVelocity:
+    """Factors of the covariance after an interval, random velocity.
+
+        diagonal_1 = d1 + (u + t)^2 d2 g/(d2 + g),
+        shear = ((u + t) d2)/(d2 + g), diagonal_2 = d2 + g,
+        g = q,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+    interval: t, time since the covariance given, s; 0 or a number at least 1e-20 and at most 1e20,
+        in float32 at least 1e-4 and at most 1e4.
+    strength: q, variance of the velocity increment, the same for an interval of any length; 0 or a
+        number at least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e6.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 2.01 * 2^-52 (float64), 2.01 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 0.51 * 2^-52
+        (float64), 0.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return PredictRandomVelocity(
+        *evaluate(_PREDICT_RANDOM_VELOCITY, (diagonal_1, shear, diagonal_2, interval, strength), out)
+    )
+
+
+def _predict_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    diagonal_1, shear, diagonal_2, interval, strength = given
+    diagonal_1_, shear_, diagonal_2_ = out
+    w0, w1 = work
+    np.add(diagonal_2, strength, diagonal_2_)
+    t6 = np.add(shear, interval, w0)
+    t7 = np.multiply(t6, diagonal_2, w1)
+    t8 = np.square(t6, w0)
+    t9 = np.divide(strength, diagonal_2_, diagonal_1_)
+    t10 = np.multiply(diagonal_2, t9, diagonal_1_)
+    t11 = np.multiply(t8, t10, w0)
+    np.add(diagonal_1, t11, diagonal_1_)
+    np.divide(t7, diagonal_2_, shear_)
+
+
+_PREDICT_RANDOM_VELOCITY = Signature(
+    "predict_random_velocity",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2"),
+    2,
+    _predict_random_velocity_block,
+)
+
+
+class PredictRandomAcceleration(NamedTuple):
+    """Result of `predict_random_acceleration`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+
+
+def predict_random_acceleration(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictRandomAcceleration:
+    """Factors of the covariance after an interval, random acceleration.
+
+        diagonal_1 = d1 + (u + t/2)^2 d2 g/(d2 + g),
+        shear = ((u + t) d2 + g t/2)/(d2 + g), diagonal_2 = d2 + g,
+        g = q t^2,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+    interval: t, time since the covariance given, s; 0 or a number at least 1e-20 and at most 1e20,
+        in float32 at least 1e-4 and at most 1e4.
+    strength: q, variance of the acceleration, which is constant over the interval; 0 or a number at
+        least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e6.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 5.01 * 2^-52 (float64), 5.01 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 4.01 * 2^-52 (float64), 4.00 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 1.51 * 2^-52
+        (float64), 1.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return PredictRandomAcceleration(
+        *evaluate(_PREDICT_RANDOM_ACCELERATION, (diagonal_1, shear, diagonal_2, interval, strength), out)
+    )
+
+
+def _predict_random_acceleration_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    diagonal_1, shear, diagonal_2, interval, strength = given
+    diagonal_1_, shear_, diagonal_2_ = out
+    w0, w1, w2, w3 = work
+    t5 = np.square(interval, w0)
+    t6 = np.multiply(strength, t5, w0)
+    np.add(diagonal_2, t6, diagonal_2_)
+    t8 = np.add(shear, interval, w1)
+    t9 = np.multiply(t8, diagonal_2, w1)
+    t11 = np.multiply(interval, 0.5, w2)
+    t12 = np.add(shear, t11, w3)
+    t13 = np.multiply(t11, t6, w2)
+    t14 = np.add(t9, t13, w1)
+    t15 = np.square(t12, w3)
+    t16 = np.divide(t6, diagonal_2_, diagonal_1_)
+    t17 = np.multiply(diagonal_2, t16, diagonal_1_)
+    t18 = np.multiply(t15, t17, w3)
+    np.add(diagonal_1, t18, diagonal_1_)
+    np.divide(t14, diagonal_2_, shear_)
+
+
+_PREDICT_RANDOM_ACCELERATION = Signature(
+    "predict_random_acceleration",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2"),
+    4,
+    _predict_random_acceleration_block,
+)
+
+
+class PredictContinuousWhiteAcceleration(NamedTuple):
+    """Result of `predict_continuous_white_acceleration`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+
+
+def predict_continuous_white_acceleration(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> PredictContinuousWhiteAcceleration:
+    """Factors of the covariance after an interval, continuous white acceleration.
+
+        diagonal_1 = d1 + q t^3/12 + (u + t/2)^2 d2 g/(d2 + g),
+        shear = ((u + t) d2 + g t/2)/(d2 + g), diagonal_2 = d2 + g,
+        g = q t,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+    interval: t, time since the covariance given, s; 0 or a number at least 1e-20 and at most 1e20,
+        in float32 at least 1e-4 and at most 1e4.
+    strength: q, two-sided power density of the acceleration; 0 or a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e6.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 5.51 * 2^-52 (float64), 5.51 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 1.01 * 2^-52
+        (float64), 1.01 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return PredictContinuousWhiteAcceleration(
+        *evaluate(_PREDICT_CONTINUOUS_WHITE_ACCELERATION, (diagonal_1, shear, diagonal_2, interval, strength), out)
+    )
+
+
+def _predict_continuous_white_acceleration_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    diagonal_1, shear, diagonal_2, interval, strength = given
+    diagonal_1_, shear_, diagonal_2_ = out
+    w0, w1, w2, w3 = work
+    t5 = np.multiply(strength, interval, w0)
+    np.add(diagonal_2, t5, diagonal_2_)
+    t7 = np.add(shear, interval, w1)
+    t8 = np.multiply(t7, diagonal_2, w1)
+    t10 = np.multiply(interval, 0.5, w2)
+    t11 = np.add(shear, t10, w3)
+    t12 = np.multiply(t10, t5, w2)
+    t13 = np.add(t8, t12, w1)
+    t14 = np.square(t11, w3)
+    t15 = np.divide(t5, diagonal_2_, diagonal_1_)
+    t16 = np.multiply(diagonal_2, t15, diagonal_1_)
+    t17 = np.multiply(t14, t16, w3)
+    t18 = np.square(interval, w0)
+    t19 = np.multiply(interval, t18, w0)
+    t20 = np.multiply(strength, t19, w0)
+    t22 = np.multiply(t20, 1.0, w0)
+    t24 = np.divide(t22, 12.0, shear_)
+    t25 = np.add(t17, t24, w3)
+    np.add(diagonal_1, t25, diagonal_1_)
+    np.divide(t13, diagonal_2_, shear_)
+
+
+_PREDICT_CONTINUOUS_WHITE_ACCELERATION = Signature(
+    "predict_continuous_white_acceleration",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2"),
+    4,
+    _predict_continuous_white_acceleration_block,
+)
+
+
+class StepRandomVelocity(NamedTuple):
+    """Result of `step_random_velocity`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+    position_gain: Real
+    """Gain of the position, dimensionless."""
+    velocity_gain: Real
+    """Gain of the velocity, 1/s."""
+    innovation_variance: Real
+    """Variance of the innovation, m^2."""
+
+
+def step_random_velocity(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> StepRandomVelocity:
+    """An interval, then a measured position: factors and gains, random velocity.
+
+        diagonal_1 = d1 + (u + t)^2 d2 g/(d2 + g),
+        shear = ((u + t) d2)/(d2 + g), diagonal_2 = d2 + g,
+        g = q, then with these as d1, u, d2
+        diagonal_1 = d1 r/(d1 + r), shear = u r/(d1 + r), diagonal_2 = d2 (d1 + r)/S,
+        position_gain = (d1 + u^2 d2)/S, velocity_gain = u d2/S,
+        S = innovation_variance = d1 + u^2 d2 + r,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+    interval: t, time since the covariance given, s; 0 or a number at least 1e-20 and at most 1e20,
+        in float32 at least 1e-4 and at most 1e4.
+    strength: q, variance of the velocity increment, the same for an interval of any length; 0 or a
+        number at least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e6.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e9.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 5.51 * 2^-52 (float64), 5.51 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 6.01 * 2^-52 (float64), 6.01 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 10.51 * 2^-52
+        (float64), 10.51 * 2^-23 (float32), proved for every input.
+    position_gain: gain of the position, dimensionless. Relative error at most 9.01 * 2^-52
+        (float64), 9.01 * 2^-23 (float32), proved for every input.
+    velocity_gain: gain of the velocity, 1/s. Relative error at most 6.51 * 2^-52 (float64), 6.51 *
+        2^-23 (float32), proved for every input.
+    innovation_variance: variance of the innovation, m^2. Relative error at most 5.01 * 2^-52
+        (float64), 5.01 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return StepRandomVelocity(
+        *evaluate(_STEP_RANDOM_VELOCITY, (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance), out)
+    )
+
+
+def _step_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    diagonal_1, shear, diagonal_2, interval, strength, measurement_variance = given
+    diagonal_1_, shear_, diagonal_2_, position_gain, velocity_gain, innovation_variance = out
+    w0, w1, w2, w3, w4 = work
+    t5 = np.add(diagonal_2, strength, w0)
+    t6 = np.add(shear, interval, w1)
+    t7 = np.multiply(t6, diagonal_2, w2)
+    t8 = np.square(t6, w1)
+    t9 = np.divide(strength, t5, innovation_variance)
+    t10 = np.multiply(diagonal_2, t9, innovation_variance)
+    t11 = np.multiply(t8, t10, w1)
+    t12 = np.add(diagonal_1, t11, w1)
+    t13 = np.divide(t7, t5, shear_)
+    t15 = np.add(t12, measurement_variance, w3)
+    t16 = np.multiply(t13, t7, innovation_variance)
+    t17 = np.add(t12, t16, w4)
+    np.add(t17, measurement_variance, innovation_variance)
+    t19 = np.divide(measurement_variance, t15, diagonal_2_)
+    t22 = np.divide(t15, innovation_variance, position_gain)
+    np.multiply(t12, t19, diagonal_1_)
+    np.multiply(t13, t19, shear_)
+    np.multiply(t5, t22, diagonal_2_)
+    np.divide(t17, innovation_variance, position_gain)
+    np.divide(t7, innovation_variance, velocity_gain)
+
+
+_STEP_RANDOM_VELOCITY = Signature(
+    "step_random_velocity",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
+    5,
+    _step_random_velocity_block,
+)
+
+
+class StepRandomAcceleration(NamedTuple):
+    """Result of `step_random_acceleration`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+    position_gain: Real
+    """Gain of the position, dimensionless."""
+    velocity_gain: Real
+    """Gain of the velocity, 1/s."""
+    innovation_variance: Real
+    """Variance of the innovation, m^2."""
+
+
+def step_random_acceleration(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> StepRandomAcceleration:
+    """An interval, then a measured position: factors and gains, random acceleration.
+
+        diagonal_1 = d1 + (u + t/2)^2 d2 g/(d2 + g),
+        shear = ((u + t) d2 + g t/2)/(d2 + g), diagonal_2 = d2 + g,
+        g = q t^2, then with these as d1, u, d2
+        diagonal_1 = d1 r/(d1 + r), shear = u r/(d1 + r), diagonal_2 = d2 (d1 + r)/S,
+        position_gain = (d1 + u^2 d2)/S, velocity_gain = u d2/S,
+        S = innovation_variance = d1 + u^2 d2 + r,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+    interval: t, time since the covariance given, s; 0 or a number at least 1e-20 and at most 1e20,
+        in float32 at least 1e-4 and at most 1e4.
+    strength: q, variance of the acceleration, which is constant over the interval; 0 or a number at
+        least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e6.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e9.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 16.51 * 2^-52
+        (float64), 16.51 * 2^-23 (float32), proved for every input.
+    position_gain: gain of the position, dimensionless. Relative error at most 14.01 * 2^-52
+        (float64), 14.01 * 2^-23 (float32), proved for every input.
+    velocity_gain: gain of the velocity, 1/s. Relative error at most 10.01 * 2^-52 (float64), 10.01
+        * 2^-23 (float32), proved for every input.
+    innovation_variance: variance of the innovation, m^2. Relative error at most 7.51 * 2^-52
+        (float64), 7.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return StepRandomAcceleration(
+        *evaluate(_STEP_RANDOM_ACCELERATION, (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance), out)
+    )
+
+
+def _step_random_acceleration_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    diagonal_1, shear, diagonal_2, interval, strength, measurement_variance = given
+    diagonal_1_, shear_, diagonal_2_, position_gain, velocity_gain, innovation_variance = out
+    w0, w1, w2, w3, w4 = work
+    t5 = np.square(interval, w0)
+    t6 = np.multiply(strength, t5, w0)
+    t7 = np.add(diagonal_2, t6, w1)
+    t8 = np.add(shear, interval, w2)
+    t9 = np.multiply(t8, diagonal_2, w2)
+    t11 = np.multiply(interval, 0.5, w3)
+    t12 = np.add(shear, t11, w4)
+    t13 = np.multiply(t11, t6, w3)
+    t14 = np.add(t9, t13, w2)
+    t15 = np.square(t12, w4)
+    t16 = np.divide(t6, t7, innovation_variance)
+    t17 = np.multiply(diagonal_2, t16, innovation_variance)
+    t18 = np.multiply(t15, t17, w4)
+    t19 = np.add(diagonal_1, t18, w4)
+    t20 = np.divide(t14, t7, shear_)
+    t22 = np.add(t19, measurement_variance, w0)
+    t23 = np.multiply(t20, t14, w3)
+    t24 = np.add(t19, t23, w3)
+    np.add(t24, measurement_variance, innovation_variance)
+    t26 = np.divide(measurement_variance, t22, diagonal_2_)
+    t29 = np.divide(t22, innovation_variance, position_gain)
+    np.multiply(t19, t26, diagonal_1_)
+    np.multiply(t20, t26, shear_)
+    np.multiply(t7, t29, diagonal_2_)
+    np.divide(t24, innovation_variance, position_gain)
+    np.divide(t14, innovation_variance, velocity_gain)
+
+
+_STEP_RANDOM_ACCELERATION = Signature(
+    "step_random_acceleration",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
+    5,
+    _step_random_acceleration_block,
+)
+
+
+class StepContinuousWhiteAcceleration(NamedTuple):
+    """Result of `step_continuous_white_acceleration`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+    position_gain: Real
+    """Gain of the position, dimensionless."""
+    velocity_gain: Real
+    """Gain of the velocity, 1/s."""
+    innovation_variance: Real
+    """Variance of the innovation, m^2."""
+
+
+def step_continuous_white_acceleration(
+    diagonal_1: ArrayLike,
+    shear: ArrayLike,
+    diagonal_2: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> StepContinuousWhiteAcceleration:
+    """An interval, then a measured position: factors and gains, continuous white acceleration.
+
+        diagonal_1 = d1 + q t^3/12 + (u + t/2)^2 d2 g/(d2 + g),
+        shear = ((u + t) d2 + g t/2)/(d2 + g), diagonal_2 = d2 + g,
+        g = q t, then with these as d1, u, d2
+        diagonal_1 = d1 r/(d1 + r), shear = u r/(d1 + r), diagonal_2 = d2 (d1 + r)/S,
+        position_gain = (d1 + u^2 d2)/S, velocity_gain = u d2/S,
+        S = innovation_variance = d1 + u^2 d2 + r,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2; a number at least
+        1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e9.
+    shear: u, covariance of position and velocity over the velocity's variance, s; 0 or a number at
+        least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4.
+    diagonal_2: d2, variance of the velocity, m^2/s^2; a number at least 1e-40 and at most 1e40, in
+        float32 at least 1e-7 and at most 1e9.
+    interval: t, time since the covariance given, s; 0 or a number at least 1e-20 and at most 1e20,
+        in float32 at least 1e-4 and at most 1e4.
+    strength: q, two-sided power density of the acceleration; 0 or a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e6.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e9.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 14.51 * 2^-52
+        (float64), 14.51 * 2^-23 (float32), proved for every input.
+    position_gain: gain of the position, dimensionless. Relative error at most 13.01 * 2^-52
+        (float64), 13.01 * 2^-23 (float32), proved for every input.
+    velocity_gain: gain of the velocity, 1/s. Relative error at most 8.51 * 2^-52 (float64), 8.51 *
+        2^-23 (float32), proved for every input.
+    innovation_variance: variance of the innovation, m^2. Relative error at most 6.51 * 2^-52
+        (float64), 6.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return StepContinuousWhiteAcceleration(
+        *evaluate(_STEP_CONTINUOUS_WHITE_ACCELERATION, (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance), out)
+    )
+
+
+def _step_continuous_white_acceleration_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    diagonal_1, shear, diagonal_2, interval, strength, measurement_variance = given
+    diagonal_1_, shear_, diagonal_2_, position_gain, velocity_gain, innovation_variance = out
+    w0, w1, w2, w3, w4 = work
+    t5 = np.multiply(strength, interval, w0)
+    t6 = np.add(diagonal_2, t5, w1)
+    t7 = np.add(shear, interval, w2)
+    t8 = np.multiply(t7, diagonal_2, w2)
+    t10 = np.multiply(interval, 0.5, w3)
+    t11 = np.add(shear, t10, w4)
+    t12 = np.multiply(t10, t5, w3)
+    t13 = np.add(t8, t12, w2)
+    t14 = np.square(t11, w4)
+    t15 = np.divide(t5, t6, innovation_variance)
+    t16 = np.multiply(diagonal_2, t15, innovation_variance)
+    t17 = np.multiply(t14, t16, w4)
+    t18 = np.square(interval, w0)
+    t19 = np.multiply(interval, t18, w0)
+    t20 = np.multiply(strength, t19, w0)
+    t22 = np.multiply(t20, 1.0, w0)
+    t24 = np.divide(t22, 12.0, diagonal_1_)
+    t25 = np.add(t17, t24, w4)
+    t26 = np.add(diagonal_1, t25, w4)
+    t27 = np.divide(t13, t6, shear_)
+    t29 = np.add(t26, measurement_variance, w0)
+    t30 = np.multiply(t27, t13, w3)
+    t31 = np.add(t26, t30, w3)
+    np.add(t31, measurement_variance, innovation_variance)
+    t33 = np.divide(measurement_variance, t29, diagonal_2_)
+    t36 = np.divide(t29, innovation_variance, position_gain)
+    np.multiply(t26, t33, diagonal_1_)
+    np.multiply(t27, t33, shear_)
+    np.multiply(t6, t36, diagonal_2_)
+    np.divide(t31, innovation_variance, position_gain)
+    np.divide(t13, innovation_variance, velocity_gain)
+
+
+_STEP_CONTINUOUS_WHITE_ACCELERATION = Signature(
+    "step_continuous_white_acceleration",
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
+    5,
+    _step_continuous_white_acceleration_block,
+)
+
+
+class HandOver(NamedTuple):
+    """Result of `hand_over`."""
+
+    last_sample: Real
+    """Real k; its whole part is the last sample of the fit."""
+
+
+def hand_over(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> HandOver:
+    """The last sample at which the gain of a line fitted by least squares is not below alpha.
+
+        last_sample = (4 - 3 alpha + sqrt(16 - 16 alpha + alpha^2))/(2 alpha),
+        where alpha = 2 (2 k + 1)/((k + 1) (k + 2))
+
+    alpha: steady-state position gain; a number above 0 and below 1.
+
+    last_sample: real k; its whole part is the last sample of the fit. Relative error at most 2.14 *
+        2^-52 (float64), 2.14 * 2^-23 (float32), proved for 2.225073858507233e-308 <= alpha <=
+        0.9999999999999999 (float64) and 1.1755035e-38 <= alpha <= 0.99999994 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return HandOver(*evaluate(_HAND_OVER, (alpha,), out))
+
+
+def _hand_over_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (alpha,) = given
+    (last_sample,) = out
+    w0, w1, w2 = work
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(t2, 16.0, w1)
+    t5 = np.square(alpha, w2)
+    t6 = np.add(t4, t5, w1)
+    root = np.sqrt(t6, last_sample)
+    t9 = np.multiply(t2, 3.0, w0)
+    t10 = np.add(1.0, t9, w0)
+    t11 = np.add(t10, root, w0)
+    t13 = np.multiply(alpha, 2.0, w1)
+    np.divide(t11, t13, last_sample)
+
+
+_HAND_OVER = Signature(
+    "hand_over",
+    (_ALPHA_DOMAIN,),
+    ("last_sample",),
+    3,
+    _hand_over_block,
+)
