@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 import os
+import sqlite3
 from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from pathlib import Path
 
 import pytest
 
-from gainproof.cache import FOLDER_VARIABLE
+from gainproof import derivations
+from gainproof.cache import FOLDER_VARIABLE, default_folder
+from gainproof.workshop import open_workshop
+
+LONGEST_WAIT = 3600.0  # seconds: only for a process that hangs; one that ends lets others go on
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -25,3 +32,22 @@ def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         del os.environ[FOLDER_VARIABLE]
     else:
         os.environ[FOLDER_VARIABLE] = before
+
+
+@pytest.fixture(scope="session")
+def all_derived(shared_cache: None) -> None:
+    """Every subject with its files is in the shared cache, made in one go by one process only."""
+    shop = open_workshop(quiet=True)
+    with _one_process_at_a_time(default_folder() / "deriving.lock"):
+        jobs = [derivations.everything_job(name) for name in derivations.catalogue(shop)]
+        shop.ahead(jobs, lambda _: [])
+
+
+@contextmanager
+def _one_process_at_a_time(path: Path) -> Iterator[None]:
+    """SQLite's lock of a file: it works on every system and ends with the process that has it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    connection = sqlite3.connect(path, timeout=LONGEST_WAIT, isolation_level=None)
+    with closing(connection) as lock:
+        lock.execute("BEGIN EXCLUSIVE")
+        yield

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from gainproof import cli, places
+from gainproof.cache import default_folder
 
 Capture = pytest.CaptureFixture[str]
+pytestmark = pytest.mark.usefixtures("all_derived")
 
 HEAD = r"""
 format = "gainproof claims 1"
@@ -55,8 +58,17 @@ def claim(name: str, latex: str, kind: str = "identity") -> str:
     return "\n".join([*lines, 'setting = "steady"', f"latex = '{latex}'", ""])
 
 
+# True, so that no point refutes it, and with more radicals than any method takes.
+HARD = "{} = {}".format(
+    " + ".join(rf"\sqrt{{{n} + \alpha}}\sqrt{{{n} + \beta}}" for n in range(2, 10)),
+    " + ".join(rf"\sqrt{{({n} + \alpha)({n} + \beta)}}" for n in range(2, 10)),
+)
+
+
 @pytest.fixture
-def file(tmp_path: Path) -> Path:
+def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    # its path from here is the same in every test, so that the file is judged once for all
+    monkeypatch.chdir(tmp_path)
     path = tmp_path / "own-paper.toml"
     text = claim("1", r"\alpha^2 + \alpha\beta = 2\beta") + claim("2", r"\alpha^2 = 2\beta")
     path.write_text(HEAD + text)
@@ -88,14 +100,22 @@ def test_json_has_the_documented_fields(file: Path, capsys: Capture) -> None:
     assert false["evidence"]["witness"]
 
 
-def test_without_a_file_json_is_a_list_of_all(capsys: Capture) -> None:
-    status = cli.main(["check", "--json"])
+@pytest.mark.parametrize(("second", "status"), [(r"\alpha^2 = 2\beta", 0), (HARD, 1)])
+def test_without_a_file_json_is_a_list_of_all(
+    second: str, status: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    """All of a small house; which files the house has itself is shown below."""
+    for place, latex in (("b", r"\alpha^2 + \alpha\beta = 2\beta"), ("outside/a", second)):
+        path = tmp_path / f"{place}.toml"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(HEAD.replace("own-paper", path.stem) + claim("1", latex))
+    monkeypatch.setattr(places, "claims_folder", lambda: tmp_path)
+    assert cli.main(["check", "--json"]) == status
     data = as_json(capsys)
-    assert [judgement["source"]["key"] for judgement in data] == [
-        path.stem for path in places.claim_files()
-    ]
-    verdicts = {entry["verdict"] for judgement in data for entry in judgement["claims"]}
-    assert status == (1 if verdicts & {"held", "undecided"} else 0)
+    assert [judgement["source"]["key"] for judgement in data] == ["b", "a"]
+    verdicts = [entry["verdict"] for judgement in data for entry in judgement["claims"]]
+    assert verdicts[0] == "proved"
+    assert (verdicts[1] in {"held", "undecided"}) == bool(status)
 
 
 def test_own_claim_files_are_those_of_the_sources_and_those_from_outside() -> None:
@@ -114,11 +134,8 @@ def test_the_lecture_is_settled_and_the_noise_of_each_row_found(capsys: Capture)
 
 
 def test_a_claim_that_cannot_be_decided_has_status_1(tmp_path: Path, capsys: Capture) -> None:
-    """True, so that no point refutes it, and with more radicals than any method takes."""
-    left = " + ".join(rf"\sqrt{{{n} + \alpha}}\sqrt{{{n} + \beta}}" for n in range(2, 10))
-    right = " + ".join(rf"\sqrt{{({n} + \alpha)({n} + \beta)}}" for n in range(2, 10))
     path = tmp_path / "open.toml"
-    path.write_text(HEAD + claim("hard", f"{left} = {right}"))
+    path.write_text(HEAD + claim("hard", HARD))
     assert cli.main(["check", str(path), "--json"]) == 1
     (entry,) = as_json(capsys)["claims"]
     assert entry["verdict"] in {"held", "undecided"}
@@ -198,6 +215,8 @@ def test_a_file_without_end_is_refused() -> None:
 
 
 def test_explain_shows_proof_and_witness(file: Path, capsys: Capture) -> None:
+    """In a file that was never judged whole."""
+    file.write_text(file.read_text().replace("Notes on a filter", "Notes to be explained"))
     assert cli.main(["explain", str(file), "1"]) == 0
     text = capsys.readouterr().out
     assert text.startswith("1: proved\n")
@@ -218,6 +237,8 @@ def test_a_damaged_cache_entry_is_judged_again(
 ) -> None:
     """`refuted` turned into `proved` inside the cache is not believed."""
     cache = tmp_path / "cache"
+    ignored = shutil.ignore_patterns("judge-*", "*.lock*")
+    shutil.copytree(default_folder(), cache, ignore=ignored)
     monkeypatch.setenv("GAINPROOF_CACHE", str(cache))
     cli.main(["check", str(file), "--json"])
     first = as_json(capsys)
