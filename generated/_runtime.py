@@ -106,6 +106,15 @@ def choose(mask: NDArray[Any], x: Array | float, y: Array | float, out: Array) -
     return out
 
 
+def near_cbrt(x: Array, out: Array, single: bool) -> Array:
+    """Numbers within 3.3 % of the cube roots of positive normal numbers: a third of their bits."""
+    kind = np.int32 if single else np.int64
+    bits = out.view(kind)
+    np.floor_divide(x.view(kind), 3, bits)
+    np.add(bits, 709958653 if single else 3071306327078975046, bits)
+    return out
+
+
 def _run(
     kernel: Signature,
     flat: Sequence[Array],

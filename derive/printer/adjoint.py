@@ -101,8 +101,8 @@ class Adjoint:
         self._give(output, Weight((low, high), active, absolute))
 
     def _give(self, number: int, new: Weight) -> None:
-        if self.program.steps[number].operation == "input":
-            return
+        if self.program.steps[number].operation in ("input", "start", "iterate"):
+            return  # of an iterate only its distance counts, which its successor's rounding holds
         old = self.weights.get(number)
         if old is not None:
             share = interval.signed_add(old.share, new.share)
@@ -166,6 +166,11 @@ class Adjoint:
                 lost = [part for part in parts if self.values[part].tiny is not None]
                 whole = np.full(self.shape, np.inf)
                 return [(part, (-whole, whole), 1.0) for part in lost]
+            case "less":
+                assert value.shares is not None
+                (own, other), (over, under) = value.shares, parts
+                less = interval.signed_multiply((-share[1], -share[0]), other)
+                return [(over, interval.signed_multiply(share, own), 1.0), (under, less, 1.0)]
             case "mul":
                 (a, b), (size_a, size_b) = parts, (self._most(part) for part in parts)
                 return [(a, share, size_b), (b, share, size_a)]
@@ -178,7 +183,7 @@ class Adjoint:
             case "sqrt":
                 half = share[0] / 2, share[1] / 2
                 return [(parts[0], half, interval.up(0.5 / self._least_of(value)))]
-            case "neg" | "abs":
+            case "neg" | "abs" | "root":
                 return [(parts[0], share, 1.0)]
         return []
 

@@ -10,6 +10,7 @@ from fractions import Fraction
 from gainproof.derive.printer.affine import affine_sum
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Step, program
 from gainproof.derive.printer.registers import plan
 from gainproof.derive.printer.threshold import threshold
@@ -34,19 +35,22 @@ class Arithmetic:
 
     def __init__(self, kernel: Kernel) -> None:
         self.kernel = kernel
-        self.program = program(kernel.graph)
+        self.program = plain(program(kernel.graph))
         ends = [self.program.outputs[output.name] for output in kernel.outputs]
         self.plan = plan(self.program, ends)
-        self.taken = {"np", "given", "out", "work", "single", "choose", "mask_of"}
+        self.taken = {"np", "given", "out", "work", "single", "choose", "mask_of", "near_cbrt"}
         self.inputs = [self._fresh(given.name) for given in kernel.inputs]
         self.outputs = [self._fresh(output.name) for output in kernel.outputs]
         self.buffers = [self._fresh(f"w{i}") for i in range(self.plan.work)]
         self.names: dict[int, str] = {}
         self.masks: dict[str, str] = {}
+        self.nears = False
         body = [*self._unpacking(), *self._body()]
         self.lines = [line for each in _without_unused_names(body) for line in fitted(each)]
         self.chooses = bool(self.masks)
-        self.uses_type = self.chooses or any(" if single else " in line for line in body)
+        self.uses_type = (
+            self.chooses or self.nears or any(" if single else " in line for line in body)
+        )
 
     @property
     def work(self) -> int:
@@ -114,6 +118,10 @@ class Arithmetic:
             for part in step.operands:
                 yield from self._prepared(part)
                 operands.append(self._operand(part))
+        if step.operation == "near_cbrt":
+            self.nears = True
+            yield f"{target}near_cbrt({operands[0]}, {register}, single)"
+            return
         name = UFUNC[step.operation]
         if step.operation == "mul" and operands[0] == operands[1]:
             name, operands = "square", operands[:1]  # the same product, read once
@@ -202,5 +210,9 @@ def _without_unused_names(lines: list[str]) -> list[str]:
     for at, line in enumerate(lines):
         name, equals, rest = line.partition(" = ")
         unused = name.isidentifier() and not any(name in later for later in words[at + 1 :])
-        kept.append(rest if equals and unused and rest.startswith(("np.", "choose(")) else line)
+        kept.append(
+            rest
+            if equals and unused and rest.startswith(("np.", "choose(", "near_cbrt("))
+            else line
+        )
     return [line for line in kept if line]

@@ -12,13 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gainproof.derive.printer import boxes
+from gainproof.derive.printer import boxes, interval
 from gainproof.derive.printer.affine import affine_sum
+from gainproof.derive.printer.enclosed import failed
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.program import Step
-from gainproof.derive.printer.value import Box, Grid, Mask, PrintingError
+from gainproof.derive.printer.value import Box, Grid, Mask, PrintingError, Value
 
 Floats = NDArray[Any]
 
@@ -59,6 +60,8 @@ class Behaviour:
         if step.scale is not None:
             return lows[0] * self.kind(step.scale), highs[0] * self.kind(step.scale), fine
         match step.operation:
+            case "near_cbrt" | "less" | "start" | "iterate" | "root":
+                return self._proved(value)
             case "input":
                 axis = self.program.axis(number)
                 low, high = grid.low[axis], grid.high[axis]
@@ -91,6 +94,12 @@ class Behaviour:
                     lost,
                 )
         return lows[0], highs[0], fine
+
+    def _proved(self, value: Value) -> tuple[Floats, Floats, Mask]:
+        """What the forward pass proves of a step of a fixed point, where it proves anything."""
+        wide = (1.0 + value.drift) * interval.SLACK
+        low, high = value.size[0][0] / wide, value.size[1][0] * wide
+        return self._rounded(low, -np.inf), self._rounded(high, np.inf), failed(value)
 
     def _sum(
         self, number: int, lows: list[Floats], highs: list[Floats]

@@ -12,6 +12,8 @@ from gainproof.derive.printer.affine import affine_sum
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.near_cbrt import added_bits
+from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, Step, program
 from gainproof.derive.printer.registers import plan
 from gainproof.derive.printer.threshold import threshold
@@ -24,13 +26,14 @@ def c_source(kernel: Kernel) -> str:
 
     Arrays hold n numbers each and must not overlap; inputs come first, in the kernel's order.
     """
-    steps = program(kernel.graph)
+    steps = plain(program(kernel.graph))
     ends = [steps.outputs[output.name] for output in kernel.outputs]
     arguments = [f"const double *restrict {given.name}_in" for given in kernel.inputs]
     arguments += [f"double *restrict {output.name}_out" for output in kernel.outputs]
     lines = [
         "#include <math.h>",
         "#include <stddef.h>",
+        *(_near_cbrt() if any(step.operation == "near_cbrt" for step in steps.steps) else ()),
         "",
         f"void {kernel.name}(size_t n, {', '.join(arguments)})",
         "{",
@@ -44,6 +47,27 @@ def c_source(kernel: Kernel) -> str:
         "}",
     ]
     return "\n".join(lines) + "\n"
+
+
+def _near_cbrt() -> list[str]:
+    """A third of a number's bits: shifts, as no vector unit divides integers."""
+    sums = ["(b >> 2) + (b >> 4)", *(f"q + (q >> {count})" for count in (4, 8, 16, 32))]
+    return [
+        "#include <stdint.h>",
+        "#include <string.h>",
+        "",
+        "static inline double near_cbrt(double x)",
+        "{",
+        "    uint64_t b, q;",
+        "    memcpy(&b, &x, sizeof b);",
+        *(f"    q = {each};" for each in sums),
+        "    b -= q + (q << 1);",
+        "    q += (b + (b << 1) + (b << 3)) >> 5;",
+        f"    q += {added_bits(FLOAT64)}u;",
+        "    memcpy(&x, &q, sizeof x);",
+        "    return x;",
+        "}",
+    ]
 
 
 def _body(steps: Program, ends: list[int]) -> Iterator[str]:
@@ -72,6 +96,8 @@ def _expression(steps: Program, number: int, step: Step) -> str:
             return f"fabs({parts[0]})"
         case "neg":
             return f"-{parts[0]}"
+        case "near_cbrt":
+            return f"near_cbrt({parts[0]})"
         case "select":
             limit = threshold(steps, step, FLOAT64)
             value = literal(limit.value)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import ChainMap
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
 import flint
 
+from gainproof.derive.printer.enclosed import chain
 from gainproof.derive.printer.formats import Format
-from gainproof.derive.printer.program import Program
+from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.threshold import threshold
+from gainproof.derive.printer.unrolled import Cycle
 
 GREATEST_PRECISION = 2048
 
@@ -19,40 +22,91 @@ def enclosures(program: Program, x: float, form: Format, precision: int) -> list
     point = Fraction(x)
     with flint.ctx.workprec(precision):
         balls: list[flint.arb] = []
-        for step in program.steps:
-            parts = [balls[part] for part in step.operands]
-            if step.scale is not None:
-                balls.append(parts[0] * flint.arb(step.scale))
+        roots = {cycle.iterates[-1]: cycle for cycle in program.cycles}
+        for number, step in enumerate(program.steps):
+            if number in roots:
+                balls.append(_root(program, roots[number], balls, point, form, precision))
                 continue
-            match step.operation:
-                case "input":
-                    ball = flint.arb(flint.fmpq(point.numerator, point.denominator))
-                case "constant":
-                    assert step.constant is not None
-                    ball = step.constant.ball(precision)
-                case "add":
-                    ball = parts[0] + parts[1]
-                case "sub":
-                    ball = parts[0] - parts[1]
-                case "mul":
-                    ball = parts[0] * parts[1]
-                case "div":
-                    ball = parts[0] / parts[1]
-                case "sqrt":
-                    ball = parts[0].sqrt()
-                case "neg":
-                    ball = -parts[0]
-                case "abs":
-                    ball = abs(parts[0])
-                case "select":
-                    limit = threshold(program, step, form)
-                    scaled, value = point * Fraction(limit.factor), Fraction(limit.value)
-                    holds = scaled < value if limit.input_first else value < scaled
-                    ball = parts[2] if holds else parts[3]
-                case _:
-                    raise ValueError(f"unknown operation {step.operation}")
-            balls.append(ball)
+            balls.append(_ball(program, step, balls, point, form, precision))
         return balls
+
+
+def _ball(
+    program: Program,
+    step: Step,
+    balls: Mapping[int, flint.arb] | Sequence[flint.arb],
+    point: Fraction,
+    form: Format,
+    precision: int,
+) -> flint.arb:
+    """The ball of one step, but for the root of a fixed point."""
+    parts = [balls[part] for part in step.operands]
+    if step.scale is not None:
+        return parts[0] * flint.arb(step.scale)
+    match step.operation:
+        case "input":
+            return flint.arb(flint.fmpq(point.numerator, point.denominator))
+        case "constant":
+            assert step.constant is not None
+            return step.constant.ball(precision)
+        case "add":
+            return parts[0] + parts[1]
+        case "sub" | "less":
+            return parts[0] - parts[1]
+        case "mul":
+            return parts[0] * parts[1]
+        case "div":
+            return parts[0] / parts[1]
+        case "sqrt":
+            return parts[0].sqrt()
+        case "neg":
+            return -parts[0]
+        case "abs":
+            return abs(parts[0])
+        case "near_cbrt":
+            return parts[0].root(3)
+        case "start" | "iterate":
+            return parts[0]
+        case "select":
+            limit = threshold(program, step, form)
+            scaled, value = point * Fraction(limit.factor), Fraction(limit.value)
+            holds = scaled < value if limit.input_first else value < scaled
+            return parts[2] if holds else parts[3]
+    raise ValueError(f"unknown operation {step.operation}")
+
+
+def _root(
+    program: Program,
+    cycle: Cycle,
+    balls: Sequence[flint.arb],
+    point: Fraction,
+    form: Format,
+    precision: int,
+) -> flint.arb:
+    """A ball that holds the fixed point, and no number if it is not found at this precision.
+
+    From the last Newton step on the map is repeated. A number that the map makes greater lies below
+    the one fixed point, one that it makes smaller lies above.
+    """
+    root = cycle.iterates[-1]
+    image = chain(program, root, cycle.map_value)
+
+    def mapped(x: flint.arb) -> flint.arb:
+        known = ChainMap({root: x}, dict(enumerate(balls)))
+        for number in image.numbers:
+            known[number] = _ball(program, program.steps[number], known, point, form, precision)
+        return known[cycle.map_value]
+
+    x = flint.arb(balls[program.steps[root].operands[0]].mid())
+    for _ in range(precision):
+        x, before = flint.arb(mapped(x).mid()), x
+        if abs(x - before) <= abs(x) * flint.arb(2) ** (8 - precision):
+            break
+    room = flint.arb(2) ** (16 - precision)
+    low, high = x * (1 - room), x * (1 + room)
+    if mapped(low) > low and mapped(high) < high:
+        return low.union(high)
+    return flint.arb("nan")
 
 
 def is_normal(program: Program, number: int, x: float, form: Format, top: float) -> bool:

@@ -15,6 +15,7 @@ import numpy as np
 
 from gainproof.derive.printer import interval
 from gainproof.derive.printer.affine import affine_sum
+from gainproof.derive.printer.cycles import Cycles
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.leaves import affine_value, constant_value, input_value
 from gainproof.derive.printer.operations import product, quotient, root, scaled, with_stray
@@ -57,12 +58,21 @@ class Forward:
         self.unit = form.unit_roundoff * MARGIN
         self.least_normal = form.least_normal * LEAST_NORMAL
         self.values: list[Value] = []
-        for number in range(len(program.steps)):
-            self.values.append(self._finished(number, self._value(number)))
+        self.cycles = Cycles(program, self)
+        for number, step in enumerate(program.steps):
+            parts = [self.values[part] for part in step.operands]
+            self.values.append(self.evaluated(number, parts))
 
-    def _value(self, number: int) -> Value:
+    def evaluated(self, number: int, parts: list[Value]) -> Value:
+        """The value of a step whose operands have these values."""
+        value = self.cycles.value(number, parts)
+        if value is None:
+            value = self._value(number, parts)
+        self.cycles.set_drift(number, value, parts)
+        return self._finished(number, value)
+
+    def _value(self, number: int, parts: list[Value]) -> Value:
         step = self.program.steps[number]
-        parts = [self.values[part] for part in step.operands]
         if any(part.loose for part in parts[-1:]) and step.operation in ("div", "sqrt"):
             raise PrintingError(f"{self._name(number)}: {step.operation} of a named cancellation")
         if step.scale is not None:
@@ -105,7 +115,7 @@ class Forward:
         empty = ~(value.size[0][0] <= value.size[1][0])
         if empty.any():  # would be a fault of the ranges themselves: proves nothing
             value.invalid = empty if value.invalid is None else empty | value.invalid
-        if value.drift > GREATEST_DRIFT:
+        if value.drift > GREATEST_DRIFT and number not in self.cycles.rough:
             raise PrintingError(f"{self._name(number)}: too many roundings to bound")
         step = self.program.steps[number]
         if step.operation in ("mul", "div", "sqrt") and (step.scale is None or step.scale < 1):

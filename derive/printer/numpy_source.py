@@ -31,7 +31,9 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
     domains = _domains(module.kernels, bounds)
     arithmetics = [Arithmetic(kernel) for kernel in module.kernels]
     chooses = any(arithmetic.chooses for arithmetic in arithmetics)
+    nears = any(arithmetic.nears for arithmetic in arithmetics)
     taken = f"Domain, Signature, {'choose, ' if chooses else ''}evaluate"
+    taken += f"{', mask_of' if chooses else ''}{', near_cbrt' if nears else ''}"
     lines = [
         f"# Made by: {_one_line(module.command)}",
         f"# From: {_one_line(module.derivation)}",
@@ -43,7 +45,7 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         "import numpy as np",
         "",
-        f"from gainproof.generated._runtime import {taken}{', mask_of' if chooses else ''}",
+        f"from gainproof.generated._runtime import {taken}",
         *(_imported(module.results, results) if module.results else ()),
         "",
         "if TYPE_CHECKING:",

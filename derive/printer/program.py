@@ -12,11 +12,15 @@ from fractions import Fraction
 
 from gainproof.derive.printer.constant import Constant, constant_of_node, exact_values
 from gainproof.derive.printer.graph import Graph, GraphNode, operands
+from gainproof.derive.printer.unrolled import Cycle, unrolled
+
+ITERATES = ("start", "iterate", "root")
+CALLS = ("abs", "select", "near_cbrt", "less", *ITERATES)
 
 
 @dataclass(frozen=True)
 class Step:
-    """One operation: input, constant, add, sub, mul, div, sqrt, neg, abs or select.
+    """One operation: input, constant, add, sub, mul, div, sqrt, neg, or one of `CALLS`.
 
     `operands` are numbers of earlier steps, `node` is the graph's node that it computes (or belongs
     to), `label` its name in the graph, or the input's name. `scale` is 2^k where the operation only
@@ -33,11 +37,15 @@ class Step:
 
 @dataclass(frozen=True)
 class Program:
-    """Steps in order; outputs by name are numbers of steps."""
+    """Steps in order; outputs by name are numbers of steps, and so are those of its fixed points.
+
+    Steps of operation start, iterate and root compute nothing: they say what their operand is.
+    """
 
     steps: tuple[Step, ...]
     outputs: dict[str, int]
     inputs: tuple[str, ...]
+    cycles: tuple[Cycle, ...] = ()
 
     def axis(self, number: int) -> int:
         """Which of the inputs a step of operation input is."""
@@ -64,11 +72,12 @@ class Program:
 
 def program(graph: Graph) -> Program:
     """The steps of a graph; ValueError names a node that the printer does not know."""
-    return _Lowering(graph).run()
+    return _Lowering(*unrolled(graph)).run()
 
 
 class _Lowering:
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, graph: Graph, cycles: tuple[Cycle, ...]) -> None:
+        self.cycles = cycles
         self.nodes: Sequence[GraphNode] = graph["nodes"]
         self.ends = graph["outputs"]
         self.labels = {number: name for name, number in graph.get("names", {}).items()}
@@ -81,11 +90,12 @@ class _Lowering:
     def _without_symbols(self) -> list[bool]:
         free: list[bool] = []
         for node in self.nodes:
-            free.append(node[0] != "symbol" and all(free[part] for part in operands(node)))
+            bound = node[0] == "symbol" or node[1] in ("near_cbrt", *ITERATES)
+            free.append(not bound and all(free[part] for part in operands(node)))
         return free
 
     def run(self) -> Program:
-        used = set(self.ends.values())
+        used = {*self.ends.values(), *(cycle.map_value for cycle in self.cycles)}
         for number in range(len(self.nodes) - 1, -1, -1):
             if number in used and not self.free[number]:
                 used.update(self._inner_operands(number))
@@ -95,7 +105,8 @@ class _Lowering:
                 self.steps[place] = replace(self.steps[place], label=self.labels[number])
         outputs = {name: self.place[number] for name, number in self.ends.items()}
         inputs = tuple(step.label for step in self.steps if step.operation == "input")
-        return Program(tuple(self.steps), outputs, inputs)
+        cycles = tuple(cycle.at(self.place) for cycle in self.cycles)
+        return Program(tuple(self.steps), outputs, inputs, cycles)
 
     def _inner_operands(self, number: int) -> tuple[int, ...]:
         """Operands, with a negated term of a sum replaced by the term."""
@@ -146,7 +157,7 @@ class _Lowering:
                 return self._put(number, "neg", self.place[operands(node)[0]])
             case "pow" if node[2] == "1/2":
                 return self._put(number, "sqrt", self.place[operands(node)[0]])
-            case "call" if node[1] in ("abs", "select"):
+            case "call" if node[1] in CALLS:
                 return self._put(number, str(node[1]), *(self.place[i] for i in operands(node)))
         raise ValueError(f"node {number} {node} is no operation of a kernel")
 

@@ -78,8 +78,14 @@ class Structural:
             error = parts[0]
         else:
             match step.operation:
-                case "input":
-                    error = zero
+                case "input" | "start" | "iterate":
+                    error = zero  # of an iterate only its distance counts: its successor's rounding
+                case "root":
+                    error = parts[0] + value.rounding / self.forward.form.unit_roundoff
+                case "less":
+                    assert value.shares is not None
+                    weights = (end[1] for end in value.shares)
+                    error = sum((w * e for w, e in zip(weights, parts, strict=True)), zero) + 1.0
                 case "constant":
                     error = zero + value.rounding / self.forward.form.unit_roundoff
                 case "add" | "sub":
