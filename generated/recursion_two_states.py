@@ -23,6 +23,9 @@ __all__ = [
     "PredictContinuousWhiteAcceleration",
     "PredictRandomAcceleration",
     "PredictRandomVelocity",
+    "StartContinuousWhiteAcceleration",
+    "StartRandomAcceleration",
+    "StartRandomVelocity",
     "StepContinuousWhiteAcceleration",
     "StepRandomAcceleration",
     "StepRandomVelocity",
@@ -32,6 +35,9 @@ __all__ = [
     "predict_continuous_white_acceleration",
     "predict_random_acceleration",
     "predict_random_velocity",
+    "start_continuous_white_acceleration",
+    "start_random_acceleration",
+    "start_random_velocity",
     "step_continuous_white_acceleration",
     "step_random_acceleration",
     "step_random_velocity",
@@ -65,16 +71,22 @@ _MEASUREMENT_VARIANCE_DOMAIN = Domain(
 )
 _INTERVAL_DOMAIN = Domain(
     "interval",
-    "0 or a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4",
+    "a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4",
     (1e-20, 1e20),
     (9.999999747378752e-05, 10000.0),
-    zero=True,
 )
 _STRENGTH_DOMAIN = Domain(
     "strength",
     "0 or a number at least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e6",
     (1e-40, 1e40),
     (1.0000000116860974e-07, 1000000.0),
+    zero=True,
+)
+_INTERVAL_DOMAIN_2 = Domain(
+    "interval",
+    "0 or a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most 1e4",
+    (1e-20, 1e20),
+    (9.999999747378752e-05, 10000.0),
     zero=True,
 )
 _ALPHA_DOMAIN = Domain(
@@ -304,6 +316,244 @@ _UPDATE = Signature(
 )
 
 
+class StartRandomVelocity(NamedTuple):
+    """Result of `start_random_velocity`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+
+
+def start_random_velocity(
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> StartRandomVelocity:
+    """Factors of the covariance after the first two positions, random velocity.
+
+        diagonal_1 = r (r/t^2 + c)/diagonal_2, shear = r/(t diagonal_2),
+        diagonal_2 = 2 r/t^2 + c, c = q,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    interval: t, time between the two positions, s; a number at least 1e-20 and at most 1e20, in
+        float32 at least 1e-4 and at most 1e4.
+    strength: q, variance of the velocity increment, the same for an interval of any length; 0 or a
+        number at least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e6.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e9.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 2.99 * 2^-52 (float64), 2.66 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 1.51 * 2^-52
+        (float64), 1.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return StartRandomVelocity(
+        *evaluate(_START_RANDOM_VELOCITY, (interval, strength, measurement_variance), out)
+    )
+
+
+def _start_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    interval, strength, measurement_variance = given
+    diagonal_1, shear, diagonal_2 = out
+    (w0,) = work
+    t3 = np.square(interval, w0)
+    t4 = np.divide(measurement_variance, t3, diagonal_1)
+    t6 = np.multiply(t4, 2.0, w0)
+    np.add(t6, strength, diagonal_2)
+    t8 = np.divide(measurement_variance, interval, shear)
+    t9 = np.add(t4, strength, diagonal_1)
+    t10 = np.divide(t9, diagonal_2, diagonal_1)
+    np.multiply(measurement_variance, t10, diagonal_1)
+    np.divide(t8, diagonal_2, shear)
+
+
+_START_RANDOM_VELOCITY = Signature(
+    "start_random_velocity",
+    (_INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2"),
+    1,
+    _start_random_velocity_block,
+)
+
+
+class StartRandomAcceleration(NamedTuple):
+    """Result of `start_random_acceleration`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+
+
+def start_random_acceleration(
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> StartRandomAcceleration:
+    """Factors of the covariance after the first two positions, random acceleration.
+
+        diagonal_1 = r (r/t^2 + c)/diagonal_2, shear = r/(t diagonal_2),
+        diagonal_2 = 2 r/t^2 + c, c = q t^2/4,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    interval: t, time between the two positions, s; a number at least 1e-20 and at most 1e20, in
+        float32 at least 1e-4 and at most 1e4.
+    strength: q, variance of the acceleration, which is constant over the interval; 0 or a number at
+        least 1e-40 and at most 1e40, in float32 at least 1e-7 and at most 1e6.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e9.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 4.00 * 2^-52 (float64), 3.60 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 1.51 * 2^-52
+        (float64), 1.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return StartRandomAcceleration(
+        *evaluate(_START_RANDOM_ACCELERATION, (interval, strength, measurement_variance), out)
+    )
+
+
+def _start_random_acceleration_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    interval, strength, measurement_variance = given
+    diagonal_1, shear, diagonal_2 = out
+    w0, w1 = work
+    t3 = np.square(interval, w0)
+    t4 = np.divide(measurement_variance, t3, diagonal_1)
+    t5 = np.multiply(strength, t3, w0)
+    t7 = np.multiply(t5, 1.0, w0)
+    t9 = np.multiply(t7, 0.25, w0)
+    t11 = np.multiply(t4, 2.0, w1)
+    np.add(t11, t9, diagonal_2)
+    t13 = np.divide(measurement_variance, interval, shear)
+    t14 = np.add(t4, t9, diagonal_1)
+    t15 = np.divide(t14, diagonal_2, diagonal_1)
+    np.multiply(measurement_variance, t15, diagonal_1)
+    np.divide(t13, diagonal_2, shear)
+
+
+_START_RANDOM_ACCELERATION = Signature(
+    "start_random_acceleration",
+    (_INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2"),
+    2,
+    _start_random_acceleration_block,
+)
+
+
+class StartContinuousWhiteAcceleration(NamedTuple):
+    """Result of `start_continuous_white_acceleration`."""
+
+    diagonal_1: Real
+    """D1, variance of the position where the velocity is known, m^2."""
+    shear: Real
+    """U, covariance of position and velocity over the velocity's variance, s."""
+    diagonal_2: Real
+    """D2, variance of the velocity, m^2/s^2."""
+
+
+def start_continuous_white_acceleration(
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> StartContinuousWhiteAcceleration:
+    """Factors of the covariance after the first two positions, continuous white acceleration.
+
+        diagonal_1 = r (r/t^2 + c)/diagonal_2, shear = r/(t diagonal_2),
+        diagonal_2 = 2 r/t^2 + c, c = q t/3,
+        P = [1, u; 0, 1] diag(d1, d2) [1, 0; u, 1]
+
+    interval: t, time between the two positions, s; a number at least 1e-20 and at most 1e20, in
+        float32 at least 1e-4 and at most 1e4.
+    strength: q, two-sided power density of the acceleration; 0 or a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e6.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-40 and at
+        most 1e40, in float32 at least 1e-7 and at most 1e9.
+
+    diagonal_1: d1, variance of the position where the velocity is known, m^2. Relative error at
+        most 4.00 * 2^-52 (float64), 3.50 * 2^-23 (float32), proved for every input.
+    shear: u, covariance of position and velocity over the velocity's variance, s. Relative error at
+        most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, m^2/s^2. Relative error at most 1.51 * 2^-52
+        (float64), 1.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-two-states
+    """
+    return StartContinuousWhiteAcceleration(
+        *evaluate(_START_CONTINUOUS_WHITE_ACCELERATION, (interval, strength, measurement_variance), out)
+    )
+
+
+def _start_continuous_white_acceleration_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    interval, strength, measurement_variance = given
+    diagonal_1, shear, diagonal_2 = out
+    (w0,) = work
+    t3 = np.square(interval, w0)
+    t4 = np.divide(measurement_variance, t3, diagonal_1)
+    t5 = np.multiply(strength, interval, w0)
+    t7 = np.multiply(t5, 1.0, w0)
+    t9 = np.divide(t7, 3.0, shear)
+    t11 = np.multiply(t4, 2.0, w0)
+    np.add(t11, t9, diagonal_2)
+    t13 = np.divide(measurement_variance, interval, w0)
+    t14 = np.add(t4, t9, diagonal_1)
+    t15 = np.divide(t14, diagonal_2, diagonal_1)
+    np.multiply(measurement_variance, t15, diagonal_1)
+    np.divide(t13, diagonal_2, shear)
+
+
+_START_CONTINUOUS_WHITE_ACCELERATION = Signature(
+    "start_continuous_white_acceleration",
+    (_INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "shear", "diagonal_2"),
+    1,
+    _start_continuous_white_acceleration_block,
+)
+
+
 class PredictRandomVelocity(NamedTuple):
     """Result of `predict_random_velocity`."""
 
@@ -380,7 +630,7 @@ def _predict_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _si
 
 _PREDICT_RANDOM_VELOCITY = Signature(
     "predict_random_velocity",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN),
     ("diagonal_1", "shear", "diagonal_2"),
     2,
     _predict_random_velocity_block,
@@ -471,7 +721,7 @@ def _predict_random_acceleration_block(
 
 _PREDICT_RANDOM_ACCELERATION = Signature(
     "predict_random_acceleration",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN),
     ("diagonal_1", "shear", "diagonal_2"),
     4,
     _predict_random_acceleration_block,
@@ -567,7 +817,7 @@ def _predict_continuous_white_acceleration_block(
 
 _PREDICT_CONTINUOUS_WHITE_ACCELERATION = Signature(
     "predict_continuous_white_acceleration",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN),
     ("diagonal_1", "shear", "diagonal_2"),
     4,
     _predict_continuous_white_acceleration_block,
@@ -679,7 +929,7 @@ def _step_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _singl
 
 _STEP_RANDOM_VELOCITY = Signature(
     "step_random_velocity",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_random_velocity_block,
@@ -799,7 +1049,7 @@ def _step_random_acceleration_block(
 
 _STEP_RANDOM_ACCELERATION = Signature(
     "step_random_acceleration",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_random_acceleration_block,
@@ -924,7 +1174,7 @@ def _step_continuous_white_acceleration_block(
 
 _STEP_CONTINUOUS_WHITE_ACCELERATION = Signature(
     "step_continuous_white_acceleration",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_continuous_white_acceleration_block,

@@ -81,3 +81,14 @@ def updated(f: Factors, measurement: Any) -> Updated:
         cross / innovation,
         innovation,
     )
+
+
+def started(noise: Noise, interval: Any, strength: Any, measurement: Any) -> Factors:
+    """The factors after the first two positions, an interval apart, and nothing known before."""
+    rate = measurement / (interval * interval)
+    gained = noise.velocity(strength, interval)
+    if noise.chord != 1:
+        gained = gained * noise.chord.numerator / noise.chord.denominator
+    total = rate * 2 + gained
+    cross = measurement / interval
+    return Factors(measurement * ((rate + gained) / total), cross / total, total, cross)

@@ -18,6 +18,8 @@ def graphs(noises: tuple[Noise, ...]) -> dict[str, Graph]:
         "update": update_graph(),
     }
     for noise in noises:
+        found[f"start_{noise.name}"] = start_graph(noise)
+    for noise in noises:
         found[f"predict_{noise.name}"] = predict_graph(noise)
     for noise in noises:
         found[f"step_{noise.name}"] = step_graph(noise)
@@ -65,6 +67,13 @@ def _factors(new: forms.Updated | forms.Factors) -> dict[str, Node]:
 def _predicted(builder: GraphBuilder, noise: Noise) -> forms.Factors:
     given = _given(builder)
     return forms.predicted(noise, given, builder.symbol("interval"), builder.symbol("strength"))
+
+
+def start_graph(noise: Noise) -> Graph:
+    """Factors after the first two positions."""
+    builder = GraphBuilder()
+    given = (builder.symbol(name) for name in ("interval", "strength", MEASURED))
+    return builder.graph(_factors(forms.started(noise, *given)))
 
 
 def predict_graph(noise: Noise) -> Graph:

@@ -59,7 +59,7 @@ def _kernel(name: str, kernel: str, graph: Graph, noises: tuple[Noise, ...]) -> 
         result=RESULTS.get(kernel, "".join(word.capitalize() for word in kernel.split("_"))),
         summary=_summary(kernel, noise),
         equations=_equations(kernel, noise),
-        inputs=tuple(_input(entry, noise) for entry in INPUTS if entry in symbols),
+        inputs=tuple(_input(kernel, entry, noise) for entry in INPUTS if entry in symbols),
         outputs=tuple(Output(entry, MEANINGS[entry]) for entry in graph["outputs"]),
         graph=graph,
         source=f"derivation {name}",
@@ -78,10 +78,12 @@ INPUTS = (
 """The order of arguments."""
 
 
-def _input(entry: str, noise: Noise | None) -> Input:
+def _input(kernel: str, entry: str, noise: Noise | None) -> Input:
     match entry:
         case "shear":
             return closed(entry, MEANINGS[entry], *TIME, zero=True)
+        case "interval" if kernel.startswith("start"):
+            return closed(entry, "t, time between the two positions, s", *TIME)
         case "interval":
             return closed(entry, "t, time since the covariance given, s", *TIME, zero=True)
         case "strength":
@@ -98,6 +100,8 @@ def _summary(kernel: str, noise: Noise | None) -> str:
     if noise is None:
         return SUMMARIES[kernel]
     title = noise.name.replace("_", " ")
+    if kernel.startswith("start"):
+        return f"Factors of the covariance after the first two positions, {title}."
     if kernel.startswith("predict"):
         return f"Factors of the covariance after an interval, {title}."
     return f"An interval, then a measured position: factors and gains, {title}."
@@ -122,10 +126,16 @@ def _equations(kernel: str, noise: Noise | None) -> tuple[str, ...]:
                 "where alpha = 2 (2 k + 1)/((k + 1) (k + 2))",
             )
     assert noise is not None
+    if kernel.startswith("start"):
+        return (
+            "diagonal_1 = r (r/t^2 + c)/diagonal_2, shear = r/(t diagonal_2),",
+            f"diagonal_2 = 2 r/t^2 + c, c = {_product(noise)},",
+            PLAIN,
+        )
     predict = (
         f"diagonal_1 = d1{_own(noise)} + (u + {'t/2' if noise.share else 't'})^2 d2 g/(d2 + g),",
         f"shear = ((u + t) d2{' + g t/2' if noise.share else ''})/(d2 + g), diagonal_2 = d2 + g,",
-        f"g = {('q', 'q t', 'q t^2')[noise.power]},",
+        f"g = {_gained(noise)},",
     )
     if kernel.startswith("predict"):
         return (*predict, PLAIN)
@@ -134,3 +144,11 @@ def _equations(kernel: str, noise: Noise | None) -> tuple[str, ...]:
 
 def _own(noise: Noise) -> str:
     return f" + q t^3/{1 / noise.floor}" if noise.floor else ""
+
+
+def _gained(noise: Noise) -> str:
+    return ("q", "q t", "q t^2")[noise.power]
+
+
+def _product(noise: Noise) -> str:
+    return _gained(noise) if noise.chord == 1 else f"{_gained(noise)}/{1 / noise.chord}"

@@ -60,12 +60,19 @@ def latex(noises: tuple[Noise, ...]) -> dict[str, str]:
         own |= {f"{noise.name}_noise_{ij}": f"Q_{{{ij}}}" for ij in ENTRIES}
         own |= {f"{noise.name}_predicted_{ij}": f"M_{{{ij}}}" for ij in ENTRIES}
         own |= dict(zip(predicted_names(noise), ("e_1", "w", "e_2"), strict=True))
+        own |= dict(zip(start_names(noise), ("d_1", "u", "d_2"), strict=True))
     return {**LATEX, **own}
 
 
 def predicted_names(noise: Noise) -> tuple[str, str, str]:
     """Names of the predicted factors."""
     first, shear, second = (f"{noise.name}_{factor}" for factor in FACTORS)
+    return first, shear, second
+
+
+def start_names(noise: Noise) -> tuple[str, str, str]:
+    """Names of the factors after two positions."""
+    first, shear, second = (f"{noise.name}_start_{factor}" for factor in FACTORS)
     return first, shear, second
 
 

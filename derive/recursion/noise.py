@@ -27,7 +27,8 @@ class Noise:
     """A process noise of position and velocity, of strength q over an interval t.
 
     covariance: its matrix in t and q. share: n. power: the velocity's variance is q t^power.
-    floor: the position's variance, given the velocity, over q t^3. continuous: whether it acts all
+    floor: the position's variance, given the velocity, over q t^3. chord: the variance of the mean
+    velocity over the interval less that at its end, over q t^power. continuous: whether it acts all
     through the interval. meaning: of q, with its unit.
     """
 
@@ -39,6 +40,7 @@ class Noise:
     share: Fraction
     power: int
     floor: Fraction
+    chord: Fraction
 
     def velocity(self, strength: Any, interval: Any) -> Any:
         """Variance that the velocity gains."""
@@ -74,7 +76,10 @@ def _read(
     share = sp.simplify(covariance[0, 1] / (velocity * T))
     floor = sp.simplify((covariance[0, 0] - covariance[0, 1] ** 2 / velocity) / (Q * T**3))
     power = sp.degree(velocity, T)
-    plain = share.is_Rational and floor.is_Rational and sp.expand(velocity - Q * T**power) == 0
+    chord = (covariance[0, 0] / T**2 - 2 * covariance[0, 1] / T + velocity) / (Q * T**power)
+    chord = sp.simplify(chord)
+    numbers = all(x.is_Rational for x in (share, floor, chord))
+    plain = numbers and sp.expand(velocity - Q * T**power) == 0
     if not plain or share not in (0, sp.Rational(1, 2)):
         raise NoiseError(
             f"process noise {name}: no shear of 0 or half the interval in {covariance}"
@@ -88,6 +93,7 @@ def _read(
         Fraction(str(share)),
         int(power),
         Fraction(str(floor)),
+        Fraction(str(chord)),
     )
 
 

@@ -18,6 +18,7 @@ from gainproof.derive.recursion.names import (
     U,
     Y,
     predicted_names,
+    start_names,
     step_names,
 )
 from gainproof.derive.recursion.noise import Noise
@@ -63,8 +64,13 @@ def _update(prefix: str, f: forms.Factors) -> Elements:
     }
 
 
+def _started(noise: Noise) -> Elements:
+    first = forms.started(noise, T, Q, R)
+    values = (first.position, first.shear, first.velocity)
+    return dict(zip(start_names(noise), values, strict=True))
+
+
 def _predicted(noise: Noise, given: forms.Factors) -> Elements:
-    matrix = noise.covariance
     after = forms.predicted(noise, given, T, Q)
     new = forms.updated(after, R)
     outputs = (
@@ -77,10 +83,7 @@ def _predicted(noise: Noise, given: forms.Factors) -> Elements:
     )
     values = (after.position, after.shear, after.velocity)
     return {
-        **{
-            f"{noise.name}_noise_{ij}": matrix[i, j]
-            for ij, (i, j) in zip(ENTRIES, ((0, 0), (0, 1), (1, 1)), strict=True)
-        },
+        **_noise(noise),
         **dict(zip(predicted_names(noise), values, strict=True)),
         **_entries(f"{noise.name}_predicted", after),
         **dict(zip(step_names(noise).values(), outputs, strict=True)),
@@ -98,6 +101,22 @@ def pair_tower() -> Tower:
     }
     parameters = (*_positive("d1", "d2", "b1", "b2", "r"), *_from_zero("u", "y", "t"))
     return Tower("pair", parameters, (), elements)
+
+
+def start_tower(noises: tuple[Noise, ...]) -> Tower:
+    """Two positions, an interval above zero apart."""
+    elements: Elements = {}
+    for noise in noises:
+        elements |= _noise(noise) | _started(noise)
+    return Tower("start", (*_positive("t", "r"), *_from_zero("q")), (), elements)
+
+
+def _noise(noise: Noise) -> Elements:
+    matrix = noise.covariance
+    return {
+        f"{noise.name}_noise_{ij}": matrix[i, j]
+        for ij, (i, j) in zip(ENTRIES, ((0, 0), (0, 1), (1, 1)), strict=True)
+    }
 
 
 def intervals_tower() -> Tower:

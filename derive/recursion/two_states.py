@@ -7,12 +7,20 @@ from gainproof.derive.expression import real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.recursion.kernels import graphs
 from gainproof.derive.recursion.module import kernel_module
-from gainproof.derive.recursion.names import FACTORS, PARAMETERS, latex, predicted_names, step_names
+from gainproof.derive.recursion.names import (
+    FACTORS,
+    PARAMETERS,
+    latex,
+    predicted_names,
+    start_names,
+    step_names,
+)
 from gainproof.derive.recursion.noise import Noise, noises
 from gainproof.derive.recursion.steps_difference import difference_steps
 from gainproof.derive.recursion.steps_hand_over import ROOT, hand_over_steps
 from gainproof.derive.recursion.steps_model import model_steps
 from gainproof.derive.recursion.steps_predict import predict_steps, shift_step
+from gainproof.derive.recursion.steps_start import start_steps
 from gainproof.derive.recursion.steps_update import update_steps
 from gainproof.derive.recursion.towers import (
     entries_tower,
@@ -20,6 +28,7 @@ from gainproof.derive.recursion.towers import (
     main_tower,
     pair_tower,
     samples_tower,
+    start_tower,
 )
 from gainproof.derive.relation import Relation
 from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
@@ -43,11 +52,19 @@ def build() -> Subject:
         shift_step(),
         *(step for noise in known for step in predict_steps(noise)),
         *update_steps(),
+        *start_steps(known),
         *difference_steps(),
         *hand_over_steps(),
         *(_program(name, graph, known) for name, graph in made.items()),
     )
-    towers = (main_tower(known), intervals_tower(), entries_tower(), pair_tower(), samples_tower())
+    towers = (
+        main_tower(known),
+        intervals_tower(),
+        entries_tower(),
+        start_tower(known),
+        pair_tower(),
+        samples_tower(),
+    )
     return Subject(
         name=NAME,
         title=TITLE,
@@ -69,7 +86,7 @@ def _program(name: str, graph: Graph, known: tuple[Noise, ...]) -> Step:
         f"The kernel {name} computes what it says.",
         Relation("program", {"program": name, "outputs": _meant(name, graph, known)}),
         "Evaluate the kernel's graph as a rational function.",
-        tower="samples" if name == "hand_over" else "main",
+        tower={"hand": "samples", "start": "start"}.get(name.split("_")[0], "main"),
         hint={"graph": graph, "roots": {"root": ROOT}},
         shown=False,
     )
@@ -79,7 +96,9 @@ def _meant(name: str, graph: Graph, known: tuple[Noise, ...]) -> dict[str, objec
     """The quantity that each output stands for."""
     noise = next((each for each in known if name.endswith(each.name)), None)
     names = {output: output for output in graph["outputs"]}
-    if noise is not None and name.startswith("predict"):
+    if noise is not None and name.startswith("start"):
+        names = dict(zip(FACTORS, start_names(noise), strict=True))
+    elif noise is not None and name.startswith("predict"):
         names = dict(zip(FACTORS, predicted_names(noise), strict=True))
     elif noise is not None:
         names = step_names(noise)
