@@ -9,7 +9,7 @@ variable's parameter at "0" and "infinity").
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -116,12 +116,25 @@ def _program(step: Step, tower: Tower) -> Evidence:
         }
         return {str(number): used[number] for number in sorted(used)}
 
+    values: dict[int, Any] = {}
+    for name, value in step.hint.get("roots", {}).items():
+        if name in names:
+            values |= dict.fromkeys(_rooted(graph["nodes"], names[name]), value)
     return {
-        "roots": {key: _root(tower, value) for key, value in numbered("roots", "pow").items()},
+        "roots": {str(key): _root(tower, values[key]) for key in sorted(values)},
         "branches": numbered("branches", "call"),
         "gaps": {key: _root(tower, value) for key, value in numbered("gaps", "call").items()},
         "nonzero": step.hint.get("nonzero", []),
     }
+
+
+def _rooted(nodes: Sequence[Any], number: int) -> list[int]:
+    """The nodes whose root a named node is: itself, or of a fixed point the unknown and the map."""
+    node = nodes[number]
+    if node[:2] != ["call", "fixed_point"]:
+        return [number] if node[0] == "pow" else []
+    _, _, unknown, image, value = node
+    return [unknown, *_rooted(nodes, image)] if value == image else _rooted(nodes, value)
 
 
 def _root(tower: Tower, value: Any) -> dict[str, Any]:

@@ -43,8 +43,12 @@ Graph
     node serves an output. Single expressions have the one output "value". Nodes: ["number", q],
     ["symbol", name], ["add", i, j, ...], ["mul", i, j, ...], ["div", i, j], ["neg", i],
     ["pow", i, q], ["call", "abs", i], ["call", "select", a, b, x, y] (x where a < b, else y),
-    ["matrix", rows, columns, i, ...], ["derivative", i, symbol], ["at", i, symbol, j]. The calls
-    stand in programs only, "derivative" and "at" in claims only.
+    ["call", "unknown", s, w], ["call", "fixed_point", x, y, v] (the value of v where the unknown x
+    is the positive number at which y, which holds x, equals x), ["call", "near_cbrt", i] (in what
+    leads to an unknown's s only), ["matrix", rows, columns, i, ...], ["derivative", i, symbol],
+    ["at", i, symbol, j]. The calls stand in programs only, "derivative" and "at" in claims only. No
+    output holds an unknown but through its fixed point; an unknown has one y, and neither y nor v
+    holds another. How the unknown is computed, s and w, is no matter of the certificate.
 Program
     {"inputs": {symbol: name or graph}, "graph": graph}: a kernel, and for each of its symbols what
     it stands for in the tower of the statement.
@@ -148,7 +152,12 @@ program {"program": name, "outputs": {output: graph}}; {"roots": {node: fraction
     root: manifestly nonnegative, its power equal to the base. Each evaluated call has a branch and
     a gap: select "then" with b - a manifestly positive, "else" with a - b manifestly nonnegative,
     the other branch not evaluated; abs "positive" or "negative" with its argument or the negative
-    manifestly nonnegative. Node numbers are keys, as text.
+    manifestly nonnegative. Each evaluated unknown x has its value among the roots: manifestly
+    positive, and y equals it there. That it is the only one is decided by the shape of y: sums,
+    products, quotients and powers of x and of nodes without x that are shown positive (manifestly,
+    or made of such by the same operations), with a logarithmic slope below 1, where that of x is 1,
+    of a product the sum, of a quotient the difference, of a power the multiple, and of a sum any
+    between the least and the greatest of its terms. Node numbers are keys, as text.
 sum {"index": name, "start": integer as text, "upper": parameter, "summand": graph, "closed":
 graph}; {}
     For every integer upper of the parameter's domain the sum over index = start..upper is the

@@ -23,6 +23,7 @@ from gainproof.verify.certificate.rejection import (
     Meter,
     RejectedError,
 )
+from gainproof.verify.certificate.steepness import require_bound
 from gainproof.verify.certificate.tower import Tower, read_tower
 
 FORMAT = "gainproof certificate 1"
@@ -133,6 +134,7 @@ def read_programs(value: Plain) -> dict[str, Program]:
         }
         if any(isinstance(node, DerivativeNode | AtNode) for node in graph.nodes):
             raise MalformedError(f"{place}: a program computes, it does not differentiate")
+        require_bound(graph, place)
         symbols = {node.name for node in graph.nodes if isinstance(node, Symbol)}
         schema.unused(set(inputs) - symbols, "inputs", place)
         if symbols - set(inputs):

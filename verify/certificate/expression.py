@@ -16,6 +16,7 @@ from gainproof.verify.certificate.graph import (
     Number,
     Operation,
     Power,
+    Skipped,
     Symbol,
 )
 from gainproof.verify.certificate.matrix import Matrix
@@ -63,9 +64,9 @@ class Evaluation:
         """The value of the output "value", which must not be a matrix."""
         return _scalar(self.value(graph))
 
-    def skipped(self, graph: Graph) -> Mapping[int, int]:
-        """For some nodes: the position of an argument that is not evaluated beforehand."""
-        return {index: 0 for index, node in enumerate(graph.nodes) if isinstance(node, AtNode)}
+    def skipped(self, graph: Graph) -> Mapping[int, Skipped]:
+        """For some nodes: the positions of arguments that are not evaluated beforehand."""
+        return {index: (0,) for index, node in enumerate(graph.nodes) if isinstance(node, AtNode)}
 
     def symbol(self, name: str) -> Ratio:
         """The value of a symbol."""

@@ -83,9 +83,11 @@ class AtNode:
     arguments: tuple[int, ...]
 
 
+Skipped: TypeAlias = tuple[int, ...]
+
 Node: TypeAlias = Number | Symbol | Operation | Power | Call | MatrixNode | DerivativeNode | AtNode
 
-_ARITY = {"abs": 1, "select": 4}
+_ARITY = {"abs": 1, "select": 4, "unknown": 2, "fixed_point": 3, "near_cbrt": 1}
 _FIXED = (("div", 2), ("neg", 1))
 
 
@@ -96,17 +98,17 @@ class Graph:
     nodes: tuple[Node, ...]
     outputs: Mapping[str, int]
 
-    def reachable(self, outputs: Iterable[int], skipped: Mapping[int, int]) -> list[int]:
+    def reachable(self, outputs: Iterable[int], skipped: Mapping[int, Skipped]) -> list[int]:
         """The nodes that these outputs depend on, ascending.
 
-        ``skipped`` names, for some nodes, the position of an argument that is not evaluated.
+        ``skipped`` names, for some nodes, the positions of arguments that are not evaluated.
         """
         wanted = set(outputs)
         for number in range(len(self.nodes) - 1, -1, -1):
             if number in wanted:
                 arguments = self.nodes[number].arguments
-                leave = skipped.get(number)
-                wanted.update(a for i, a in enumerate(arguments) if i != leave)
+                leave = skipped.get(number, ())
+                wanted.update(a for i, a in enumerate(arguments) if i not in leave)
         return sorted(wanted)
 
 

@@ -7,12 +7,13 @@ from collections.abc import Mapping
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.case import Case, Program
 from gainproof.verify.certificate.expression import Evaluation, Value
-from gainproof.verify.certificate.graph import Call, Graph
+from gainproof.verify.certificate.graph import Call, Graph, Skipped
 from gainproof.verify.certificate.matrix import Matrix
 from gainproof.verify.certificate.nonzero import Nonzero
 from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.ratio import Ratio
 from gainproof.verify.certificate.rejection import RejectedError
+from gainproof.verify.certificate.steepness import require_one_fixed_point, shown_positive
 from gainproof.verify.certificate.tower import Tower
 from gainproof.verify.certificate.written import WrittenFraction
 
@@ -27,7 +28,8 @@ def program(case: Case) -> str:
 
     Claim: program (name), outputs (for each output a graph).
     Evidence: roots (for each evaluated power with a fractional exponent its root, manifestly
-    nonnegative), branches and gaps (for each evaluated ``select`` and ``abs``), nonzero.
+    nonnegative; for each unknown its value, manifestly positive), branches and gaps (for each
+    evaluated ``select`` and ``abs``), nonzero.
     """
     claim = case.claims("program", "outputs")
     evidence = case.evidences("roots", "branches", "gaps", "nonzero")
@@ -71,18 +73,24 @@ class _Run(Evaluation):
     ) -> None:
         super().__init__(case.tower, nonzero)
         self._inputs = _input_values(case.tower, case.evaluation(nonzero), kernel)
+        self._graph = kernel.graph
         self._roots = dict(roots)
         self._branches = dict(branches)
         self._gaps = dict(gaps)
+        self._positive: dict[int, bool] = {}
         self._rooted: set[int] = set()
         self._decided: set[int] = set()
 
-    def skipped(self, graph: Graph) -> Mapping[int, int]:
-        del graph
-        return {
-            index: 3 if choice == "then" else 2
+    def skipped(self, graph: Graph) -> Mapping[int, Skipped]:
+        branches = {
+            index: (3,) if choice == "then" else (2,)
             for index, choice in self._branches.items()
             if choice in ("then", "else")
+        }
+        return branches | {
+            index: (0, 1)
+            for index, node in enumerate(graph.nodes)
+            if isinstance(node, Call) and node.function == "unknown"
         }
 
     def symbol(self, name: str) -> Ratio:
@@ -100,6 +108,12 @@ class _Run(Evaluation):
         return root
 
     def call(self, index: int, node: Call, values: Mapping[int, Value]) -> Ratio:
+        if node.function == "unknown":
+            return self._unknown(index)
+        if node.function == "fixed_point":
+            return self._fixed_point(node, values)
+        if node.function not in _CHOICES:
+            raise RejectedError(f"{node.function!r} stands only where an unknown starts")
         if index not in self._branches or index not in self._gaps:
             raise RejectedError(f"no branch or no gap is given for {node.function!r}")
         self._decided.add(index)
@@ -115,6 +129,25 @@ class _Run(Evaluation):
             return self._scalar(values, node.arguments[2])
         self._require(gap.nonnegative(self.tower.field), first - second)
         return self._scalar(values, node.arguments[3])
+
+    def _unknown(self, index: int) -> Ratio:
+        """The value given, manifestly positive; its fixed point shows that it is the right one."""
+        if index not in self._roots:
+            raise RejectedError("no root is given")
+        self._rooted.add(index)
+        return self._roots[index].positive(self.tower.field)
+
+    def _fixed_point(self, node: Call, values: Mapping[int, Value]) -> Ratio:
+        unknown, image, wanted = node.arguments
+        self.tower.field.ring.meter.spend(len(self._graph.nodes))
+        for index in sorted(values.keys() - self._positive.keys()):
+            self._positive[index] = shown_positive(
+                self._graph.nodes[index], values[index], self._positive
+            )
+        require_one_fixed_point(self._graph, unknown, image, self._positive)
+        if not self._scalar(values, image).equals(self._scalar(values, unknown)):
+            raise RejectedError("the root given is not a fixed point of the map")
+        return self._scalar(values, wanted)
 
     def finish(self) -> None:
         """Reject evidence for nodes that were not evaluated."""
@@ -161,7 +194,7 @@ def _branches(case: Case, value: Plain, graph: Graph) -> dict[int, str]:
     for key, choice in schema.table(value, place).items():
         index = schema.index(key, place)
         node = graph.nodes[index] if index < len(graph.nodes) else None
-        if not isinstance(node, Call):
+        if not isinstance(node, Call) or node.function not in _CHOICES:
             raise RejectedError(f"{place}: node {key} has no branches")
         if not isinstance(choice, str) or choice not in _CHOICES[node.function]:
             raise RejectedError(f"{place}.{key}: one of {_CHOICES[node.function]} is wanted")
