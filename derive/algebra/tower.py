@@ -67,6 +67,8 @@ class Tower:
         self.ring = PolyRing([*self.variables, *free], sp.QQ, sp.lex)
         self.radicands: list[Poly] = []
         self.elements: dict[str, Fraction] = {}
+        # steps share many of their expressions
+        self._known: dict[sp.Expr, Fraction] = {}
         for generator in generators:
             value = self.fraction(generator.radicand)
             if value.den != self.ring.one:
@@ -127,18 +129,22 @@ class Tower:
             if value.name in self.elements:
                 return self.elements[value.name]
             return Fraction(self.ring.gens[self.ring.symbols.index(sp.Symbol(value.name))], one)
+        if value not in self._known:
+            self._known[value] = self._composed(value)
+        return self._known[value]
+
+    def _composed(self, value: sp.Expr) -> Fraction:
+        """The value of a sum, a product or a power from those of its parts."""
         if isinstance(value, sp.Add):
-            total = Fraction(self.ring.zero, one)
-            for part in value.args:
-                other = self.fraction(part)
+            total, *others = map(self.fraction, value.args)
+            for other in others:
                 total = self.make(
                     total.num * other.den + other.num * total.den, total.den * other.den
                 )
             return total
         if isinstance(value, sp.Mul):
-            product = Fraction(one, one)
-            for part in value.args:
-                other = self.fraction(part)
+            product, *others = map(self.fraction, value.args)
+            for other in others:
                 product = self.make(product.num * other.num, product.den * other.den)
             return product
         if isinstance(value, sp.Pow) and isinstance(value.exp, sp.Integer):

@@ -28,6 +28,8 @@ def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Int
     either end by no more than its largest slope allows over the `width`, if that is given.
     """
     below, above = size
+    if width is None:
+        return _at_corners(size, slope)
     axes, count = slope[0].shape
     least, most = (end[1:].reshape((2,) * axes + (count,)) for end in size)
     settled = np.ones(count, np.bool_)
@@ -39,13 +41,26 @@ def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Int
             least = np.where(rises, least[0], least[1])
             most = np.where(rises, most[1], most[0])
             continue
-        factor: Array | float = np.inf
-        if width is not None:
-            factor = interval.spread(np.maximum(-low, high), width[axis])
+        factor = interval.spread(np.maximum(-low, high), width[axis])
         lower, upper = np.fmax(least[0], least[1]) / factor, np.fmin(most[0], most[1]) * factor
         least = np.where(rises, least[0], np.where(falls, least[1], lower))
         most = np.where(rises, most[1], np.where(falls, most[0], upper))
     return (
         np.where(settled, least, np.fmax(below[0], least)),
         np.where(settled, most, np.fmin(above[0], most)),
+    )
+
+
+def _at_corners(size: Interval, slope: Interval) -> Interval:
+    """The range where all slopes have signs: from the corner of the least to that opposite."""
+    rises = slope[0] >= 0
+    settled = (rises | (slope[1] <= 0)).all(axis=0)
+    least = np.zeros(len(settled), np.intp)
+    for rising in rises:
+        least = 2 * least + ~rising
+    boxes = np.arange(len(settled))
+    below, above = size
+    return (
+        np.where(settled, below[1 + least, boxes], np.fmax(below[0], 0.0)),
+        np.where(settled, above[len(above) - 1 - least, boxes], np.fmin(above[0], np.inf)),
     )

@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from gainproof.verify.certificate.polynomial import Polynomial, Ring
+from gainproof.verify.certificate.polynomial import Monomial, Polynomial, Ring
 from gainproof.verify.certificate.rejection import RejectedError
 
 
@@ -83,14 +83,17 @@ class Field:
         generator, position = self.generators[number], self.position(number)
         if polynomial.degree(position) < generator.power:
             return polynomial
-        parts = polynomial.by_power(position)
+        # the powers of y^n, each with what it is multiplied by
+        parts: dict[int, dict[Monomial, int]] = {}
+        for monomial, coefficient in polynomial.terms.items():
+            quotient, rest = divmod(monomial[position], generator.power)
+            lowered = (*monomial[:position], rest, *monomial[position + 1 :])
+            parts.setdefault(quotient, {})[lowered] = coefficient
         result = self.ring.constant(0)
-        for quotient in range(max(parts) // generator.power, -1, -1):
+        for quotient in range(max(parts), -1, -1):
             result = result * generator.radicand
-            for rest in range(generator.power):
-                part = parts.get(quotient * generator.power + rest)
-                if part is not None:
-                    result = result + part * self.ring.monomial({position: rest})
+            if quotient in parts:
+                result = result + self.ring.normal(parts[quotient], polynomial.denominator)
         return result
 
     def is_zero(self, polynomial: Polynomial) -> bool:

@@ -60,7 +60,8 @@ class Ring:
 
     def normal(self, terms: dict[Monomial, int], denominator: int) -> Polynomial:
         """Bring integer terms over a positive denominator to lowest terms, within the limits."""
-        terms = {m: c for m, c in terms.items() if c}
+        if not all(terms.values()):
+            terms = {m: c for m, c in terms.items() if c}
         words = denominator.bit_length() // 64
         self.meter.spend(_OVERHEAD + len(terms) * (1 + words * words // 128))
         if denominator != 1:
@@ -118,13 +119,17 @@ class Polynomial:
     def __mul__(self, other: Polynomial) -> Polynomial:
         self._same_ring(other)
         self.ring.meter.spend(self._cost(other))
-        if any(self.degree(i) + other.degree(i) > MAXIMUM_EXPONENT for i in range(self.ring.size)):
+        if any(degree > MAXIMUM_EXPONENT for degree in map(add, self._degrees(), other._degrees())):
             raise RejectedError(f"an exponent grew beyond {MAXIMUM_EXPONENT}")
+        short, long = sorted((self.terms, other.terms), key=len)
         product: dict[Monomial, int] = {}
-        for left, first in self.terms.items():
-            for right, second in other.terms.items():
-                monomial = tuple(map(add, left, right))
-                product[monomial] = product.get(monomial, 0) + first * second
+        for left, first in short.items():
+            if not product:  # no two products of one term with others meet
+                product = {tuple(map(add, left, m)): first * c for m, c in long.items()}
+            else:
+                for right, second in long.items():
+                    monomial = tuple(map(add, left, right))
+                    product[monomial] = product.get(monomial, 0) + first * second
             if len(product) > MAXIMUM_TERMS:
                 raise RejectedError(f"a polynomial grew beyond {MAXIMUM_TERMS} terms")
         return self.ring.normal(product, self.denominator * other.denominator)
@@ -200,6 +205,10 @@ class Polynomial:
         bits = self._bits() + other._bits()
         products = len(self.terms) * len(other.terms)
         return products * (1 + self.ring.size // 8 + (bits // 256) ** 2 // 32)
+
+    def _degrees(self) -> Iterable[int]:
+        """The degree in every variable; nothing for the zero polynomial."""
+        return map(max, zip(*self.terms, strict=True))
 
     def _bits(self) -> int:
         values = self.terms.values()
