@@ -5,9 +5,19 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.quantity import METRE, SAMPLING_INTERVAL, Unit
-from gainproof.derive.state_space import Model, ModelError, Ratio, ScaledModel
+from gainproof.derive.state_space import Model, ModelError, Parameter, Ratio, ScaledModel
 
-__all__ = ["Model", "ModelError", "Ratio", "ScaledModel", "noise_at_zero_frequency", "scale"]
+__all__ = [
+    "Model",
+    "ModelError",
+    "Parameter",
+    "Ratio",
+    "ScaledModel",
+    "noise_at_zero_frequency",
+    "scale",
+    "unit_length",
+    "units_checked",
+]
 
 
 def scale(model: Model) -> ScaledModel:
@@ -18,9 +28,9 @@ def scale(model: Model) -> ScaledModel:
 
     Raises ModelError when a scaled matrix still depends on a quantity.
     """
-    _require_units(model)
-    states = tuple(_length(model, unit) for unit in model.state_units)
-    measurements = tuple(_length(model, unit) for unit in model.measurement_units)
+    units_checked(model)
+    states = tuple(unit_length(model, unit) for unit in model.state_units)
+    measurements = tuple(unit_length(model, unit) for unit in model.measurement_units)
     forward = sp.diag(*states)
     backward = sp.diag(*(1 / entry for entry in states))
     seen = sp.diag(*(1 / entry for entry in measurements))
@@ -63,19 +73,19 @@ def scale(model: Model) -> ScaledModel:
         states,
         measurements,
         {
-            entry.name.name: entry.quantity.symbol / _length(model, entry.quantity.unit)
+            entry.name.name: entry.quantity.symbol / unit_length(model, entry.quantity.unit)
             for entry in model.ratios
         },
     )
 
 
-def _length(model: Model, unit: Unit) -> sp.Expr:
+def unit_length(model: Model, unit: Unit) -> sp.Expr:
     """One unit of a quantity once T and the reference deviation are 1."""
     step, deviation = SAMPLING_INTERVAL.symbol, model.deviation.symbol
     return deviation ** sp.Rational(unit.metre) * step ** sp.Rational(unit.second)
 
 
-def _require_units(model: Model) -> None:
+def units_checked(model: Model) -> None:
     """Raise ModelError unless there is a unit for each state and measurement, and a reference."""
     if model.deviation.unit != METRE:
         raise ModelError(
@@ -96,7 +106,7 @@ def _require_units(model: Model) -> None:
 def _measurement_noise(model: Model, seen: sp.MatrixBase) -> sp.MatrixBase:
     """R in the units of the scaling, over the names of the ratios."""
     known = {
-        entry.quantity.symbol: entry.name.symbol * _length(model, entry.quantity.unit)
+        entry.quantity.symbol: entry.name.symbol * unit_length(model, entry.quantity.unit)
         for entry in model.ratios
     }
     measured = (seen * model.measurement_noise.subs(known) * seen).applyfunc(sp.simplify)

@@ -30,13 +30,33 @@ class Ratio:
 
 
 @dataclass(frozen=True)
+class Parameter:
+    """A dimensionless number that stays free in the transition or in the process noise.
+
+    It is positive, or between 0 and 1 where `below_one` (a decay ratio). Kernels take it from
+    `kernel_from` to `kernel_to`, numbers as text.
+    """
+
+    quantity: Quantity
+    below_one: bool = False
+    kernel_from: str = "1/1024"
+    kernel_to: str = ""
+
+    @property
+    def kernel_range(self) -> tuple[str, str]:
+        """The domain of a kernel's input, both ends admitted."""
+        return self.kernel_from, self.kernel_to or ("1023/1024" if self.below_one else "1024")
+
+
+@dataclass(frozen=True)
 class Model:
     """x(k+1) = F x(k) + w, z = H x + v with E w w' = Q and E v v' = R.
 
     Matrices are written over the symbols of `quantities`; `state_units` and `measurement_units` are
     the units of the state and of the measurement. The process noise is one unknown strength times
     a matrix. `deviation` is the length, in metres, that becomes 1: the deviation of the first
-    measurement; every further deviation in R has its ratio to it in `ratios`.
+    measurement; every further deviation in R has its ratio to it in `ratios`. Free dimensionless
+    numbers in F and in the matrix of Q are `parameters`.
     """
 
     name: str
@@ -50,6 +70,7 @@ class Model:
     measurement_units: tuple[Unit, ...] = (METRE,)
     deviation: Quantity = MEASUREMENT_DEVIATION
     ratios: tuple[Ratio, ...] = ()
+    parameters: tuple[Parameter, ...] = ()
 
 
 @dataclass(frozen=True)

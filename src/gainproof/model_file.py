@@ -9,32 +9,18 @@ from importlib import metadata
 from pathlib import Path
 
 from gainproof.bad_input import BadInputError
-from gainproof.derive.model import Model, ModelError, scale
-from gainproof.derive.steady_state.two_state import derive_two_state
+from gainproof.derive.model import Model, ModelError
+from gainproof.derive.own_model.choice import derive_own_model
 from gainproof.derive.subject import Subject
 
 VARIABLE = "MODEL"
-COVERED = {
-    "transition": [["1", "1"], ["0", "1"]],
-    "measurement": [["1", "0"]],
-    "measurement_noise": [["1"]],
-}
-"""What the method for two states covers; only the process noise is free."""
 
 
 def build_model_file(path: str) -> Subject:
     """Execute the file and derive its model. Raises BadInputError, with the line where known."""
     model = read_model(path)
     try:
-        data = scale(model).data()
-        wrong = [name for name, wanted in COVERED.items() if data[name] != wanted]
-        if wrong:
-            found = "; ".join(f"{name} = {data[name]}" for name in wrong)
-            raise BadInputError(
-                f"{path}: position and velocity with the position measured are wanted; in units "
-                f"T = 1 and sigma_v = 1 that is {COVERED}, here {found}"
-            )
-        subject = derive_two_state(model, ())
+        subject = derive_own_model(model)
     except ModelError as error:
         raise BadInputError(f"{path}: {error}") from None
     # the catalogue knows nothing of this subject: its commands take the file

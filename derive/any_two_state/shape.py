@@ -1,0 +1,84 @@
+"""The numbers of a two-state model that its steady state is made of.
+
+With z = (1 + s)/(1 - s), (1 - s)^2 det(zI - F) is f(s) = f2 s^2 + f1 s + f0, and the numerator of
+the noise's spectrum H adj(zI - F) Q0 adj(I/z - F)' H' times (1 - s^2)^2 is (1 - s^2)(n0 - n1 s^2):
+f0 and f2 are det(I - F) and det(I + F), n0 and n1 the numerator at z = 1 and z = -1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign
+from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.model import Model, ModelError, ScaledModel
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A scaled model with H = [1, 0], R = 1, and the signs of what it is made of."""
+
+    model: ScaledModel
+    numbers: FreeNumbers
+
+    def entry(self, i: int, j: int) -> sp.Expr:
+        """An entry of F, counted from 1."""
+        return self.model.transition[i - 1, j - 1]
+
+    def noise(self, i: int, j: int) -> sp.Expr:
+        """An entry of Q0, counted from 1."""
+        return self.model.process_noise[i - 1, j - 1]
+
+    @property
+    def determinant(self) -> sp.Expr:
+        """det F."""
+        return sp.factor(self.model.transition.det())
+
+    @property
+    def open_loop(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+        """f0, f1, f2."""
+        one, matrix = sp.eye(2), self.model.transition
+        return (
+            sp.factor((one - matrix).det()),
+            sp.factor(2 * (1 - matrix.det())),
+            sp.factor((one + matrix).det()),
+        )
+
+    @property
+    def noise_ends(self) -> tuple[sp.Expr, sp.Expr]:
+        """n0 and n1."""
+        return sp.factor(self._numerator(1)), sp.factor(self._numerator(-1))
+
+    def _numerator(self, z: int) -> sp.Expr:
+        line = self.model.measurement * (z * sp.eye(2) - self.model.transition).adjugate()
+        return sp.expand((line * self.model.process_noise * line.T)[0, 0])
+
+    def sign(self, expression: sp.Expr) -> int:
+        """1, 0 or -1. Raises ModelError, naming the expression, where no sign is shown."""
+        try:
+            return self.numbers.sign(expression)
+        except NoSign as error:
+            raise ModelError(f"model {self.model.name}: {error}") from None
+
+    def signed(self, expression: sp.Expr) -> Signed:
+        """An expression of the model's numbers as a value of known sign."""
+        sign = self.sign(expression)
+        if sign == 0:
+            return Signed()
+        size = sp.factor(expression if sign > 0 else -expression)
+        return Signed(size) if sign > 0 else Signed(None, size)
+
+
+def shape_of(model: Model, scaled: ScaledModel) -> Shape:
+    """The shape. Raises ModelError unless the first state is measured, with unit gain and noise."""
+    wanted = sp.ImmutableDenseMatrix([[1, 0]]), sp.ImmutableDenseMatrix([[1]])
+    if (scaled.measurement, scaled.measurement_noise) != wanted:
+        raise ModelError(
+            f"model {model.name}: the first state is to be measured: in units T = 1 and sigma_v = "
+            "1 H = [[1, 0]] and R = [[1]] are wanted, they are "
+            f"{scaled.measurement.tolist()} and {scaled.measurement_noise.tolist()}; take what is "
+            "measured as the first state"
+        )
+    return Shape(scaled, FreeNumbers(model.parameters))

@@ -1,0 +1,168 @@
+"""Steps on both ends of the index, the range of the first gain, and the slopes of the gains."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from gainproof.derive.algebra.leading import Edge, Leading, NoLeadingTerm
+from gainproof.derive.algebra.positive import NoPlainSign, nonnegative_form
+from gainproof.derive.algebra.tower import Fraction
+from gainproof.derive.any_two_state import covariance_forms, derivatives, forms
+from gainproof.derive.any_two_state.context import Context
+from gainproof.derive.any_two_state.names import ALPHA, DEVIATION, INDEX, ROOT
+from gainproof.derive.any_two_state.signed import Signed
+from gainproof.derive.any_two_state.towers import variable
+from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import real
+from gainproof.derive.model import ModelError
+from gainproof.derive.relation import equal, increasing_onto, limit
+
+
+def limit_steps(c: Context) -> list[Step]:
+    """Leading behaviour at both ends; what has no plain leading term is left out."""
+    try:
+        small, large = c.edges
+    except NoLeadingTerm:
+        return []
+    steps: list[Step] = []
+    values = {
+        **forms.gains(c.basis),
+        "predicted_11": Signed(forms.variance_excess(c.basis)),
+        "updated_22": covariance_forms.updated_22(c.basis),
+    }
+    for edge, word, point in ((small, "small", "0"), (large, "large", "infinity")):
+        group = [
+            *([_deviation(c, edge)] if edge.at_infinity else []),
+            *(_limit(c, edge, (word, point), name, value) for name, value in values.items()),
+        ]
+        shown = [step for step in group if step is not None]
+        if shown:
+            steps += [_opened(shown[0], word), *shown[1:]]
+    return [*steps, *_range(c, (small, large))]
+
+
+def _opened(step: Step, word: str) -> Step:
+    sentence, reason = {
+        "small": (
+            "A small index: the filter trusts its prediction.",
+            "Insert what the roots tend to in the forms above.",
+        ),
+        "large": (
+            "A large index: the filter trusts the measurement.",
+            "The roots grow like the index where noise acts at `z = 1` or `z = -1`.",
+        ),
+    }[word]
+    heading = "Both ends of the index" if word == "small" else ""
+    return Step(step.id, sentence, step.relation, reason, hint=step.hint, heading=heading)
+
+
+def _deviation(c: Context, edge: Edge) -> Step | None:
+    return _limit(c, edge, ("large", "infinity"), DEVIATION.name, None)
+
+
+def _limit(
+    c: Context, edge: Edge, end: tuple[str, str], name: str, form: Signed | None
+) -> Step | None:
+    """The limit of a quantity over its leading power of the index."""
+    word, point = end
+    fractions = [c.tower.elements[name]]
+    if form is not None and not form.is_zero and not form.cancels:
+        fractions.append(c.tower.fraction(form.value))
+    found = _first_leading(edge, fractions)
+    if found is None or not _known(edge, found[0].coefficient):
+        return None
+    leading, needed = found
+    expression = real(name) / _power(c, leading.order)
+    hint: dict[str, object] = {"ends": {point: edge.end}}
+    if needed and form is not None:
+        hint["limit_form"] = form.value / _power(c, leading.order)
+    relation = limit(expression, point, _value(c, leading.coefficient), variable(c.shape)[0])
+    return joined(f"{word}-{name.replace('_', '-')}", relation, hint=hint)
+
+
+def _first_leading(edge: Edge, fractions: list[Fraction]) -> tuple[Leading, bool] | None:
+    """The leading term of the first that shows one, and whether it is a later one."""
+    for number, fraction in enumerate(fractions):
+        try:
+            return edge.of(fraction), number > 0
+        except NoLeadingTerm:
+            continue
+    return None
+
+
+def _known(edge: Edge, value: sp.Expr) -> bool:
+    """Whether each root in a limit is one of the edge's own, which the checker knows."""
+    inside = {root.args[0] for root in edge.roots.values()}
+    return all(entry.base in inside for entry in value.atoms(sp.Pow) if not entry.exp.is_Integer)
+
+
+def _power(c: Context, order: int) -> sp.Expr:
+    """The parameter to a power, over the index where the power is whole."""
+    if variable(c.shape)[0] == INDEX.name:
+        return INDEX**order
+    return INDEX ** (order // 2) if order % 2 == 0 else ROOT**order
+
+
+def _value(c: Context, value: sp.Expr) -> sp.Expr:
+    """A limit over the model's own parameters; with roots over the tower's, where they are."""
+    plain = all(entry.exp.is_Integer for entry in value.atoms(sp.Pow))
+    return c.shape.numbers.named(value) if plain else value
+
+
+def _range(c: Context, edges: tuple[Edge, Edge]) -> list[Step]:
+    """The first gain grows; it takes every value between its limits."""
+    small, large = edges
+    form = forms.alpha(c.basis)
+    try:
+        slope = derivatives.gains_slope(c.basis)
+        nonnegative_form(c.tower, slope)
+        start = small.of(c.tower.fraction(form))
+    except (ModelError, NoPlainSign, NoLeadingTerm):
+        return []
+    if start.order < 0 or large.of(c.tower.fraction(form)).order:
+        return []
+    needed = False
+    for edge in edges:
+        try:
+            edge.of(c.tower.elements[ALPHA.name])
+        except NoLeadingTerm:
+            needed = True
+    hint = {"form": slope, "ends": {"0": small.end, "infinity": large.end}}
+    if needed:
+        hint["limit_form"] = form
+    least = sp.Integer(0) if start.order else _value(c, start.coefficient)
+    name, index = variable(c.shape)
+    if name != INDEX.name:
+        hint["form"] = slope * sp.diff(index, ROOT)
+    return [
+        Step(
+            "alpha-range",
+            "Between these ends the first gain takes every value exactly once.",
+            increasing_onto(ALPHA, least, sp.Integer(1), variable=name),
+            "Its derivative is a quotient of sums without a minus sign.",
+            hint=hint,
+        )
+    ]
+
+
+def derivative_steps(c: Context) -> list[Step]:
+    """First derivatives of the gains with respect to the index."""
+    try:
+        found = derivatives.gains(c.basis)
+    except ModelError:
+        found = {"alpha": Signed(derivatives.gains_slope(c.basis))}
+    entries = [
+        (f"derivative-{name}", equal(sp.Derivative(real(name), INDEX), value.value))
+        for name, value in found.items()
+    ]
+    (first, relation), *others = entries
+    return [
+        Step(
+            first,
+            "The gains change with the index like this.",
+            relation,
+            "Differentiate step @stable-alpha and the roots of step @roots.",
+            heading="How the steady state changes with the index",
+        ),
+        *(joined(name, entry) for name, entry in others),
+    ]

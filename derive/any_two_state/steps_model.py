@@ -1,0 +1,118 @@
+"""Steps on the model: its own matrices, their scaling, and the numbers that stay free."""
+
+from __future__ import annotations
+
+import re
+
+import sympy as sp
+
+from gainproof.derive.any_two_state.context import Context
+from gainproof.derive.any_two_state.names import INDEX, ODDS
+from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import real
+from gainproof.derive.relation import Relation, definition, described, equal
+
+
+def model_steps(c: Context) -> list[Step]:
+    """From the model in its own units to the index and the parameters."""
+    return [*_own_model(c), *_scaling(c), *_parameters(c)]
+
+
+def _own_model(c: Context) -> list[Step]:
+    model = c.original
+    listed = ", ".join(f"`{plain(q.latex)}` the {q.meaning}" for q in model.quantities)
+    return [
+        Step(
+            "model",
+            "The state `x` has two entries, of which the first is measured as `y`. From one sample "
+            "to the next the state moves by `F` and is shaken by process noise. Both noises are "
+            "white and independent of each other.",
+            described("`x(k+1) = F x(k)` + process noise of covariance `Q`"),
+            f"This is the model. Here {listed.replace('` the', '` is the', 1)}.",
+            heading="The model",
+        ),
+        joined(
+            "model-measurement",
+            described("`y(k) = H x(k)` + measurement noise of covariance `R`"),
+        ),
+        *(
+            joined(f"model-{name.replace('_', '-')}", definition(real(name), matrix))
+            for name, matrix in (
+                ("transition_matrix", model.transition),
+                ("process_noise", model.process_noise),
+                ("measurement_matrix", model.measurement),
+                ("measurement_noise", model.measurement_noise),
+            )
+        ),
+    ]
+
+
+def _scaling(c: Context) -> list[Step]:
+    forward = sp.diag(*c.model.state_scale).as_immutable()
+    backward = sp.diag(*(1 / entry for entry in c.model.state_scale)).as_immutable()
+    noise = sp.ImmutableDenseMatrix(c.model.noise_ratio * c.model.process_noise)
+    return [
+        Step(
+            "scaled-transition",
+            "Measure time in units of `T`, and each entry of the state in the unit that `T` and "
+            "the deviation of the measurement give it. The transition is then free of units.",
+            _scaled(c, (backward, c.original.transition, forward), c.model.transition),
+            "New coordinates turn `F` of step @model into `D^-1 F D`, where `D` holds the units "
+            "on its diagonal.",
+        ),
+        Step(
+            "scaled-process-noise",
+            "In the same units the process noise is one ratio times a matrix `Q0`.",
+            _scaled(c, (backward, c.original.process_noise, backward), noise),
+            "A covariance `Q` becomes `D^-1 Q D^-1`; `R` becomes 1.",
+        ),
+        Step(
+            "index",
+            "The root of this ratio is the tracking index `Lambda`. From here on `T = 1`, "
+            "`sigma_v = 1`, and the process noise has covariance `Lambda^2 Q0`.",
+            definition(INDEX**2, c.model.noise_ratio),
+            "The factor in front in step @scaled-process-noise.",
+        ),
+    ]
+
+
+def _scaled(
+    c: Context, factors: tuple[sp.ImmutableDenseMatrix, ...], wanted: sp.ImmutableDenseMatrix
+) -> Relation:
+    own = {entry.quantity.name for entry in c.original.parameters}
+    found = {str(symbol) for factor in factors for symbol in factor.free_symbols} - own
+    named = [*c.original.quantities]
+    free = tuple(q.name for q in named if q.name in found)
+    return equal(sp.MatMul(*factors, evaluate=False), wanted, free)
+
+
+def _parameters(c: Context) -> list[Step]:
+    steps: list[Step] = []
+    for entry in c.original.parameters:
+        name, meaning = entry.quantity.name, entry.quantity.meaning
+        text = plain(entry.quantity.latex)
+        if entry.below_one:
+            steps.append(
+                Step(
+                    f"parameter-{name.replace('_', '-')}",
+                    f"`{text}` is the {meaning}, a number between 0 and 1; `x_{text}` runs through "
+                    "all positive numbers.",
+                    equal(real(name), 1 / (1 + real(f"{name}{ODDS}"))),
+                    "Each number between 0 and 1 is `1/(1 + x)` for one positive `x`.",
+                )
+            )
+        else:
+            steps.append(
+                Step(
+                    f"parameter-{name.replace('_', '-')}",
+                    f"`{text}` is the {meaning}, any positive number.",
+                    described(f"`{text} > 0`"),
+                    "It stays free.",
+                )
+            )
+    return steps
+
+
+def plain(latex: str) -> str:
+    """A quantity's symbol as it is written on a line of text."""
+    return re.sub(r"[\\{} ]|tilde", "", latex)

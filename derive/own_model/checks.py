@@ -1,0 +1,192 @@
+"""What a model must be like before anything is derived; each refusal names the entry or property.
+
+All of it raises ModelError, a ValueError, which says what was wanted and what came.
+"""
+
+from __future__ import annotations
+
+import re
+
+import sympy as sp
+
+from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign
+from gainproof.derive.model import Model, ModelError, ScaledModel
+from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
+
+NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+
+
+def require_written_well(model: Model) -> None:
+    """Names, shapes, symmetry, and a domain for each symbol."""
+    if not NAME.fullmatch(model.name):
+        raise ModelError(
+            f"model {model.name!r}: a name of lower-case letters, digits and single hyphens is "
+            "wanted, a letter first: its module has this name"
+        )
+    _require_shapes(model)
+    for name in ("process_noise", "measurement_noise"):
+        _require_symmetric(model, name)
+    _require_parameters(model)
+    _require_domains(model)
+
+
+def _require_shapes(model: Model) -> None:
+    size, seen = model.transition.rows, model.measurement.rows
+    wanted = {
+        "transition": (size, size),
+        "process_noise": (size, size),
+        "measurement": (seen, size),
+        "measurement_noise": (seen, seen),
+    }
+    for name, shape in wanted.items():
+        found = getattr(model, name).shape
+        if found != shape or 0 in found:
+            raise ModelError(
+                f"model {model.name}: {name} should have the shape {shape}, it has {found}"
+            )
+
+
+def _require_symmetric(model: Model, name: str) -> None:
+    matrix = getattr(model, name)
+    for i in range(matrix.rows):
+        for j in range(i):
+            if sp.simplify(matrix[i, j] - matrix[j, i]) != 0:
+                raise ModelError(
+                    f"model {model.name}: {name} should be symmetric, its entry {j + 1},{i + 1} is "
+                    f"{matrix[j, i]} and its entry {i + 1},{j + 1} is {matrix[i, j]}"
+                )
+
+
+def _require_parameters(model: Model) -> None:
+    for entry in model.parameters:
+        name = entry.quantity.name
+        if entry.quantity.unit != Unit():
+            raise ModelError(
+                f"model {model.name}: the parameter {name} should have no unit, it has "
+                f"{entry.quantity.unit}"
+            )
+        least, most = map(sp.Rational, entry.kernel_range)
+        top = 1 if entry.below_one else sp.oo
+        if not 0 < least < most or not most < top:
+            raise ModelError(
+                f"model {model.name}: kernels need {name} from a positive number to a greater one"
+                f"{' below 1' if entry.below_one else ''}, the range is {least} to {most}"
+            )
+
+
+def _require_domains(model: Model) -> None:
+    known = {
+        *(quantity.name for quantity in model.quantities),
+        *(entry.quantity.name for entry in model.parameters),
+        SAMPLING_INTERVAL.name,
+        model.deviation.name,
+    }
+    for name in ("transition", "process_noise", "measurement", "measurement_noise"):
+        for symbol in sorted(getattr(model, name).free_symbols, key=str):
+            if symbol.name not in known:
+                raise ModelError(
+                    f"model {model.name}: {name} holds the symbol {symbol}, which has no domain; "
+                    "name it in quantities (positive, with a unit) or in parameters (a free "
+                    "number, positive or between 0 and 1)"
+                )
+            if symbol != sp.Symbol(symbol.name, real=True):
+                raise ModelError(
+                    f"model {model.name}: {name} holds another symbol named {symbol}; take the "
+                    "one that its quantity gives (.symbol)"
+                )
+
+
+def require_steady_state(model: Model, scaled: ScaledModel) -> None:
+    """Definite noises, an observable pair, and noise that reaches every state."""
+    numbers = FreeNumbers(model.parameters)
+    size = scaled.transition.rows
+    _require_definite(model, numbers, "process_noise", scaled.process_noise, strictly=False)
+    _require_definite(model, numbers, "measurement_noise", scaled.measurement_noise, strictly=True)
+    lines = sp.Matrix.vstack(*(scaled.measurement * scaled.transition**k for k in range(size)))
+    if lines.rank(simplify=True) < size:
+        raise ModelError(
+            f"model {model.name}: the pair (F, H) should be observable, the rank of H, H F, ... is "
+            f"{lines.rank(simplify=True)} of {size}: a state is never seen in the measurement"
+        )
+    reach = sp.zeros(size, size)
+    for k in range(size):
+        power = scaled.transition**k
+        reach += power * scaled.process_noise * power.T
+    reach = reach.applyfunc(sp.factor)
+    driven = sp.factor(reach.det())
+    if driven == 0:
+        raise ModelError(f"model {model.name}: {_undriven(scaled, reach, numbers)}")
+    try:
+        numbers.sign(driven)
+    except NoSign as error:
+        raise ModelError(
+            f"model {model.name}: the process noise should drive every state for all parameters: "
+            f"{error}"
+        ) from None
+
+
+def _require_definite(
+    model: Model,
+    numbers: FreeNumbers,
+    name: str,
+    matrix: sp.ImmutableDenseMatrix,
+    *,
+    strictly: bool,
+) -> None:
+    """Every principal minor is not negative, or every leading one positive."""
+    size = matrix.rows
+    chosen = (
+        [list(range(n)) for n in range(1, size + 1)]
+        if strictly
+        else [[i for i in range(size) if subset >> i & 1] for subset in range(1, 1 << size)]
+    )
+    for places in chosen:
+        minor = sp.factor(matrix.extract(places, places).det())
+        listed = ", ".join(str(place + 1) for place in places)
+        wanted = "positive definite" if strictly else "positive semidefinite"
+        try:
+            sign = numbers.sign(minor)
+        except NoSign:
+            raise ModelError(
+                f"model {model.name}: {name} should be {wanted} for all parameters, the sign of "
+                f"its minor of rows {listed}, {minor}, is not shown"
+            ) from None
+        if sign < 0 or (strictly and sign == 0):
+            raise ModelError(
+                f"model {model.name}: {name} should be {wanted}; in units T = 1 and sigma_v = 1 "
+                f"its minor of rows {listed} is {minor}"
+            )
+
+
+def _undriven(scaled: ScaledModel, reach: sp.MatrixBase, numbers: FreeNumbers) -> str:
+    """Why a noise that leaves something undriven has no steady state of its own."""
+    space = sp.Matrix.hstack(*reach.nullspace())
+    share = (space.T * space).inv() * space.T * scaled.transition.T * space
+    moduli = [sp.Abs(entry) for entry in share.applyfunc(sp.factor).eigenvals()]
+    mode = ", ".join(str(sp.factor(entry)) for entry in share.applyfunc(sp.factor).eigenvals())
+    told = f"the process noise never drives the mode {mode} of F"
+    if any(_compared(entry, numbers) > 0 for entry in moduli):
+        return (
+            f"the pair (F, process noise) should be stabilisable, {told}, which lies outside the "
+            "unit circle"
+        )
+    if any(_compared(entry, numbers) == 0 for entry in moduli):
+        return (
+            f"the process noise should drive every state, {told}, which lies on the unit circle: "
+            "the Riccati equation has no stabilising solution"
+        )
+    return (
+        f"the process noise should drive every state, {told}, which dies out: its variance tends "
+        "to 0; leave that state out of the model"
+    )
+
+
+def _compared(modulus: sp.Expr, numbers: FreeNumbers) -> int:
+    """The sign of a modulus less 1; of one without a sign that is shown -1."""
+    if not modulus.free_symbols:
+        return int(sp.sign(sp.nsimplify(modulus - 1)))
+    inner = modulus.args[0] if isinstance(modulus, sp.Abs) else modulus
+    try:
+        return numbers.sign(sp.factor(inner**2 - 1))
+    except NoSign:
+        return -1

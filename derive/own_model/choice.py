@@ -1,0 +1,53 @@
+"""Which method derives a user's model."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
+from gainproof.derive.any_two_state.scaling import scale_free
+from gainproof.derive.any_two_state.shape import shape_of
+from gainproof.derive.model import Model, ModelError, ScaledModel, scale
+from gainproof.derive.own_model.checks import require_steady_state, require_written_well
+from gainproof.derive.steady_state.two_state import derive_two_state
+from gainproof.derive.subject import Subject
+from gainproof.derive.vector_measurement.position_velocity import derive_position_velocity
+
+KINEMATIC = sp.ImmutableDenseMatrix([[1, 1], [0, 1]])
+
+
+def derive_own_model(model: Model) -> Subject:
+    """Derive a model with the narrowest method that has it in reach.
+
+    Raises ModelError, naming the entry or property, for a model that has no steady state or is
+    outside the reach of all methods.
+    """
+    require_written_well(model)
+    scaled = scale(model) if model.measurement.rows > 1 else scale_free(model)
+    require_steady_state(model, scaled)
+    states, measured = model.transition.rows, model.measurement.rows
+    if (states, measured) == (2, 2):
+        return derive_position_velocity(model, ())
+    if measured != 1 or states not in (2, 3):
+        raise ModelError(
+            f"model {model.name}: two or three states with one measured, or two with both "
+            f"measured, are wanted; {states} states and {measured} measurements came"
+        )
+    return _two_states(model, scaled) if states == 2 else _three_states(model)
+
+
+def _two_states(model: Model, scaled: ScaledModel) -> Subject:
+    """Kinematic ones by the method of the catalogue where that reaches."""
+    shape_of(model, scaled)
+    if scaled.transition == KINEMATIC and not model.parameters:
+        try:
+            return derive_two_state(model, ())
+        except ModelError:
+            pass
+    return derive_any_two_state(model)
+
+
+def _three_states(model: Model) -> Subject:
+    raise ModelError(
+        f"model {model.name}: a model of three states is out of reach: no method for it is there"
+    )
