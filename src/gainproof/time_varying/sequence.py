@@ -1,0 +1,86 @@
+"""Gains and covariances of whole tracks, sample by sample."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gainproof.time_varying.covariance import Factors, Real
+from gainproof.time_varying.process_noise import DEFAULT
+from gainproof.time_varying.track import Step, step, update
+
+Samples = NDArray[np.floating[Any]]
+
+
+class GainSequence(NamedTuple):
+    """Gains and innovation's variances, and the factors of the covariances after each sample.
+
+    The first axis is the sample, the others those of the tracks.
+    """
+
+    position_gain: Samples
+    velocity_gain: Samples
+    innovation_variance: Samples
+    diagonal_1: Samples
+    shear: Samples
+    diagonal_2: Samples
+
+    @property
+    def factors(self) -> Factors:
+        """The covariances after the samples."""
+        return Factors(self.diagonal_1, self.shear, self.diagonal_2)
+
+
+def gain_sequence(
+    predicted: Factors,
+    intervals: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    detected: ArrayLike = True,
+    process_noise: str = DEFAULT,
+) -> GainSequence:
+    """Gains sample by sample from chosen covariances, those predicted for the first sample.
+
+    intervals: one fewer than samples along the first axis, then, if they differ, one for each
+    track. strength and measurement_variance: for all samples, numbers or one for each track.
+    detected: true or false, for all, or along the first axis for each sample (and each track).
+
+    Raises ValueError for intervals without a first axis and for lists that do not fit; else as
+    `step`.
+    """
+    lengths = np.asarray(intervals)
+    if lengths.ndim == 0:
+        raise ValueError("intervals need a first axis, one entry fewer than samples; got a number")
+    count = len(lengths) + 1
+    seen = np.asarray(detected)
+    if seen.ndim == 0:
+        seen = np.broadcast_to(seen, (count,))
+    if len(seen) != count:
+        raise ValueError(f"{count - 1} intervals need {count} samples, detected has {len(seen)}")
+    first = update(predicted, measurement_variance)
+    if not seen[0].all():
+        first = _missed(first, predicted, seen[0])
+    steps = [first]
+    for interval, now in zip(lengths, seen[1:], strict=True):
+        before = steps[-1].factors
+        steps.append(step(before, interval, strength, measurement_variance, now, process_noise))
+    return _together(steps)
+
+
+def _missed(found: Step, predicted: Factors, seen: Any) -> Step:
+    pairs = zip(found.factors, predicted, strict=True)
+    kept = Factors(*(np.where(seen, x, y)[()] for x, y in pairs))
+    used = np.where(seen, 1.0, 0.0).astype(np.asarray(found.position_gain).dtype)
+    return found._replace(
+        factors=kept,
+        position_gain=found.position_gain * used,
+        velocity_gain=found.velocity_gain * used,
+    )
+
+
+def _together(steps: list[Step]) -> GainSequence:
+    columns: list[list[Real]] = [[*found[1:], *found.factors] for found in steps]
+    stacked = (np.stack(np.broadcast_arrays(*each)) for each in zip(*columns, strict=True))
+    return GainSequence(*stacked)
