@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gainproof.derive.printer import interval
 from gainproof.derive.printer.interval import Array, Interval
@@ -54,7 +55,7 @@ def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Int
 def _at_corners(size: Interval, slope: Interval) -> Interval:
     """The range where all slopes have signs: from the corner of the least to that opposite."""
     rises = slope[0] >= 0
-    settled = (rises | (slope[1] <= 0)).all(axis=0)
+    settled: NDArray[np.bool_] = np.all(rises | (slope[1] <= 0), axis=0)
     least = np.zeros(len(settled), np.intp)
     for rising in rises:
         least = 2 * least + ~rising
