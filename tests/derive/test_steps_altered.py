@@ -9,9 +9,9 @@ from functools import cache
 from typing import Any
 
 import pytest
+from catalogue_subjects import subject
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.derive.subject import Subject
 from gainproof.verify.certificate import CertificateReport, check
 from gainproof.verify.certificate.checker import decide
 from gainproof.verify.certificate.document import read_document, read_statement
@@ -23,14 +23,8 @@ UNDECIDABLE = {"definition", "cited"}
 
 
 @cache
-def _subject(name: str) -> Subject:
-    (entry,) = (entry for entry in CATALOGUE if entry.name == name)
-    return entry.build()
-
-
-@cache
 def _certificate(name: str) -> dict[str, Any]:
-    certificate: dict[str, Any] = _plain(_subject(name).certificate())
+    certificate: dict[str, Any] = _plain(subject(name).certificate())
     return certificate
 
 
@@ -172,7 +166,7 @@ def test_altered_words_and_citations_are_noticed(name: str) -> None:
     certificate = _certificate(name)
     words = [entry for entry in certificate["statements"] if entry["kind"] in UNDECIDABLE]
     kept = {entry["id"] for entry in words}
-    claims = [claim for claim in _plain(_subject(name).claims()) if claim["id"] in kept]
+    claims = [claim for claim in _plain(subject(name).claims()) if claim["id"] in kept]
     assert _told({**certificate, "statements": words}, claims) == []
     for entry in words:
         altered = copy.deepcopy(words)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+from catalogue_subjects import subject
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.oracles import noise
@@ -35,7 +36,7 @@ DESCRIPTIONS |= {
 
 @pytest.fixture(scope="module")
 def models() -> Models:
-    subjects = [entry.build() for entry in CATALOGUE]
+    subjects = [subject(entry.name) for entry in CATALOGUE]
     return {s.name: s.model_data for s in subjects if s.model_data is not None}
 
 

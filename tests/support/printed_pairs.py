@@ -13,6 +13,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -56,6 +57,7 @@ class PrintedPair:
         return f"{self.family}.{self.name}"
 
 
+@cache
 def printed_pairs() -> tuple[PrintedPair, ...]:
     """Every public kernel of several inputs of every generated module."""
     found: list[PrintedPair] = []
@@ -69,15 +71,17 @@ def printed_pairs() -> tuple[PrintedPair, ...]:
 def pairs_of(family: str, folder: Path) -> Iterator[PrintedPair]:
     """The kernels of several inputs of one module."""
     loaded = importlib.import_module(f"gainproof.generated.{family}")
+    programs: dict[str, Any] | None = None
     for name in loaded.__all__:
         if not name[0].islower():  # a class of results
             continue
         signature = getattr(loaded, f"_{name.upper()}")
         if len(signature.inputs) < 2:
             continue
-        certificate = json.loads((folder / f"{family}.json").read_text(encoding="utf-8"))
-        graph = certificate["programs"][name]["graph"]
-        yield pair_of(family, getattr(loaded, name), signature, graph)
+        if programs is None:  # megabytes, read once and only where there are pairs
+            text = (folder / f"{family}.json").read_text(encoding="utf-8")
+            programs = json.loads(text)["programs"]
+        yield pair_of(family, getattr(loaded, name), signature, programs[name]["graph"])
 
 
 def pair_of(family: str, function: Any, signature: Any, graph: Any) -> PrintedPair:

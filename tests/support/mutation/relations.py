@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import mpmath
+from catalogue_subjects import subject
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.judge.claim.file import read_claim_file
@@ -34,12 +35,12 @@ def derived_relations() -> Iterator[Relation]:
     measured.
     """
     for entry in CATALOGUE:
-        subject = entry.build()
-        certificate = subject.certificate()
+        derived = subject(entry.name)
         degree = DEGREES.get(entry.name)
-        model = subject.model_data if degree is None else None
+        model = derived.model_data if degree is None else None
         if degree is None and (model is None or not _of_one_measurement(model)):
             continue
+        certificate = derived.certificate()
         towers = certificate["towers"]
         around = {n: surroundings(model, degree, tower) for n, tower in towers.items()}
         for statement in certificate["statements"]:
@@ -139,7 +140,7 @@ def claimed_relations() -> Iterator[Relation]:
     """Identities of the claim files about gains; for a searched model a mutant must be false under
     all models.
     """
-    built = [e.build().model_data for e in CATALOGUE if e.name not in DEGREES]
+    built = [subject(e.name).model_data for e in CATALOGUE if e.name not in DEGREES]
     models = [model for model in built if model is not None and _of_one_measurement(model)]
     for path in sorted(CLAIMS.glob("*.toml")):
         claim_file = read_claim_file(path)

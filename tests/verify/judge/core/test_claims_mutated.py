@@ -8,14 +8,13 @@ from itertools import islice
 from random import Random
 from typing import Any
 
+import catalogue_subjects
 import pytest
 from claim_campaign.broken import mutants
 from claim_campaign.falsehood import is_false
 from claim_campaign.proved import names_proved_before, subjects
 from claim_campaign.run import accepted, processors, report, run
 from claim_campaign.subject import Subject
-
-from gainproof.derive.catalogue import CATALOGUE
 
 SEED = 7
 SAMPLE = 8
@@ -33,7 +32,7 @@ HAND_PICKED = (
 
 @pytest.fixture(scope="module")
 def models() -> list[Mapping[str, Any]]:
-    return [data for entry in CATALOGUE if (data := entry.build().model_data)]
+    return catalogue_subjects.models()
 
 
 @pytest.fixture(scope="module")

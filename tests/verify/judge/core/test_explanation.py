@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from catalogue_subjects import models
 
-from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.exact.expression import add, mul, neg, number, power, sqrt, symbol
 from gainproof.verify.judge.exact.expression_text import written
@@ -24,8 +24,7 @@ LECTURE = Path(__file__).parents[4] / "verify" / "claims" / "kosuge-slides.toml"
 @pytest.fixture(scope="module")
 def texts() -> dict[str, str]:
     """Title and lines of all sections of each claim."""
-    models = [m for entry in CATALOGUE if (m := entry.build().model_data)]
-    verdicts = judge_file(read_claim_file(LECTURE), models)
+    verdicts = judge_file(read_claim_file(LECTURE), models())
     claims: list[dict[str, Any]] = json.loads(json.dumps([v.to_json() for v in verdicts]))
     return {
         claim["id"]: "\n".join(

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from catalogue_subjects import models
 
-from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.decision import decide
@@ -91,8 +91,7 @@ def test_a_certificate_is_replayed_and_an_altered_one_is_not() -> None:
 
 
 def test_verdicts_of_the_lecture_are_replayed() -> None:
-    models = [m for entry in CATALOGUE if (m := entry.build().model_data)]
-    verdicts = judge_file(read_claim_file(LECTURE), models)
+    verdicts = judge_file(read_claim_file(LECTURE), models())
     claims = [json.loads(json.dumps(v.to_json())) for v in verdicts]
     replayed = [c for c in claims if (c["evidence"]["certificate"] or {}).get("statement")]
     assert len(replayed) > 20

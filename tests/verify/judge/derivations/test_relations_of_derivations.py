@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from catalogue_subjects import subject
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.judge.derivations.relation import judge_relation, judge_statement
@@ -28,9 +29,9 @@ OF_ONE_INDEX = [entry for entry in CATALOGUE if not entry.name.startswith(SEVERA
 @pytest.mark.slow
 @pytest.mark.parametrize("entry", OF_ONE_INDEX, ids=lambda entry: str(entry.name))
 def test_every_statement_is_proved(entry: Any) -> None:
-    certificate = entry.build().certificate()
+    certificate = subject(entry.name).certificate()
     degree = DEGREES.get(entry.name)
-    model = entry.build().model_data if degree is None else None
+    model = subject(entry.name).model_data if degree is None else None
     around = {n: surroundings(model, degree, t) for n, t in certificate["towers"].items()}
     for statement in certificate["statements"]:
         kind = statement["kind"]
@@ -45,7 +46,8 @@ def test_every_statement_is_proved(entry: Any) -> None:
 
 
 def test_relation_of_another_family_is_refuted() -> None:
-    (other,) = (e.build().model_data for e in CATALOGUE if e.name == "random-acceleration")
+    other = subject("random-acceleration").model_data
+    assert other is not None
     left = {
         "nodes": [["symbol", "alpha"], ["symbol", "beta"], ["add", 0, 1], ["mul", 0, 2]],
         "outputs": {"value": 3},

@@ -1,0 +1,22 @@
+"""The subjects of the catalogue, each derived once in a process, whatever tests ask for it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.subject import Subject
+
+
+@cache
+def subject(name: str) -> Subject:
+    """The subject of that name; ValueError if the catalogue has none."""
+    (entry,) = (entry for entry in CATALOGUE if entry.name == name)
+    return entry.build()
+
+
+def models() -> list[Mapping[str, Any]]:
+    """The models of all subjects that have one, in the order of the catalogue."""
+    return [data for entry in CATALOGUE if (data := subject(entry.name).model_data)]
