@@ -41,15 +41,15 @@ class Shape:
         """f0, f1, f2."""
         one, matrix = sp.eye(2), self.model.transition
         return (
-            sp.factor((one - matrix).det()),
-            sp.factor(2 * (1 - matrix.det())),
-            sp.factor((one + matrix).det()),
+            self.readable((one - matrix).det()),
+            self.readable(2 * (1 - matrix.det())),
+            self.readable((one + matrix).det()),
         )
 
     @property
     def noise_ends(self) -> tuple[sp.Expr, sp.Expr]:
         """n0 and n1."""
-        return sp.factor(self._numerator(1)), sp.factor(self._numerator(-1))
+        return self.readable(self._numerator(1)), self.readable(self._numerator(-1))
 
     def _numerator(self, z: int) -> sp.Expr:
         line = self.model.measurement * (z * sp.eye(2) - self.model.transition).adjugate()
@@ -62,12 +62,32 @@ class Shape:
         except NoSign as error:
             raise ModelError(f"model {self.model.name}: {error}") from None
 
+    def readable(self, expression: sp.Expr) -> sp.Expr:
+        """The factors of an expression, each written as a positive number: 1 - r, not r - 1."""
+        value = sp.factor(expression)
+        if not value.free_symbols:
+            return value
+        result: sp.Expr = sp.Integer(1)
+        for part, exponent in ((sp.fraction(value)[0], 1), (sp.fraction(value)[1], -1)):
+            constant, factors = sp.factor_list(part)
+            result *= sp.Rational(constant) ** exponent
+            for factor, power in factors:
+                sign = self._shown_sign(factor)
+                result *= sp.expand(sign * factor) ** (power * exponent) * sign**power
+        return result
+
+    def _shown_sign(self, factor: sp.Expr) -> int:
+        try:
+            return self.numbers.sign(factor)
+        except NoSign:
+            return 1
+
     def signed(self, expression: sp.Expr) -> Signed:
         """An expression of the model's numbers as a value of known sign."""
         sign = self.sign(expression)
         if sign == 0:
             return Signed()
-        size = sp.factor(expression if sign > 0 else -expression)
+        size = self.readable(expression if sign > 0 else -expression)
         return Signed(size) if sign > 0 else Signed(None, size)
 
 

@@ -106,7 +106,7 @@ def _power(c: Context, order: int) -> sp.Expr:
 def _value(c: Context, value: sp.Expr) -> sp.Expr:
     """A limit over the model's own parameters; with roots over the tower's, where they are."""
     plain = all(entry.exp.is_Integer for entry in value.atoms(sp.Pow))
-    return c.shape.numbers.named(value) if plain else value
+    return c.shape.readable(c.shape.numbers.named(value)) if plain else value
 
 
 def _range(c: Context, edges: tuple[Edge, Edge]) -> list[Step]:

@@ -1,0 +1,159 @@
+"""The gallery of docs/models: file to derived, checked, generated, imported and tested module."""
+
+from __future__ import annotations
+
+import importlib.util
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import flint
+import pytest
+import sympy as sp
+from graph_kernels import balls
+
+from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.formats import FLOAT64
+from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.subject import Subject
+from gainproof.deriving import plain_subject
+from gainproof.generating import printed
+from gainproof.model_file import build_model_file
+from gainproof.rechecking import expected_of, recheck
+from gainproof.verify.oracles.distance import relative_error
+from gainproof.verify.oracles.enclosure import enclose
+from gainproof.verify.oracles.state_space import SteadyState, state_space
+
+FOLDER = Path(__file__).resolve().parents[3] / "docs" / "models"
+MODELS = sorted(path.stem for path in FOLDER.glob("*.py"))
+INDICES = (0.0078125, 0.3, 1.0, 2.7, 900.0)
+PARAMETERS = (0.0625, 0.5, 0.9)
+DIGITS = 40
+
+
+@dataclass(frozen=True)
+class Made:
+    """A subject with its certificate's report and its files."""
+
+    subject: Subject
+    report: Mapping[str, Any]
+    files: Mapping[str, str]
+
+
+@cache
+def made(name: str) -> Made:
+    subject = build_model_file(str(FOLDER / f"{name}.py"))
+    derived = plain_subject(subject)
+    report = recheck(derived.certificate, expected_of(derived))
+    return Made(subject, report, printed(subject, derived.certificate)["files"])
+
+
+def imported(name: str, folder: Path) -> ModuleType:
+    for file, text in made(name).files.items():
+        (folder / file).write_text(text, encoding="utf-8")
+    module = made(name).subject.module.name
+    spec = importlib.util.spec_from_file_location(module, folder / f"{module}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    found = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(found)
+    return found
+
+
+def points(kernel: Kernel) -> Iterator[dict[str, float]]:
+    """Each index with a parameter beside it, the parameters in turn."""
+    others = [entry.name for entry in kernel.inputs if entry.name != "tracking_index"]
+    for number, index in enumerate(INDICES):
+        values = (PARAMETERS[(number + place) % 3] for place in range(len(others)))
+        yield {"tracking_index": index, **dict(zip(others, values, strict=True))}
+
+
+def truth(
+    subject: Subject, point: Mapping[str, float], shift: Fraction = Fraction(0)
+) -> SteadyState:
+    """The steady state from the model's matrices alone, the index times 1 + shift."""
+    assert subject.model is not None
+    known = {
+        sp.Symbol(name, real=True): sp.Rational(*value.as_integer_ratio())
+        for name, value in point.items()
+    }
+    data = {
+        name: [[str(entry.subs(known)) for entry in row] for row in matrix.tolist()]
+        for name, matrix in (
+            ("transition", subject.model.transition),
+            ("process_noise", subject.model.process_noise),
+            ("measurement", subject.model.measurement),
+            ("measurement_noise", subject.model.measurement_noise),
+        )
+    }
+    index = Fraction(point["tracking_index"]) * (1 + shift)
+    return enclose(state_space(data, index), DIGITS)
+
+
+def named(state: SteadyState) -> dict[str, flint.arb]:
+    """The entries by the names of the kernels' outputs."""
+    places = {"11": (0, 0), "12": (0, 1), "22": (1, 1)}
+    found = {"alpha": state.gain[0][0], "beta": state.gain[1][0]}
+    for word, matrix in (("predicted", state.predicted), ("updated", state.updated)):
+        found |= {f"{word}_{key}": matrix[i][j] for key, (i, j) in places.items()}
+    return found
+
+
+def slopes(subject: Subject, point: Mapping[str, float]) -> dict[str, flint.arb]:
+    """Derivatives by the index, from differences: they agree with the truth to 20 digits."""
+    step = Fraction(1, 10**12)
+    after, before = (named(truth(subject, point, sign * step)) for sign in (1, -1))
+    width = 2 * step * Fraction(point["tracking_index"])
+    with flint.ctx.workprec(400):
+        over = flint.arb(width.denominator) / flint.arb(width.numerator)
+        return {name: (after[name] - before[name]) * over for name in ("alpha", "beta")}
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_every_statement_is_proved_cited_or_a_definition(name: str) -> None:
+    report = made(name).report
+    assert report["accepted"], report["reason"]
+    found = {entry["status"] for entry in report["statements"]}
+    assert found == {"proved", "cited", "definition"}
+    kinds = {entry["id"]: entry["status"] for entry in report["statements"]}
+    assert kinds["riccati"] == kinds["stable"] == "proved"
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_kernels_are_as_true_as_they_say(name: str, tmp_path: Path) -> None:
+    """The printed bound holds against the oracle, which knows the matrices only."""
+    subject = made(name).subject
+    module = imported(name, tmp_path)
+    for kernel in subject.module.kernels:
+        if kernel.name not in {
+            "gains",
+            "predicted_covariance",
+            "updated_covariance",
+            "gain_derivatives",
+        }:
+            continue
+        bounds = {entry.name: entry.bound for entry in prove(kernel, FLOAT64).outputs}
+        for point in points(kernel):
+            computed = getattr(module, kernel.name)(*point.values())._asdict()
+            derivative = kernel.name == "gain_derivatives"
+            wanted = slopes(subject, point) if derivative else named(truth(subject, point))
+            for output in kernel.outputs:
+                scale = wanted[output.name]
+                if output.relative_to is not None:
+                    scale = balls(kernel.graph, point)[output.relative_to]
+                error = relative_error(float(computed[output.name]), wanted[output.name], scale)
+                assert error <= float(bounds[output.name]) * 2.0**-52, (kernel.name, output, point)
+
+
+def test_the_gallery_holds_five_kinds_of_model() -> None:
+    assert MODELS == [
+        "correlated_velocity",
+        "drifting_platform",
+        "half_intervals",
+        "heaving_buoy",
+        "held_pointer",
+    ]
