@@ -39,6 +39,7 @@ def test_there_is_a_page() -> None:
     assert "check-a-formula.md" in [page.name for page in PAGES]
 
 
+@pytest.mark.usefixtures("all_derived")
 @pytest.mark.skipif(os.name != "posix", reason="the pages use a POSIX shell")
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_page(page: Path, tmp_path: Path) -> None:

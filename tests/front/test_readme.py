@@ -38,6 +38,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.usefixtures("all_derived")
 @pytest.mark.skipif(os.name != "posix", reason="the examples use a POSIX shell")
 def test_console_examples(folder: Path) -> None:
     examples = console_examples()
