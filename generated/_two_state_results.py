@@ -102,6 +102,49 @@ class UpdatedCovarianceDerivatives(NamedTuple):
     """Derivative of the variance of the updated velocity times T^2/sigma_v^2."""
 
 
+class GainSecondDerivatives(NamedTuple):
+    """Result of `gain_second_derivatives`."""
+
+    alpha: Real
+    """Second derivative by Lambda of the position gain."""
+    beta: Real
+    """Second derivative by Lambda of the velocity gain times the sampling interval."""
+
+
+class PredictorGainSecondDerivatives(NamedTuple):
+    """Result of `predictor_gain_second_derivatives`."""
+
+    position: Real
+    """Second derivative by Lambda of the position entry of F K, alpha + beta."""
+    velocity: Real
+    """Second derivative by Lambda of the velocity entry of F K times the sampling interval,
+    beta."""
+
+
+class PredictedCovarianceSecondDerivatives(NamedTuple):
+    """Result of `predicted_covariance_second_derivatives`."""
+
+    predicted_11: Real
+    """Second derivative by Lambda of the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Second derivative by Lambda of the covariance of predicted position and velocity times
+    T/sigma_v^2."""
+    predicted_22: Real
+    """Second derivative by Lambda of the variance of the predicted velocity times T^2/sigma_v^2."""
+
+
+class UpdatedCovarianceSecondDerivatives(NamedTuple):
+    """Result of `updated_covariance_second_derivatives`."""
+
+    updated_11: Real
+    """Second derivative by Lambda of the variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Second derivative by Lambda of the covariance of updated position and velocity times
+    T/sigma_v^2."""
+    updated_22: Real
+    """Second derivative by Lambda of the variance of the updated velocity times T^2/sigma_v^2."""
+
+
 class ClosedLoopPoles(NamedTuple):
     """Result of `closed_loop_poles`."""
 

@@ -14,16 +14,20 @@ from gainproof.generated._two_state_results import (
     BetaFromAlpha,
     ClosedLoopPoles,
     GainDerivatives,
+    GainSecondDerivatives,
     Gains,
     GainsWithDerivatives,
     IndexFromAlpha,
     IndexFromBeta,
     PredictedCovariance,
     PredictedCovarianceDerivatives,
+    PredictedCovarianceSecondDerivatives,
     PredictorGainDerivatives,
+    PredictorGainSecondDerivatives,
     PredictorGains,
     UpdatedCovariance,
     UpdatedCovarianceDerivatives,
+    UpdatedCovarianceSecondDerivatives,
 )
 
 if TYPE_CHECKING:
@@ -36,30 +40,38 @@ __all__ = [
     "BetaFromAlpha",
     "ClosedLoopPoles",
     "GainDerivatives",
+    "GainSecondDerivatives",
     "Gains",
     "GainsWithDerivatives",
     "IndexFromAlpha",
     "IndexFromBeta",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
+    "PredictedCovarianceSecondDerivatives",
     "PredictorGainDerivatives",
+    "PredictorGainSecondDerivatives",
     "PredictorGains",
     "UpdatedCovariance",
     "UpdatedCovarianceDerivatives",
+    "UpdatedCovarianceSecondDerivatives",
     "alpha_from_beta",
     "beta_from_alpha",
     "closed_loop_poles",
     "gain_derivatives",
+    "gain_second_derivatives",
     "gains",
     "gains_with_derivatives",
     "index_from_alpha",
     "index_from_beta",
     "predicted_covariance",
     "predicted_covariance_derivatives",
+    "predicted_covariance_second_derivatives",
     "predictor_gain_derivatives",
+    "predictor_gain_second_derivatives",
     "predictor_gains",
     "updated_covariance",
     "updated_covariance_derivatives",
+    "updated_covariance_second_derivatives",
 ]
 
 _TRACKING_INDEX_DOMAIN = Domain(
@@ -757,6 +769,498 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     5,
     _updated_covariance_derivatives_block,
+)
+
+
+def gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> GainSecondDerivatives:
+    """Second derivatives of the filter gain, both negative.
+
+        d2 alpha = -psi (psi + chi)/(sigma Lambda)^2, d2 beta negative, too.
+        psi = (1 + e/(2 kappa))/rho with e = 1/3: sigma^2 grows like this power of Lambda, and psi
+        itself like the power 1 - chi.
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
+        finite.
+
+    alpha: second derivative by Lambda of the position gain. Relative error at most 17.25 * 2^-52
+        (float64), 17.21 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
+        1.442954478563842e77 (float64) and 1.0258392e-26 <= tracking_index <= 5.3522156e09
+        (float32).
+    beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
+        error at most 15.99 * 2^-52 (float64), 15.93 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index <= 8.2554844e09
+        (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-acceleration
+    """
+    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+
+
+def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta = out
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    p = np.sqrt(tracking_index, alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, beta)
+    h_scaled = np.sqrt(t6, beta)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, alpha)
+    t11 = np.add(kappa, 7.401486830834377e-17, beta)
+    rho_scaled = np.sqrt(t11, beta)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, beta)
+    t16 = np.add(rho, 1.1102230246251565e-16, w1)
+    t17 = np.add(kappa, t16, w1)
+    t18 = np.multiply(tracking_index, t17, w1)
+    t20 = np.divide(4.440892098500626e-16, t18, w1)
+    t21 = np.divide(t20, tracking_index, w2)
+    t23 = np.multiply(t20, 2.220446049250313e-16, w1)
+    t24 = np.divide(t23, half_eta, w1)
+    t25 = np.divide(2.220446049250313e-16, rho, alpha)
+    t26 = np.divide(2.220446049250313e-16, kappa, w3)
+    t28 = np.multiply(t26, 0.10185185185185185, w4)
+    t30 = np.add(t28, 0.6666666666666666, w4)
+    t31 = np.multiply(t30, 2.220446049250313e-16, w4)
+    t32 = np.add(kappa, t31, w4)
+    t33 = np.divide(t32, rho, w4)
+    t35 = np.multiply(t33, 1.5, w4)
+    t37 = np.multiply(t26, 0.16666666666666666, w5)
+    t39 = np.add(1.0, t37, w5)
+    t40 = np.add(t35, t39, w4)
+    t42 = np.multiply(t26, 0.3333333333333333, w6)
+    t43 = np.add(1.0, t42, w6)
+    t44 = np.divide(t40, t43, w4)
+    t46 = np.add(2.0, t25, w6)
+    t48 = np.multiply(t26, 0.08333333333333333, w7)
+    t49 = np.multiply(t46, t48, w6)
+    t50 = np.add(t44, t49, w4)
+    t51 = np.multiply(t24, t50, w4)
+    t52 = np.multiply(t24, t51, w1)
+    t53 = np.multiply(t21, 2.220446049250313e-16, w2)
+    t54 = np.divide(t53, rho, w2)
+    t55 = np.square(t39, w5)
+    t57 = np.multiply(t26, 0.009259259259259259, w4)
+    t59 = np.add(t57, 0.041666666666666664, w4)
+    t60 = np.multiply(t26, t59, w4)
+    t61 = np.add(t60, 0.08333333333333333, w4)
+    t62 = np.multiply(t26, t61, w3)
+    t64 = np.add(t62, 0.5, w3)
+    t65 = np.multiply(t64, 2.220446049250313e-16, w3)
+    t66 = np.add(kappa, t65, w0)
+    t68 = np.multiply(t66, 2251799813685248.0, w0)
+    t69 = np.multiply(t25, t68, alpha)
+    t70 = np.add(t55, t69, w5)
+    t71 = np.multiply(t54, t70, w5)
+    t72 = np.multiply(t54, t71, w2)
+    np.negative(t72, alpha)
+    np.negative(t52, beta)
+
+
+_GAIN_SECOND_DERIVATIVES = Signature(
+    "gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta"),
+    8,
+    _gain_second_derivatives_block,
+)
+
+
+def predictor_gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> PredictorGainSecondDerivatives:
+    """Second derivatives of the predictor gain.
+
+        d2 (alpha + beta), d2 beta; both negative.
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
+        finite.
+
+    position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
+        at most 19.28 * 2^-52 (float64), 19.26 * 2^-23 (float32), proved for 1.5697348409117308e-206
+        <= tracking_index <= 2.318063502250569e77 (float64) and 1.0258392e-26 <= tracking_index <=
+        8.598175e09 (float32).
+    velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
+        beta. Relative error at most 15.95 * 2^-52 (float64), 15.92 * 2^-23 (float32), proved for
+        5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index <=
+        8.2554844e09 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-acceleration
+    """
+    return PredictorGainSecondDerivatives(
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predictor_gain_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (tracking_index,) = given
+    position, velocity = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    p = np.sqrt(tracking_index, position)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, velocity)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, velocity)
+    h_scaled = np.sqrt(t6, velocity)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, position)
+    t11 = np.add(kappa, 7.401486830834377e-17, velocity)
+    rho_scaled = np.sqrt(t11, velocity)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, velocity)
+    t16 = np.add(rho, 1.1102230246251565e-16, w1)
+    t17 = np.add(kappa, t16, w1)
+    t18 = np.multiply(tracking_index, t17, w1)
+    t20 = np.divide(4.440892098500626e-16, t18, w1)
+    t21 = np.divide(t20, tracking_index, w2)
+    t23 = np.multiply(t20, 2.220446049250313e-16, w1)
+    t24 = np.divide(t23, half_eta, w1)
+    t25 = np.divide(2.220446049250313e-16, rho, position)
+    t26 = np.divide(2.220446049250313e-16, kappa, w3)
+    t28 = np.multiply(t26, 0.10185185185185185, w4)
+    t30 = np.add(t28, 0.6666666666666666, w4)
+    t31 = np.multiply(t30, 2.220446049250313e-16, w4)
+    t32 = np.add(kappa, t31, w4)
+    t33 = np.divide(t32, rho, w4)
+    t35 = np.multiply(t33, 1.5, w4)
+    t37 = np.multiply(t26, 0.16666666666666666, velocity)
+    t39 = np.add(1.0, t37, velocity)
+    t40 = np.add(t35, t39, w4)
+    t42 = np.multiply(t26, 0.3333333333333333, w5)
+    t43 = np.add(1.0, t42, w5)
+    t44 = np.divide(t40, t43, w4)
+    t46 = np.add(2.0, t25, w5)
+    t48 = np.multiply(t26, 0.08333333333333333, w6)
+    t49 = np.multiply(t46, t48, w5)
+    t50 = np.add(t44, t49, w4)
+    t51 = np.multiply(t24, t50, w5)
+    t52 = np.multiply(t24, t51, w1)
+    t53 = np.square(t39, velocity)
+    t55 = np.multiply(t26, 0.009259259259259259, w5)
+    t57 = np.add(t55, 0.041666666666666664, w5)
+    t58 = np.multiply(t26, t57, w5)
+    t59 = np.add(t58, 0.08333333333333333, w5)
+    t60 = np.multiply(t26, t59, w5)
+    t62 = np.add(t60, 0.5, w5)
+    t63 = np.multiply(t62, 2.220446049250313e-16, w5)
+    t64 = np.add(kappa, t63, w0)
+    t66 = np.multiply(t64, 2251799813685248.0, w0)
+    t67 = np.multiply(t25, t66, w0)
+    t68 = np.add(t53, t67, velocity)
+    t69 = np.multiply(t25, t68, velocity)
+    t70 = np.multiply(t25, t69, position)
+    t71 = np.multiply(t26, t50, w4)
+    t72 = np.multiply(t26, t71, w3)
+    t73 = np.add(t70, t72, position)
+    t74 = np.multiply(t21, t73, position)
+    t75 = np.multiply(t21, t74, w2)
+    np.negative(t75, position)
+    np.negative(t52, velocity)
+
+
+_PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
+    "predictor_gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("position", "velocity"),
+    7,
+    _predictor_gain_second_derivatives_block,
+)
+
+
+def predicted_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictedCovarianceSecondDerivatives:
+    """Second derivatives of the predicted covariance.
+
+        d2 M11 = (sigma/Lambda)^2 psi (psi - chi), first negative, then positive.
+        d2 M12 = (sigma/Lambda) (psi/2) (2 + psi/2 - chi), d2 M22 = 2 + d2 X22.
+        psi = (1 + e/(2 kappa))/rho with e = 1/3: sigma^2 grows like this power of Lambda, and psi
+        itself like the power 1 - chi.
+        predicted_11_scale = (sigma/Lambda)^2 psi (psi + chi).
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
+        finite.
+
+    predicted_11: second derivative by Lambda of the variance of the predicted position over
+        sigma_v^2. Error over predicted_11_scale at most 14.38 * 2^-52 (float64), 14.42 * 2^-23
+        (float32), proved for 1.5697348409117308e-206 <= tracking_index <= 1.7976931348623157e308
+        (float64) and 1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32). Cancellation in
+        predicted_11_turn, condition number 1: the variance bends down for a small index and up for
+        a large one, so that it vanishes between; predicted_11_scale is the sum of the terms whose
+        difference it is.
+    predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
+        times T/sigma_v^2. Relative error at most 7.54 * 2^-52 (float64), 7.56 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
+    predicted_22: second derivative by Lambda of the variance of the predicted velocity times
+        T^2/sigma_v^2. Relative error at most 13.77 * 2^-52 (float64), 13.85 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-acceleration
+    """
+    return PredictedCovarianceSecondDerivatives(
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    p = np.sqrt(tracking_index, predicted_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, predicted_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, predicted_12)
+    h_scaled = np.sqrt(t6, predicted_22)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, predicted_11)
+    t11 = np.add(kappa, 7.401486830834377e-17, predicted_12)
+    rho_scaled = np.sqrt(t11, predicted_22)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, predicted_22)
+    t16 = np.divide(2.220446049250313e-16, rho, w1)
+    t17 = np.divide(2.220446049250313e-16, kappa, w2)
+    t19 = np.add(rho, 1.1102230246251565e-16, w3)
+    t20 = np.add(kappa, t19, w4)
+    t21 = np.divide(t20, rho, w5)
+    t23 = np.multiply(t21, 0.5, w6)
+    t25 = np.multiply(t17, 0.16666666666666666, w7)
+    t27 = np.add(1.0, t25, w7)
+    t28 = np.multiply(t23, t27, w8)
+    t29 = np.multiply(t28, 2.220446049250313e-16, w9)
+    t30 = np.multiply(t29, t28, w9)
+    t31 = np.multiply(t23, 2.220446049250313e-16, w6)
+    t33 = np.multiply(t20, 2251799813685248.0, w4)
+    t35 = np.multiply(t17, 0.009259259259259259, w8)
+    t37 = np.add(t35, 0.041666666666666664, w8)
+    t38 = np.multiply(t17, t37, w8)
+    t40 = np.add(t38, 0.08333333333333333, w8)
+    t41 = np.multiply(t17, t40, w8)
+    t43 = np.add(t41, 0.5, w8)
+    t44 = np.multiply(t43, 2.220446049250313e-16, w8)
+    t45 = np.add(kappa, t44, w8)
+    t46 = np.divide(t45, t11, w8)
+    t47 = np.multiply(t46, 0.5, w8)
+    t48 = np.multiply(t33, t47, w4)
+    t49 = np.multiply(t31, t48, w6)
+    predicted_11_turn = np.subtract(t30, t49, w9)
+    t55 = np.multiply(t27, t16, w4)
+    t56 = np.multiply(t55, 0.5, w4)
+    t57 = np.add(1.0, t56, w4)
+    t58 = np.divide(1.9721522630525295e-31, half_eta, predicted_11)
+    t59 = np.divide(t58, tracking_index, predicted_11)
+    t60 = np.divide(t59, t11, w6)
+    t61 = np.multiply(t60, 0.5, w6)
+    t62 = np.divide(t59, kappa, w8)
+    t64 = np.add(kappa, 3.700743415417188e-17, w10)
+    t65 = np.divide(3.700743415417188e-17, t64, w10)
+    t66 = np.multiply(t62, t65, w10)
+    t67 = np.add(t61, t66, w6)
+    t68 = np.add(t57, t67, w4)
+    t69 = np.multiply(t21, t27, w5)
+    t71 = np.multiply(t68, 0.25, w4)
+    t74 = np.add(kappa, 1.850371707708594e-17, w0)
+    t75 = np.divide(t74, t19, w0)
+    t76 = np.multiply(t75, 2.220446049250313e-16, w3)
+    t77 = np.multiply(t76, t75, w3)
+    t78 = np.add(1.0, t17, w0)
+    t79 = np.multiply(t78, 1.850371707708594e-17, w6)
+    t80 = np.add(t77, t79, w3)
+    t81 = np.divide(t80, t11, predicted_12)
+    t82 = np.multiply(t80, 0.5, w3)
+    t83 = np.add(t59, t82, predicted_11)
+    t84 = np.divide(t83, rho, predicted_11)
+    t85 = np.multiply(t81, t84, predicted_12)
+    t86 = np.multiply(t85, 0.5, predicted_12)
+    t87 = np.multiply(t17, 0.5, w2)
+    t88 = np.multiply(t62, t87, w8)
+    t89 = np.add(t78, t88, w0)
+    t90 = np.multiply(t89, 0.08333333333333333, w0)
+    t91 = np.multiply(t16, t90, w1)
+    t92 = np.add(t86, t91, w1)
+    np.multiply(predicted_11_turn, 4503599627370496.0, predicted_11)
+    np.multiply(t69, t71, predicted_12)
+    np.add(t92, 2.0, predicted_22)
+
+
+_PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "predicted_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    11,
+    _predicted_covariance_second_derivatives_block,
+)
+
+
+def updated_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> UpdatedCovarianceSecondDerivatives:
+    """Second derivatives of the updated covariance.
+
+        X11 = alpha and X12 = beta bend down, X22 bends up.
+        kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
+        finite.
+
+    updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
+        Relative error at most 17.25 * 2^-52 (float64), 17.21 * 2^-23 (float32), proved for
+        1.5697348409117308e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
+        1.0258392e-26 <= tracking_index <= 5.3522156e09 (float32).
+    updated_12: second derivative by Lambda of the covariance of updated position and velocity times
+        T/sigma_v^2. Relative error at most 15.99 * 2^-52 (float64), 15.93 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index
+        <= 8.2554844e09 (float32).
+    updated_22: second derivative by Lambda of the variance of the updated velocity times
+        T^2/sigma_v^2. Relative error at most 13.30 * 2^-52 (float64), 13.28 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-acceleration
+    """
+    return UpdatedCovarianceSecondDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    p = np.sqrt(tracking_index, updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, updated_12)
+    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
+    t6 = np.add(t3, t5, updated_12)
+    h_scaled = np.sqrt(t6, updated_22)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, updated_11)
+    t11 = np.add(kappa, 7.401486830834377e-17, updated_12)
+    rho_scaled = np.sqrt(t11, updated_22)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, updated_22)
+    t16 = np.add(rho, 1.1102230246251565e-16, w1)
+    t17 = np.add(kappa, t16, w2)
+    t18 = np.multiply(tracking_index, t17, w2)
+    t20 = np.divide(4.440892098500626e-16, t18, w2)
+    t21 = np.divide(t20, tracking_index, w3)
+    t23 = np.multiply(t20, 2.220446049250313e-16, w2)
+    t24 = np.divide(t23, half_eta, w2)
+    t25 = np.divide(2.220446049250313e-16, rho, w4)
+    t26 = np.divide(2.220446049250313e-16, kappa, w5)
+    t28 = np.multiply(t26, 0.10185185185185185, w6)
+    t30 = np.add(t28, 0.6666666666666666, w6)
+    t31 = np.multiply(t30, 2.220446049250313e-16, w6)
+    t32 = np.add(kappa, t31, w6)
+    t33 = np.divide(t32, rho, w6)
+    t35 = np.multiply(t33, 1.5, w6)
+    t37 = np.multiply(t26, 0.16666666666666666, w7)
+    t39 = np.add(1.0, t37, w7)
+    t40 = np.add(t35, t39, w6)
+    t42 = np.multiply(t26, 0.3333333333333333, w8)
+    t43 = np.add(1.0, t42, w8)
+    t44 = np.divide(t40, t43, w6)
+    t46 = np.add(2.0, t25, w8)
+    t48 = np.multiply(t26, 0.08333333333333333, w9)
+    t49 = np.multiply(t46, t48, w8)
+    t50 = np.add(t44, t49, w6)
+    t51 = np.multiply(t24, t50, w6)
+    t52 = np.multiply(t24, t51, w2)
+    t53 = np.multiply(t21, 2.220446049250313e-16, w3)
+    t54 = np.divide(t53, rho, w3)
+    t55 = np.square(t39, w7)
+    t57 = np.multiply(t26, 0.009259259259259259, w6)
+    t59 = np.add(t57, 0.041666666666666664, w6)
+    t60 = np.multiply(t26, t59, w6)
+    t61 = np.add(t60, 0.08333333333333333, w6)
+    t62 = np.multiply(t26, t61, w6)
+    t64 = np.add(t62, 0.5, w6)
+    t65 = np.multiply(t64, 2.220446049250313e-16, w6)
+    t66 = np.add(kappa, t65, w6)
+    t68 = np.multiply(t66, 2251799813685248.0, w6)
+    t69 = np.multiply(t25, t68, w6)
+    t70 = np.add(t55, t69, w7)
+    t71 = np.multiply(t54, t70, w7)
+    t72 = np.multiply(t54, t71, w3)
+    t76 = np.add(kappa, 1.850371707708594e-17, w6)
+    t77 = np.divide(t76, t16, w6)
+    t78 = np.multiply(t77, 2.220446049250313e-16, w1)
+    t79 = np.multiply(t78, t77, w1)
+    t80 = np.add(1.0, t26, w6)
+    t81 = np.multiply(t80, 1.850371707708594e-17, w7)
+    t82 = np.add(t79, t81, w1)
+    t83 = np.divide(t82, t11, updated_12)
+    t84 = np.divide(1.9721522630525295e-31, half_eta, updated_11)
+    t85 = np.divide(t84, tracking_index, updated_11)
+    t86 = np.multiply(t82, 0.5, w1)
+    t87 = np.add(t85, t86, w1)
+    t88 = np.divide(t87, rho, w1)
+    t89 = np.multiply(t83, t88, updated_12)
+    t90 = np.multiply(t89, 0.5, w1)
+    t91 = np.divide(t85, kappa, updated_11)
+    t92 = np.multiply(t26, 0.5, w5)
+    t93 = np.multiply(t91, t92, updated_11)
+    t94 = np.add(t80, t93, w6)
+    t95 = np.multiply(t94, 0.08333333333333333, w6)
+    t96 = np.multiply(t25, t95, w4)
+    np.negative(t72, updated_11)
+    np.negative(t52, updated_12)
+    np.add(t90, t96, updated_22)
+
+
+_UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "updated_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("updated_11", "updated_12", "updated_22"),
+    10,
+    _updated_covariance_second_derivatives_block,
 )
 
 

@@ -14,16 +14,20 @@ from gainproof.generated._two_state_results import (
     BetaFromAlpha,
     ClosedLoopPoles,
     GainDerivatives,
+    GainSecondDerivatives,
     Gains,
     GainsWithDerivatives,
     IndexFromAlpha,
     IndexFromBeta,
     PredictedCovariance,
     PredictedCovarianceDerivatives,
+    PredictedCovarianceSecondDerivatives,
     PredictorGainDerivatives,
+    PredictorGainSecondDerivatives,
     PredictorGains,
     UpdatedCovariance,
     UpdatedCovarianceDerivatives,
+    UpdatedCovarianceSecondDerivatives,
 )
 
 if TYPE_CHECKING:
@@ -36,30 +40,38 @@ __all__ = [
     "BetaFromAlpha",
     "ClosedLoopPoles",
     "GainDerivatives",
+    "GainSecondDerivatives",
     "Gains",
     "GainsWithDerivatives",
     "IndexFromAlpha",
     "IndexFromBeta",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
+    "PredictedCovarianceSecondDerivatives",
     "PredictorGainDerivatives",
+    "PredictorGainSecondDerivatives",
     "PredictorGains",
     "UpdatedCovariance",
     "UpdatedCovarianceDerivatives",
+    "UpdatedCovarianceSecondDerivatives",
     "alpha_from_beta",
     "beta_from_alpha",
     "closed_loop_poles",
     "gain_derivatives",
+    "gain_second_derivatives",
     "gains",
     "gains_with_derivatives",
     "index_from_alpha",
     "index_from_beta",
     "predicted_covariance",
     "predicted_covariance_derivatives",
+    "predicted_covariance_second_derivatives",
     "predictor_gain_derivatives",
+    "predictor_gain_second_derivatives",
     "predictor_gains",
     "updated_covariance",
     "updated_covariance_derivatives",
+    "updated_covariance_second_derivatives",
 ]
 
 _TRACKING_INDEX_DOMAIN = Domain(
@@ -672,6 +684,371 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     3,
     _updated_covariance_derivatives_block,
+)
+
+
+def gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> GainSecondDerivatives:
+    """Second derivatives of the filter gain, both negative.
+
+        d2 alpha = -psi (psi + chi)/(sigma Lambda)^2, d2 beta negative, too.
+        psi = (1 + e/(2 kappa))/rho with e = 0: sigma^2 grows like this power of Lambda, and psi
+        itself like the power 1 - chi.
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
+        and finite.
+
+    alpha: second derivative by Lambda of the position gain. Relative error at most 15.06 * 2^-52
+        (float64), 15.06 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
+        1.8122441335979363e77 (float64) and 1.0258392e-26 <= tracking_index <= 6.721987e09
+        (float32).
+    beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
+        error at most 13.02 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index <=
+        1.1082382e13 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-acceleration
+    """
+    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+
+
+def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta = out
+    w0, w1, w2, w3, w4, w5 = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, alpha)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, beta)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, beta)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, w1)
+    t10 = np.square(t9, w1)
+    t11 = np.multiply(tracking_index, t10, w1)
+    t13 = np.divide(2.465190328815662e-32, t11, w1)
+    t14 = np.divide(t13, tracking_index, w2)
+    t15 = np.divide(kappa, twice_rho, w3)
+    t16 = np.multiply(t13, t15, w3)
+    t17 = np.divide(1.1102230246251565e-16, twice_rho, beta)
+    t19 = np.add(2.0, t17, w4)
+    t21 = np.add(6.0, t17, w5)
+    t22 = np.multiply(t19, t21, w4)
+    t24 = np.multiply(t22, 0.0625, w4)
+    t25 = np.multiply(t13, t24, w1)
+    t26 = np.multiply(t16, t25, w3)
+    t27 = np.multiply(t17, t14, w1)
+    t29 = np.add(kappa, 2.7755575615628914e-17, alpha)
+    t30 = np.divide(t29, t4, alpha)
+    t31 = np.multiply(t30, 0.5, alpha)
+    t32 = np.add(t17, t31, beta)
+    t33 = np.multiply(t32, t14, beta)
+    t34 = np.multiply(t27, t33, w1)
+    np.negative(t34, alpha)
+    np.negative(t26, beta)
+
+
+_GAIN_SECOND_DERIVATIVES = Signature(
+    "gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta"),
+    6,
+    _gain_second_derivatives_block,
+)
+
+
+def predictor_gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> PredictorGainSecondDerivatives:
+    """Second derivatives of the predictor gain.
+
+        d2 (alpha + beta), d2 beta; both negative.
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
+        and finite.
+
+    position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
+        at most 15.61 * 2^-52 (float64), 15.65 * 2^-23 (float32), proved for 1.5697348409117308e-206
+        <= tracking_index <= 8.958978968711217e102 (float64) and 1.0258392e-26 <= tracking_index <=
+        1.1082382e13 (float32).
+    velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
+        beta. Relative error at most 13.02 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved for
+        5e-324 <= tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index <=
+        1.1082382e13 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-acceleration
+    """
+    return PredictorGainSecondDerivatives(
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predictor_gain_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (tracking_index,) = given
+    position, velocity = out
+    w0, w1, w2, w3, w4, w5 = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, position)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, velocity)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, velocity)
+    t9 = np.add(twice_rho, 5.551115123125783e-17, w1)
+    t10 = np.square(t9, w1)
+    t11 = np.multiply(tracking_index, t10, w1)
+    t13 = np.divide(2.465190328815662e-32, t11, w1)
+    t14 = np.divide(t13, tracking_index, w2)
+    t15 = np.divide(kappa, twice_rho, w3)
+    t16 = np.multiply(t13, t15, w3)
+    t17 = np.divide(1.1102230246251565e-16, twice_rho, velocity)
+    t19 = np.add(2.0, t17, w4)
+    t21 = np.add(6.0, t17, w5)
+    t22 = np.multiply(t19, t21, w4)
+    t24 = np.multiply(t22, 0.0625, w4)
+    t25 = np.multiply(t13, t24, w1)
+    t26 = np.multiply(t16, t25, w3)
+    t27 = np.multiply(t17, t14, w1)
+    t29 = np.add(kappa, 2.7755575615628914e-17, position)
+    t30 = np.divide(t29, t4, position)
+    t31 = np.multiply(t30, 0.5, position)
+    t32 = np.add(t17, t31, velocity)
+    t33 = np.multiply(t32, t14, velocity)
+    t34 = np.multiply(t27, t33, w1)
+    t35 = np.add(t34, t26, w1)
+    np.negative(t35, position)
+    np.negative(t26, velocity)
+
+
+_PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
+    "predictor_gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("position", "velocity"),
+    6,
+    _predictor_gain_second_derivatives_block,
+)
+
+
+def predicted_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictedCovarianceSecondDerivatives:
+    """Second derivatives of the predicted covariance.
+
+        d2 M11 = (sigma/Lambda)^2 psi (psi - chi), first negative, then positive.
+        d2 M12 = (sigma/Lambda) (psi/2) (2 + psi/2 - chi), d2 M22 = 2 + d2 X22.
+        psi = (1 + e/(2 kappa))/rho with e = 0: sigma^2 grows like this power of Lambda, and psi
+        itself like the power 1 - chi.
+        It is a product with Lambda - 4/(3 + 2 sqrt(3)), which keeps its digits.
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
+        and finite.
+
+    predicted_11: second derivative by Lambda of the variance of the predicted position over
+        sigma_v^2. Relative error at most 10.24 * 2^-52 (float64), 10.34 * 2^-23 (float32), proved
+        for 1.5697348409117308e-206 <= tracking_index <= 1.7976931348623157e308 (float64) and
+        1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32).
+    predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
+        times T/sigma_v^2. Relative error at most 3.90 * 2^-52 (float64), 3.90 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
+    predicted_22: second derivative by Lambda of the variance of the predicted velocity times
+        T^2/sigma_v^2. Relative error at most 10.06 * 2^-52 (float64), 10.03 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-acceleration
+    """
+    return PredictedCovarianceSecondDerivatives(
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, predicted_11)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, predicted_12)
+    rho = np.multiply(rho_scaled, 7.450580596923828e-09, w1)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, predicted_12)
+    t12 = np.add(kappa, 0.0, w2)
+    t14 = np.add(rho, 2.7755575615628914e-17, w3)
+    t15 = np.divide(t12, t14, predicted_22)
+    t16 = np.divide(1.1102230246251565e-16, twice_rho, w2)
+    rest = -2.329468529183032e-08 if single else -4.555764098981943e-17
+    np.add(tracking_index, -0.6188021535170061, w3)
+    t20 = np.add(w3, rest, w3)
+    t22 = np.multiply(t20, 0.20200317547305482, w3)
+    t23 = np.divide(t22, tracking_index, w3)
+    t24 = np.add(2.0, t16, w4)
+    t25 = np.square(t24, w5)
+    t27 = np.multiply(t24, 0.125, w6)
+    t28 = np.multiply(t25, t27, w5)
+    t31 = np.add(t15, 0.36602540378443865, w6)
+    t33 = np.add(t15, 2.366025403784439, w7)
+    t34 = np.divide(t31, t33, w6)
+    t36 = np.add(twice_rho, 5.551115123125783e-17, predicted_12)
+    t38 = np.multiply(t36, 1.8014398509481984e16, w7)
+    t39 = np.multiply(t23, t38, w3)
+    t40 = np.multiply(t28, t34, w5)
+    t42 = np.multiply(t16, 0.5, w2)
+    t43 = np.add(1.0, t42, w2)
+    t44 = np.divide(kappa, t4, w6)
+    t45 = np.multiply(t44, 0.5, w6)
+    t46 = np.add(t43, t45, w2)
+    t48 = np.multiply(t36, 1125899906842624.0, predicted_12)
+    t49 = np.multiply(t24, t48, w4)
+    t51 = np.multiply(rho, 0.5, w1)
+    t52 = np.add(t4, t51, w0)
+    t53 = np.divide(kappa, t52, predicted_11)
+    t54 = np.square(t53, w0)
+    t55 = np.multiply(t15, 3.0, predicted_22)
+    t56 = np.add(t55, 2.0, predicted_22)
+    t57 = np.multiply(t56, 0.25, predicted_22)
+    t58 = np.multiply(t53, t57, predicted_11)
+    t59 = np.multiply(t54, t58, w0)
+    np.multiply(t39, t40, predicted_11)
+    np.multiply(t49, t46, predicted_12)
+    np.add(t59, 2.0, predicted_22)
+
+
+_PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "predicted_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    8,
+    _predicted_covariance_second_derivatives_block,
+)
+
+
+def updated_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> UpdatedCovarianceSecondDerivatives:
+    """Second derivatives of the updated covariance.
+
+        X11 = alpha and X12 = beta bend down, X22 bends up.
+        kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
+        and finite.
+
+    updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
+        Relative error at most 15.06 * 2^-52 (float64), 15.06 * 2^-23 (float32), proved for
+        1.5697348409117308e-206 <= tracking_index <= 1.8122441335979363e77 (float64) and
+        1.0258392e-26 <= tracking_index <= 6.721987e09 (float32).
+    updated_12: second derivative by Lambda of the covariance of updated position and velocity times
+        T/sigma_v^2. Relative error at most 13.02 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index
+        <= 1.1082382e13 (float32).
+    updated_22: second derivative by Lambda of the variance of the updated velocity times
+        T^2/sigma_v^2. Relative error at most 9.59 * 2^-52 (float64), 9.60 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45 <= tracking_index
+        <= 1.3962927e13 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-acceleration
+    """
+    return UpdatedCovarianceSecondDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4, w5 = work
+    kappa = np.divide(1.1102230246251565e-16, tracking_index, updated_11)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
+    rho_scaled = np.sqrt(t4, updated_12)
+    rho = np.multiply(rho_scaled, 7.450580596923828e-09, w1)
+    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, updated_12)
+    t11 = np.add(twice_rho, 5.551115123125783e-17, w2)
+    t12 = np.square(t11, w2)
+    t13 = np.multiply(tracking_index, t12, w2)
+    t15 = np.divide(2.465190328815662e-32, t13, updated_22)
+    t16 = np.divide(t15, tracking_index, w2)
+    t17 = np.divide(kappa, twice_rho, w3)
+    t18 = np.multiply(t15, t17, w3)
+    t19 = np.divide(1.1102230246251565e-16, twice_rho, updated_12)
+    t21 = np.add(2.0, t19, w4)
+    t23 = np.add(6.0, t19, w5)
+    t24 = np.multiply(t21, t23, w4)
+    t26 = np.multiply(t24, 0.0625, w4)
+    t27 = np.multiply(t15, t26, updated_22)
+    t28 = np.multiply(t18, t27, w3)
+    t29 = np.multiply(t19, t16, w4)
+    t31 = np.add(kappa, 2.7755575615628914e-17, w5)
+    t32 = np.divide(t31, t4, w5)
+    t33 = np.multiply(t32, 0.5, w5)
+    t34 = np.add(t19, t33, updated_12)
+    t35 = np.multiply(t34, t16, updated_12)
+    t36 = np.multiply(t29, t35, w4)
+    t40 = np.add(kappa, 0.0, w2)
+    t41 = np.add(rho, 2.7755575615628914e-17, w5)
+    t42 = np.divide(t40, t41, w2)
+    t43 = np.multiply(rho, 0.5, w1)
+    t44 = np.add(t4, t43, w0)
+    t45 = np.divide(kappa, t44, updated_11)
+    t46 = np.square(t45, w0)
+    t48 = np.multiply(t42, 3.0, w2)
+    t49 = np.add(t48, 2.0, w2)
+    t51 = np.multiply(t49, 0.25, w2)
+    t52 = np.multiply(t45, t51, w2)
+    np.negative(t36, updated_11)
+    np.negative(t28, updated_12)
+    np.multiply(t46, t52, updated_22)
+
+
+_UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "updated_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("updated_11", "updated_12", "updated_22"),
+    6,
+    _updated_covariance_second_derivatives_block,
 )
 
 

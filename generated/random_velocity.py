@@ -14,16 +14,20 @@ from gainproof.generated._two_state_results import (
     BetaFromAlpha,
     ClosedLoopPoles,
     GainDerivatives,
+    GainSecondDerivatives,
     Gains,
     GainsWithDerivatives,
     IndexFromAlpha,
     IndexFromBeta,
     PredictedCovariance,
     PredictedCovarianceDerivatives,
+    PredictedCovarianceSecondDerivatives,
     PredictorGainDerivatives,
+    PredictorGainSecondDerivatives,
     PredictorGains,
     UpdatedCovariance,
     UpdatedCovarianceDerivatives,
+    UpdatedCovarianceSecondDerivatives,
 )
 
 if TYPE_CHECKING:
@@ -36,30 +40,38 @@ __all__ = [
     "BetaFromAlpha",
     "ClosedLoopPoles",
     "GainDerivatives",
+    "GainSecondDerivatives",
     "Gains",
     "GainsWithDerivatives",
     "IndexFromAlpha",
     "IndexFromBeta",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
+    "PredictedCovarianceSecondDerivatives",
     "PredictorGainDerivatives",
+    "PredictorGainSecondDerivatives",
     "PredictorGains",
     "UpdatedCovariance",
     "UpdatedCovarianceDerivatives",
+    "UpdatedCovarianceSecondDerivatives",
     "alpha_from_beta",
     "beta_from_alpha",
     "closed_loop_poles",
     "gain_derivatives",
+    "gain_second_derivatives",
     "gains",
     "gains_with_derivatives",
     "index_from_alpha",
     "index_from_beta",
     "predicted_covariance",
     "predicted_covariance_derivatives",
+    "predicted_covariance_second_derivatives",
     "predictor_gain_derivatives",
+    "predictor_gain_second_derivatives",
     "predictor_gains",
     "updated_covariance",
     "updated_covariance_derivatives",
+    "updated_covariance_second_derivatives",
 ]
 
 _TRACKING_INDEX_DOMAIN = Domain(
@@ -734,6 +746,446 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     ("updated_11", "updated_12", "updated_22"),
     3,
     _updated_covariance_derivatives_block,
+)
+
+
+def gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> GainSecondDerivatives:
+    """Second derivatives of the filter gain, both negative.
+
+        d2 alpha = -psi (psi + chi)/(sigma Lambda)^2, d2 beta negative, too.
+        psi = (1 + e/(2 kappa))/rho with e = 1: sigma^2 grows like this power of Lambda, and psi
+        itself like the power 1 - chi.
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
+        finite.
+
+    alpha: second derivative by Lambda of the position gain. Relative error at most 13.38 * 2^-52
+        (float64), 13.38 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
+        1.2814501160326402e77 (float64) and 1.0258392e-26 <= tracking_index <= 4.753162e09
+        (float32).
+    beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
+        error at most 12.77 * 2^-52 (float64), 12.79 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <= 6.2555136e09
+        (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-velocity
+    """
+    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+
+
+def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    p = np.sqrt(tracking_index, alpha)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, beta)
+    h_scaled = np.sqrt(t6, beta)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, alpha)
+    t11 = np.add(kappa, 1.1102230246251565e-16, beta)
+    rho_scaled = np.sqrt(t11, w1)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w2)
+    twice_rho = np.multiply(rho_scaled, 2.9802322387695312e-08, w1)
+    t17 = np.add(rho, 1.1102230246251565e-16, w3)
+    t18 = np.add(kappa, t17, w3)
+    t19 = np.multiply(tracking_index, t18, w3)
+    t21 = np.divide(4.440892098500626e-16, t19, w3)
+    t22 = np.divide(t21, tracking_index, w4)
+    t24 = np.multiply(t21, 2.220446049250313e-16, w3)
+    t25 = np.divide(t24, half_eta, w3)
+    t26 = np.divide(2.220446049250313e-16, rho, alpha)
+    t27 = np.divide(2.220446049250313e-16, kappa, w5)
+    t29 = np.multiply(twice_rho, 2251799813685248.0, w1)
+    t31 = np.multiply(t29, 3.0, w1)
+    t32 = np.add(t31, t26, w1)
+    t34 = np.multiply(t32, 0.5, w1)
+    t35 = np.multiply(t26, 0.5, alpha)
+    t37 = np.add(1.0, t35, alpha)
+    t38 = np.multiply(t27, 0.5, w6)
+    t39 = np.multiply(t37, t38, alpha)
+    t40 = np.add(1.0, t39, alpha)
+    t41 = np.add(t34, t40, w1)
+    t42 = np.multiply(t25, t41, w1)
+    t43 = np.multiply(t25, t42, w3)
+    t44 = np.divide(rho, kappa, w2)
+    t45 = np.multiply(t44, t22, w1)
+    t46 = np.add(kappa, 2.220446049250313e-16, w6)
+    t47 = np.divide(t46, kappa, w6)
+    t49 = np.multiply(t27, 5.551115123125783e-17, w5)
+    t50 = np.multiply(t47, t49, w6)
+    t51 = np.add(kappa, t50, w0)
+    t52 = np.divide(t51, t11, w0)
+    t53 = np.multiply(t52, 0.5, w0)
+    t54 = np.add(t44, t53, w2)
+    t55 = np.multiply(t54, t22, w2)
+    t56 = np.multiply(t45, t55, w1)
+    np.negative(t56, alpha)
+    np.negative(t43, beta)
+
+
+_GAIN_SECOND_DERIVATIVES = Signature(
+    "gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta"),
+    7,
+    _gain_second_derivatives_block,
+)
+
+
+def predictor_gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> PredictorGainSecondDerivatives:
+    """Second derivatives of the predictor gain.
+
+        d2 (alpha + beta), d2 beta; both negative.
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
+        finite.
+
+    position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
+        at most 13.88 * 2^-52 (float64), 13.89 * 2^-23 (float32), proved for 1.5697348409117308e-206
+        <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258392e-26 <= tracking_index <=
+        6.721987e09 (float32).
+    velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
+        beta. Relative error at most 12.77 * 2^-52 (float64), 12.80 * 2^-23 (float32), proved for
+        5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <=
+        6.2555136e09 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-velocity
+    """
+    return PredictorGainSecondDerivatives(
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predictor_gain_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (tracking_index,) = given
+    position, velocity = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    p = np.sqrt(tracking_index, position)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, velocity)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, velocity)
+    h_scaled = np.sqrt(t6, velocity)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, position)
+    t11 = np.add(kappa, 1.1102230246251565e-16, velocity)
+    rho_scaled = np.sqrt(t11, w1)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w2)
+    twice_rho = np.multiply(rho_scaled, 2.9802322387695312e-08, w1)
+    t17 = np.add(rho, 1.1102230246251565e-16, w3)
+    t18 = np.add(kappa, t17, w3)
+    t19 = np.multiply(tracking_index, t18, w3)
+    t21 = np.divide(4.440892098500626e-16, t19, w3)
+    t22 = np.divide(t21, tracking_index, w4)
+    t24 = np.multiply(t21, 2.220446049250313e-16, w3)
+    t25 = np.divide(t24, half_eta, w3)
+    t26 = np.divide(2.220446049250313e-16, rho, position)
+    t27 = np.divide(2.220446049250313e-16, kappa, w5)
+    t29 = np.multiply(twice_rho, 2251799813685248.0, w1)
+    t31 = np.multiply(t29, 3.0, w1)
+    t32 = np.add(t31, t26, w1)
+    t34 = np.multiply(t32, 0.5, w1)
+    t35 = np.multiply(t26, 0.5, position)
+    t37 = np.add(1.0, t35, position)
+    t38 = np.multiply(t27, 0.5, w6)
+    t39 = np.multiply(t37, t38, position)
+    t40 = np.add(1.0, t39, position)
+    t41 = np.add(t34, t40, w1)
+    t42 = np.multiply(t25, t41, w1)
+    t43 = np.multiply(t25, t42, w3)
+    t44 = np.divide(rho, kappa, w2)
+    t45 = np.multiply(t44, t22, w1)
+    t46 = np.add(kappa, 2.220446049250313e-16, w6)
+    t47 = np.divide(t46, kappa, w6)
+    t49 = np.multiply(t27, 5.551115123125783e-17, w5)
+    t50 = np.multiply(t47, t49, w6)
+    t51 = np.add(kappa, t50, w0)
+    t52 = np.divide(t51, t11, w0)
+    t53 = np.multiply(t52, 0.5, w0)
+    t54 = np.add(t44, t53, w2)
+    t55 = np.multiply(t54, t22, w2)
+    t56 = np.multiply(t45, t55, w1)
+    t57 = np.add(t56, t43, w1)
+    np.negative(t57, position)
+    np.negative(t43, velocity)
+
+
+_PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
+    "predictor_gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("position", "velocity"),
+    7,
+    _predictor_gain_second_derivatives_block,
+)
+
+
+def predicted_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictedCovarianceSecondDerivatives:
+    """Second derivatives of the predicted covariance.
+
+        d2 M11 = (sigma/Lambda)^2 psi (psi - chi), first negative, then positive.
+        d2 M12 = (sigma/Lambda) (psi/2) (2 + psi/2 - chi), d2 M22 = 2 + d2 X22.
+        psi = (1 + e/(2 kappa))/rho with e = 1: sigma^2 grows like this power of Lambda, and psi
+        itself like the power 1 - chi.
+        predicted_11_scale = (sigma/Lambda)^2 psi (psi + chi).
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
+        finite.
+
+    predicted_11: second derivative by Lambda of the variance of the predicted position over
+        sigma_v^2. Error over predicted_11_scale at most 10.76 * 2^-52 (float64), 10.74 * 2^-23
+        (float32), proved for 1.5697348409117308e-206 <= tracking_index <= 1.7976931348623157e308
+        (float64) and 1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32). Cancellation in
+        predicted_11_turn, condition number 1: the variance bends down for a small index and up for
+        a large one, so that it vanishes between; predicted_11_scale is the sum of the terms whose
+        difference it is.
+    predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
+        times T/sigma_v^2. Relative error at most 6.76 * 2^-52 (float64), 6.77 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
+    predicted_22: second derivative by Lambda of the variance of the predicted velocity times
+        T^2/sigma_v^2. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index
+        <= 3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-velocity
+    """
+    return PredictedCovarianceSecondDerivatives(
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_11, predicted_12, predicted_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    p = np.sqrt(tracking_index, predicted_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, predicted_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, predicted_12)
+    h_scaled = np.sqrt(t6, predicted_22)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, predicted_11)
+    t11 = np.add(kappa, 1.1102230246251565e-16, predicted_12)
+    rho_scaled = np.sqrt(t11, predicted_22)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w1)
+    twice_rho = np.multiply(rho_scaled, 2.9802322387695312e-08, predicted_22)
+    t18 = np.divide(2.220446049250313e-16, rho, w2)
+    t19 = np.divide(2.220446049250313e-16, kappa, w3)
+    t20 = np.add(rho, 1.1102230246251565e-16, w4)
+    t21 = np.add(kappa, t20, w4)
+    t22 = np.divide(t21, kappa, w5)
+    t24 = np.multiply(t19, 0.5, w6)
+    t26 = np.add(1.0, t24, w7)
+    t27 = np.multiply(t21, t26, w7)
+    t28 = np.multiply(t22, t27, w7)
+    t30 = np.multiply(t21, 4503599627370496.0, w8)
+    t31 = np.add(1.0, t19, w9)
+    t32 = np.square(t19, w10)
+    t34 = np.multiply(t32, 0.25, w10)
+    t35 = np.multiply(t31, t34, w10)
+    t36 = np.add(1.0, t35, w10)
+    t37 = np.multiply(t30, t36, w8)
+    t38 = np.multiply(t28, 0.25, w7)
+    t39 = np.multiply(t21, t18, w4)
+    t40 = np.multiply(t39, t37, w4)
+    t42 = np.multiply(t40, 0.125, w4)
+    predicted_11_turn = np.subtract(t38, t42, w7)
+    t47 = np.divide(rho, kappa, w1)
+    t48 = np.multiply(t47, 0.5, w1)
+    t49 = np.add(1.0, t48, w1)
+    t50 = np.divide(1.9721522630525295e-31, half_eta, predicted_11)
+    t51 = np.divide(t50, tracking_index, predicted_11)
+    t52 = np.divide(t51, t11, predicted_12)
+    t53 = np.multiply(t52, 0.5, w4)
+    t54 = np.multiply(t53, t31, w4)
+    t55 = np.add(t49, t54, w1)
+    t57 = np.multiply(twice_rho, 2251799813685248.0, predicted_22)
+    t58 = np.multiply(t57, 0.25, w4)
+    t59 = np.multiply(t22, t58, w5)
+    t62 = np.multiply(t19, 0.25, w3)
+    t64 = np.add(0.5, t62, w3)
+    t66 = np.add(5.0, t52, predicted_12)
+    t67 = np.multiply(t64, t66, w3)
+    t68 = np.divide(t51, kappa, predicted_11)
+    t69 = np.multiply(t68, t24, predicted_11)
+    t70 = np.add(t67, t69, w3)
+    t72 = np.multiply(t57, 0.75, predicted_22)
+    t73 = np.multiply(t70, 0.25, w3)
+    t74 = np.multiply(t18, t73, w2)
+    t75 = np.add(t72, t74, predicted_22)
+    np.multiply(predicted_11_turn, 4503599627370496.0, predicted_11)
+    np.multiply(t59, t55, predicted_12)
+    np.add(t75, 2.0, predicted_22)
+
+
+_PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "predicted_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("predicted_11", "predicted_12", "predicted_22"),
+    11,
+    _predicted_covariance_second_derivatives_block,
+)
+
+
+def updated_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> UpdatedCovarianceSecondDerivatives:
+    """Second derivatives of the updated covariance.
+
+        X11 = alpha and X12 = beta bend down, X22 bends up.
+        kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
+        sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
+
+    tracking_index: Lambda, with Lambda^2 =
+        sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
+        finite.
+
+    updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
+        Relative error at most 13.38 * 2^-52 (float64), 13.38 * 2^-23 (float32), proved for
+        1.5697348409117308e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
+        1.0258392e-26 <= tracking_index <= 4.753162e09 (float32).
+    updated_12: second derivative by Lambda of the covariance of updated position and velocity times
+        T/sigma_v^2. Relative error at most 12.77 * 2^-52 (float64), 12.79 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index
+        <= 6.2555136e09 (float32).
+    updated_22: second derivative by Lambda of the variance of the updated velocity times
+        T^2/sigma_v^2. Relative error at most 3.63 * 2^-52 (float64), 3.63 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index
+        <= 3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-velocity
+    """
+    return UpdatedCovarianceSecondDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    p = np.sqrt(tracking_index, updated_11)
+    t3 = np.divide(1.9721522630525295e-31, tracking_index, updated_12)
+    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
+    t6 = np.add(t3, t5, updated_12)
+    h_scaled = np.sqrt(t6, updated_22)
+    kappa = np.divide(h_scaled, p, w0)
+    half_eta = np.multiply(p, h_scaled, updated_11)
+    t11 = np.add(kappa, 1.1102230246251565e-16, updated_12)
+    rho_scaled = np.sqrt(t11, updated_22)
+    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w1)
+    twice_rho = np.multiply(rho_scaled, 2.9802322387695312e-08, updated_22)
+    t17 = np.add(rho, 1.1102230246251565e-16, w2)
+    t18 = np.add(kappa, t17, w2)
+    t19 = np.multiply(tracking_index, t18, w2)
+    t21 = np.divide(4.440892098500626e-16, t19, w2)
+    t22 = np.divide(t21, tracking_index, w3)
+    t24 = np.multiply(t21, 2.220446049250313e-16, w2)
+    t25 = np.divide(t24, half_eta, w2)
+    t26 = np.divide(2.220446049250313e-16, rho, w4)
+    t27 = np.divide(2.220446049250313e-16, kappa, w5)
+    t29 = np.multiply(twice_rho, 2251799813685248.0, updated_22)
+    t31 = np.multiply(t29, 3.0, w6)
+    t32 = np.add(t31, t26, w6)
+    t34 = np.multiply(t32, 0.5, w6)
+    t35 = np.multiply(t26, 0.5, w7)
+    t37 = np.add(1.0, t35, w7)
+    t38 = np.multiply(t27, 0.5, w8)
+    t39 = np.multiply(t37, t38, w7)
+    t40 = np.add(1.0, t39, w7)
+    t41 = np.add(t34, t40, w6)
+    t42 = np.multiply(t25, t41, w6)
+    t43 = np.multiply(t25, t42, w2)
+    t44 = np.divide(rho, kappa, w1)
+    t45 = np.multiply(t44, t22, w6)
+    t46 = np.add(kappa, 2.220446049250313e-16, w7)
+    t47 = np.divide(t46, kappa, w7)
+    t49 = np.multiply(t27, 5.551115123125783e-17, w9)
+    t50 = np.multiply(t47, t49, w7)
+    t51 = np.add(kappa, t50, w7)
+    t52 = np.divide(t51, t11, w7)
+    t53 = np.multiply(t52, 0.5, w7)
+    t54 = np.add(t44, t53, w1)
+    t55 = np.multiply(t54, t22, w1)
+    t56 = np.multiply(t45, t55, w6)
+    t59 = np.divide(1.9721522630525295e-31, half_eta, updated_11)
+    t60 = np.divide(t59, tracking_index, updated_11)
+    t61 = np.divide(t60, t11, updated_12)
+    t63 = np.multiply(t27, 0.25, w5)
+    t65 = np.add(0.5, t63, w5)
+    t67 = np.add(5.0, t61, updated_12)
+    t68 = np.multiply(t65, t67, w5)
+    t69 = np.divide(t60, kappa, updated_11)
+    t70 = np.multiply(t69, t38, updated_11)
+    t71 = np.add(t68, t70, w5)
+    t73 = np.multiply(t29, 0.75, updated_22)
+    t75 = np.multiply(t71, 0.25, w5)
+    t76 = np.multiply(t26, t75, w4)
+    np.negative(t56, updated_11)
+    np.negative(t43, updated_12)
+    np.add(t73, t76, updated_22)
+
+
+_UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "updated_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("updated_11", "updated_12", "updated_22"),
+    10,
+    _updated_covariance_second_derivatives_block,
 )
 
 

@@ -8,7 +8,7 @@ import sympy
 
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
-from gainproof.derive.steady_state import covariance_forms, forms
+from gainproof.derive.steady_state import covariance_forms, curvature_module, forms
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.kernels import FormsOf, largest_beta
 
@@ -73,16 +73,23 @@ def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
 
 
 def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
-    shown = [output for output in graph["outputs"] if not output.endswith("_modulus")]
+    shown = [output for output in graph["outputs"] if not output.endswith(("_modulus", "_scale"))]
+    second = name in curvature_module.SUMMARIES
     return Kernel(
         name=name,
         result="".join(word.capitalize() for word in name.split("_")),
-        summary=SUMMARIES[name],
+        summary=curvature_module.SUMMARIES[name] if second else SUMMARIES[name],
         equations=_equations(c, name),
         inputs=(_input(c, name),),
-        outputs=tuple(_output(name, output) for output in shown),
+        outputs=tuple(
+            curvature_module.output(output, MEANINGS[output], graph)
+            if second
+            else _output(name, output)
+            for output in shown
+        ),
         graph=graph,
         source=f"derivation {c.model.name}",
+        cancellations=curvature_module.cancellations(graph) if second else {},
     )
 
 
@@ -133,6 +140,8 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
             "d beta = (2 + 1/rho)/(kappa sigma^2 Lambda)",
         ),
     }
+    if name in curvature_module.SUMMARIES:
+        own[name] = curvature_module.equations(name, e)
     kappa = "2/Lambda" if e == 0 else f"sqrt(4/Lambda^2 + {e / 4})"
     return (
         *own.get(name, ()),

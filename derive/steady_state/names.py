@@ -13,6 +13,7 @@ BETA = real("beta")
 DEVIATION = real("innovation_deviation")
 PREDICTED = ("predicted_11", "predicted_12", "predicted_22")
 UPDATED = ("updated_11", "updated_12", "updated_22")
+GROWTH, BEND = real("psi"), real("chi")
 Z = real("z")
 
 LATEX = {
@@ -22,6 +23,8 @@ LATEX = {
     "s": r"s",
     "kappa": r"\kappa",
     "rho": r"\rho",
+    "psi": r"\psi",
+    "chi": r"\chi",
     "alpha": r"\alpha",
     "beta": r"\beta",
     "innovation_deviation": r"\sigma",

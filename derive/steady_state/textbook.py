@@ -52,9 +52,11 @@ def textbook_forms(c: Context) -> Mapping[str, Forms]:
     for name, outputs in kernels.items():
         forms[name] = {output: values[output] for output in outputs}
         derivatives = {output: sp.diff(values[output], INDEX) for output in outputs}
-        forms[f"{name.removesuffix('s') if name.endswith('gains') else name}_derivatives"] = (
-            derivatives
-        )
+        own = name.removesuffix("s") if name.endswith("gains") else name
+        forms[f"{own}_derivatives"] = derivatives
+        forms[f"{own}_second_derivatives"] = {
+            output: sp.diff(value, INDEX) for output, value in derivatives.items()
+        }
     forms["gains_with_derivatives"] = {
         **forms["gains"],
         **{f"d_{output}": value for output, value in forms["gain_derivatives"].items()},

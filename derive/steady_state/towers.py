@@ -10,6 +10,7 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.steady_state.covariance_forms import updated_covariance
+from gainproof.derive.steady_state.curvature import Curvature
 from gainproof.derive.steady_state.forms import Basis
 from gainproof.derive.steady_state.kernels import unit_root
 from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT
@@ -38,7 +39,14 @@ def main_tower(e: Fraction, n: Fraction) -> Tower:
     ratio = rational(e)
     generators = [Generator("H", 16 + ratio * ROOT**4)] if e else []
     generators.append(Generator("s", ((1 + ratio) * ROOT**2 + 2 * root_of_16(e)) / 4))
-    return Tower("main", (Parameter("p"),), tuple(generators), steady_elements(e, n, ROOT**2))
+    elements = steady_elements(e, n, ROOT**2) | shares(symbolic_basis(e, n))
+    return Tower("main", (Parameter("p"),), tuple(generators), elements)
+
+
+def shares(x: Basis) -> dict[str, sp.Expr]:
+    """psi and chi of `curvature` by name."""
+    share = Curvature(x)
+    return {"psi": share.growth, "chi": share.bend / share.bend_weight}
 
 
 def steady_elements(e: Fraction, n: Fraction, index: sp.Expr) -> dict[str, sp.Expr]:

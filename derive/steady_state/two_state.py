@@ -13,15 +13,25 @@ from gainproof.derive.model import Model
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 from gainproof.derive.steady_state.context import Context, context
+from gainproof.derive.steady_state.curvature_kernels import SCALE
+from gainproof.derive.steady_state.curvature_module import second_derivative_graphs
 from gainproof.derive.steady_state.kernels import alpha_graph, beta_graph, index_graph, pole_graph
 from gainproof.derive.steady_state.module import INDEX_KERNELS, kernel_module
-from gainproof.derive.steady_state.names import INDEX, LATEX
+from gainproof.derive.steady_state.names import DEVIATION, INDEX, LATEX
+from gainproof.derive.steady_state.steps_curvature import curvature_steps, second
+from gainproof.derive.steady_state.steps_curvature_ends import curvature_end_steps
 from gainproof.derive.steady_state.steps_ends import end_steps
 from gainproof.derive.steady_state.steps_gains import gain_steps
 from gainproof.derive.steady_state.steps_model import model_steps
 from gainproof.derive.steady_state.steps_pole_kernel import pole_programs
 from gainproof.derive.steady_state.steps_poles import pole_steps, pole_towers
 from gainproof.derive.steady_state.steps_proof import covariance_steps, proof_steps
+from gainproof.derive.steady_state.steps_turn import (
+    ROOT_3,
+    TURN_TOWER,
+    turn_steps,
+    turn_tower,
+)
 from gainproof.derive.steady_state.steps_use import (
     derivative_steps,
     inverse_roots,
@@ -52,13 +62,16 @@ def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
         *proof_steps(c),
         *pole_steps(c),
         *derivative_steps(c),
+        *curvature_steps(c),
+        *turn_steps(c),
         *end_steps(c),
+        *curvature_end_steps(c),
         *inverse_steps(c),
         *_program_steps(c, graphs),
         *pole_programs(c, graphs["closed_loop_poles"]),
     )
     latex = {**LATEX, **{quantity.name: quantity.latex for quantity in model.quantities}}
-    towers = (c.tower, inverse_tower(c), *pole_towers(c))
+    towers = (c.tower, inverse_tower(c), *turn_tower(c), *pole_towers(c))
     return Subject(
         name=model.name,
         title=model.title,
@@ -80,6 +93,7 @@ def _inputs(name: str) -> Mapping[str, str]:
 
 def _graphs(c: Context) -> dict[str, Graph]:
     graphs = {name: index_graph(c.e, c.n, *parts) for name, parts in INDEX_KERNELS.items()}
+    graphs |= second_derivative_graphs(c.e, c.n)
     return graphs | {
         "closed_loop_poles": pole_graph(c.e, c.n),
         "index_from_alpha": alpha_graph(c.e, "tracking_index"),
@@ -94,7 +108,11 @@ def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
     roots = {
         **graph_roots(c.e),
         **inverse_roots(c),
+        "root_of_3": ROOT_3,
     }
+    towers = {"index_from_beta": inverse_tower(c).name}
+    if c.e == 0:
+        towers["predicted_covariance_second_derivatives"] = TURN_TOWER
     return [
         Step(
             f"kernel-{name.replace('_', '-')}",
@@ -107,7 +125,7 @@ def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
                 },
             ),
             "Evaluate the kernel's graph in the tower.",
-            tower=inverse_tower(c).name if name == "index_from_beta" else "main",
+            tower=towers.get(name, "main"),
             hint={"graph": graph, "roots": roots},
             shown=False,
         )
@@ -119,6 +137,10 @@ def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
 def _meant(kernel: str, output: str) -> sp.Expr:
     """What an output of a kernel stands for."""
     named = {"position": "predictor_position", "velocity": "beta"}
+    if output == SCALE:
+        return -second("alpha") * DEVIATION**4
+    if kernel.endswith("_second_derivatives"):
+        return second(named.get(output, output))
     if output.startswith("d_"):
         return sp.Derivative(real(named.get(output[2:], output[2:])), INDEX)
     value = real(named.get(output, output))

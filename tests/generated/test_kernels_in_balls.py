@@ -96,10 +96,14 @@ def edges(kernels: list[PrintedKernel], dtype: str) -> list[float]:
 def test_an_error_just_above_the_bound_is_noticed(kernel: PrintedKernel, dtype: str) -> None:
     low, high = kernel.domain[dtype]
     point = low + 7 if kernel.whole else min(0.6, high)
+    if kernel.by_terms:
+        point = 3.0  # where the difference is not small
     assert not broken_promises([kernel], dtype, measure([kernel], dtype, [point]))
     for output in kernel.outputs:
         # an honest error of up to one bound cannot hide an added one of more than two
-        factor = 1 + 3 * kernel.promises[dtype][output].error(dtype)
+        factor = 1 + (9 if output in kernel.by_terms else 3) * kernel.promises[dtype][output].error(
+            dtype
+        )
         spoiled = altered(kernel, output, partial(multiplied, factor), dtype)
         found = broken_promises([spoiled], dtype, measure([spoiled], dtype, [point]))
         assert len(found) == 1, output
@@ -162,7 +166,8 @@ def test_bounds_keep_what_the_project_promises() -> None:
                 if kernel.name in {"gains", "predictor_gains"}:
                     assert read.bound <= 8, f"{kernel.id}.{output}"
                 if kernel.name.endswith("derivatives"):
-                    assert read.bound <= 16, f"{kernel.id}.{output}"
+                    most = 20 if "second" in kernel.name else 16
+                    assert read.bound <= most, f"{kernel.id}.{output}"
                 if kernel.name == "gains" and dtype == "float64" and not kernel.whole:
                     assert read.lowest <= 1e-300
                     assert read.highest >= 1e300

@@ -43,7 +43,8 @@ class PrintedKernel:
     """One function of one module of ``generated``.
 
     ``domain`` gives the least and greatest argument of each format, as the guard has them;
-    ``promises`` the docstring's, by format and output.
+    ``promises`` the docstring's, by format and output; ``by_terms`` the outputs whose error is
+    over the sum of the terms whose difference they are.
     """
 
     family: str
@@ -54,6 +55,7 @@ class PrintedKernel:
     domain: dict[str, tuple[float, float]]
     outputs: tuple[str, ...]
     promises: dict[str, dict[str, Promise]]
+    by_terms: frozenset[str] = frozenset()
 
     @property
     def id(self) -> str:
@@ -61,6 +63,8 @@ class PrintedKernel:
 
     def truth_name(self, output: str) -> str:
         """The name under which the oracles know an output."""
+        if self.name.endswith("_second_derivatives"):
+            return f"dd_{output}_by_terms" if output in self.by_terms else f"dd_{output}"
         derivative = self.name.endswith("_derivatives") and "_with_" not in self.name
         return f"d_{output}" if derivative else output
 
@@ -102,6 +106,7 @@ def _all() -> Iterator[PrintedKernel]:
                     dtype: {output: promise(text, output, dtype) for output in signature.outputs}
                     for dtype in DTYPES
                 },
+                frozenset(re.findall(r"Error over (\w+)_scale ", text)),
             )
 
 

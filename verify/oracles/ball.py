@@ -89,14 +89,14 @@ def _enclose(spectrum: Spectrum, index: Fraction, wanted: int, bits: int) -> Enc
     apart = flint.arb_mat(
         n, 1, [c - d for c, d in zip(loop_polynomial, spectrum.characteristic, strict=False)][:n]
     )
-    f = _balls(model.transition)
-    h = _balls(model.measurement)
+    f = balls(model.transition)
+    h = balls(model.measurement)
     r = _ball(model.measurement_noise[0][0])
     placed = flint.arb_mat(spectrum.gain_matrix) * apart
     loop = f - placed * h
-    q0 = _balls(model.process_noise)
+    q0 = balls(model.process_noise)
     noise = q0 * flint.arb(ratio * ratio) + placed * placed.transpose() * r
-    predicted, slope = _lyapunov(loop, (noise, q0 * flint.arb(2 * ratio)))
+    predicted, slope = lyapunov(loop, (noise, q0 * flint.arb(2 * ratio)))
 
     cross = predicted * h.transpose()
     innovation = (h * cross)[0, 0] + r
@@ -109,10 +109,10 @@ def _enclose(spectrum: Spectrum, index: Fraction, wanted: int, bits: int) -> Enc
     d_gain = kept * d_cross * (1 / innovation)
     enclosed = Enclosure(
         index,
-        SteadyState(*map(_rows, (predicted, updated, gain, flint.arb_mat([[innovation]])))),
-        SteadyState(*map(_rows, (slope, d_updated, d_gain, h * d_cross))),
-        _rows(placed),
-        _rows(f * d_gain),
+        SteadyState(*map(rows, (predicted, updated, gain, flint.arb_mat([[innovation]])))),
+        SteadyState(*map(rows, (slope, d_updated, d_gain, h * d_cross))),
+        rows(placed),
+        rows(f * d_gain),
         tuple(1 - x for x in distances),
         bits,
     )
@@ -120,7 +120,7 @@ def _enclose(spectrum: Spectrum, index: Fraction, wanted: int, bits: int) -> Enc
     return enclosed
 
 
-def _lyapunov(loop: flint.arb_mat, rights: tuple[flint.arb_mat, ...]) -> tuple[flint.arb_mat, ...]:
+def lyapunov(loop: flint.arb_mat, rights: tuple[flint.arb_mat, ...]) -> tuple[flint.arb_mat, ...]:
     """Symmetric X with X = A X A' + C for each C, from one linear system in balls."""
     n = loop.nrows()
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
@@ -161,9 +161,11 @@ def _ball(value: Fraction) -> flint.arb:
     return flint.arb(flint.fmpq(value.numerator, value.denominator))
 
 
-def _balls(rows: Matrix) -> flint.arb_mat:
-    return flint.arb_mat([[_ball(x) for x in row] for row in rows])
+def balls(matrix: Matrix) -> flint.arb_mat:
+    """A matrix of fractions in balls of the working precision."""
+    return flint.arb_mat([[_ball(x) for x in row] for row in matrix])
 
 
-def _rows(balls: flint.arb_mat) -> Matrix:
-    return tuple(tuple(row) for row in balls.tolist())
+def rows(matrix: flint.arb_mat) -> Matrix:
+    """A matrix of balls as rows."""
+    return tuple(tuple(row) for row in matrix.tolist())

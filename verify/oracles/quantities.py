@@ -31,12 +31,12 @@ class Pole:
 
 def values(found: Enclosure) -> Mapping[str, flint.arb]:
     """Gains and covariances by name."""
-    return _named(found.state, found.predictor_gain)
+    return named(found.state, found.predictor_gain)
 
 
 def slopes(found: Enclosure) -> Mapping[str, flint.arb]:
     """Their derivatives with respect to the tracking index, under the same names."""
-    return _named(found.slope, found.predictor_slope)
+    return named(found.slope, found.predictor_slope)
 
 
 def poles(found: Enclosure) -> tuple[Pole, ...]:
@@ -55,10 +55,11 @@ def poles(found: Enclosure) -> tuple[Pole, ...]:
     return tuple(sorted(listed, key=order))
 
 
-def _named(state: SteadyState, predictor_gain: Matrix) -> dict[str, flint.arb]:
-    named = {name: row[0] for name, row in zip(FILTER, state.gain, strict=False)}
-    named |= {name: row[0] for name, row in zip(PREDICTOR, predictor_gain, strict=False)}
+def named(state: SteadyState, predictor_gain: Matrix) -> dict[str, flint.arb]:
+    """Gains and covariances of a state, or of a derivative of one, by name."""
+    found = {name: row[0] for name, row in zip(FILTER, state.gain, strict=False)}
+    found |= {name: row[0] for name, row in zip(PREDICTOR, predictor_gain, strict=False)}
     for kind, rows in (("predicted", state.predicted), ("updated", state.updated)):
         for i, row in enumerate(rows):
-            named |= {f"{kind}_{i + 1}{j + 1}": row[j] for j in range(i, len(row))}
-    return named
+            found |= {f"{kind}_{i + 1}{j + 1}": row[j] for j in range(i, len(row))}
+    return found

@@ -4,7 +4,8 @@ Puts names to what the other oracles return, so that a computed number can be co
 Arguments: ``tracking_index``, or a gain (``alpha``, ``beta``) from which the index is found by
 bracketing; for growing-memory fits ``sample_number``. Quantities: gains, predictor gains
 (``position``, ...), ``predicted_ij``, ``updated_ij``; their derivatives with respect to the index
-under ``d_`` and the name; real and imaginary parts of the poles, ``first_real`` and so on.
+under ``d_`` and the name, the second ones under ``dd_``; real and imaginary parts of the poles,
+``first_real`` and so on.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ import flint
 from gainproof.verify.oracles import inverse, least_squares, quantities
 from gainproof.verify.oracles.ball import Enclosure, enclose
 from gainproof.verify.oracles.matrices import product, transpose
+from gainproof.verify.oracles.second_slopes import second_slopes
 from gainproof.verify.oracles.spectrum import Spectrum, spectrum
 from gainproof.verify.oracles.state_space import exact, state_space
 
@@ -32,7 +34,8 @@ WIDTH = Fraction(1, 10**26)
 class Truth:
     """A quantity's true value and the size its error is measured by, both in balls.
 
-    The scale is the value itself, but for the parts of a pole, where it is the modulus.
+    The scale is the value itself, but for the parts of a pole, where it is the modulus, and for
+    what `second_slopes` says.
     """
 
     value: flint.arb
@@ -53,7 +56,10 @@ class SteadyStateTruth:
         ``near`` is a guess of the index when the argument is a gain; it saves time.
         """
         if argument == "tracking_index":
-            return _everything(enclose(self.spectrum, exact(value)))
+            return _everything(enclose(self.spectrum, exact(value))) | {
+                f"dd_{name}": Truth(*ball)
+                for name, ball in second_slopes(self.spectrum, value).items()
+            }
 
         def gain(found: Enclosure) -> tuple[flint.arb, flint.arb]:
             return quantities.values(found)[argument], quantities.slopes(found)[argument]
