@@ -24,8 +24,7 @@ def distances_from_one(spectrum: Spectrum, q: flint.fmpq) -> list[flint.acb]:
     """
     polynomial = spectrum.still + q * spectrum.driven
     found: list[flint.acb] = []
-    roots: list[tuple[flint.acb, int]] = polynomial.numer().complex_roots()  # type: ignore[assignment]  # its stub names one root
-    for v, multiplicity in roots:
+    for v, multiplicity in roots_of(polynomial.numer()):
         if v.abs_lower() == 0:
             raise Unresolved
         # one factor under each root: the product v (v - 4) can be negative for complex v
@@ -38,6 +37,46 @@ def distances_from_one(spectrum: Spectrum, q: flint.fmpq) -> list[flint.acb]:
         found += pair * int(multiplicity)
     # roots v that have gone to infinity are poles z = 0
     return found + [flint.acb(1)] * (spectrum.model.size - len(found))
+
+
+def roots_of(polynomial: flint.fmpz_poly) -> list[tuple[flint.acb, int]]:
+    """All roots with their multiplicities; real ones have an imaginary part of exactly 0.
+
+    Isolating roots nearly as close as two may be takes python-flint half a minute where the index
+    is 1e200, so those of a cubic are Cardano's, in balls, where it has no multiple root.
+    """
+    if polynomial.degree() == 3:
+        d, c, b, a = (polynomial[k] for k in range(4))
+        second, third = b * b - 3 * a * c, 2 * b**3 - 9 * a * b * c + 27 * a * a * d
+        apart = third * third - 4 * second**3  # -27 a^2 times the discriminant
+        if apart != 0:
+            return [(root, 1) for root in _cardano(a, b, second, third, apart)]
+    roots: list[tuple[flint.acb, int]] = polynomial.complex_roots()  # type: ignore[assignment]  # its stub names one root
+    return roots
+
+
+def _cardano(
+    a: flint.fmpz, b: flint.fmpz, second: flint.fmpz, third: flint.fmpz, apart: flint.fmpz
+) -> list[flint.acb]:
+    """-(b + w C + second/(w C))/(3 a) with the cube roots w of 1; C^3 is the larger of two."""
+    turn = flint.acb(flint.arb(-1), flint.arb(3).sqrt()) / 2
+    sign = -1 if third < 0 else 1
+    if apart > 0:
+        # one real root: C is real, and so is the first of the three
+        cube = (abs(flint.arb(third)) + flint.arb(apart).sqrt()) / 2
+        factors = [flint.acb(1), turn, turn.conjugate()]
+    else:
+        # the real part is not negative: no branch of the cube root is near
+        cube = flint.acb(abs(flint.arb(third)), flint.arb(-apart).sqrt()) / 2
+        factors = [flint.acb(1), turn, turn * turn]
+    c = flint.acb(cube).log()
+    found = []
+    for factor in factors:
+        moved = sign * factor * (c / 3).exp()
+        found.append(-(flint.acb(b) + moved + flint.acb(second) / moved) / (3 * flint.acb(a)))
+    if apart > 0:
+        return [flint.acb(found[0].real), *found[1:]]
+    return [flint.acb(root.real) for root in found]
 
 
 def _inside(x: flint.acb) -> bool:

@@ -6,6 +6,7 @@ point of sqrt(2 + 2 sqrt(1 + 2 D X)) for D = X (X^2 - 4)/8, and alpha = 2 (Y + 1
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from copy import deepcopy
 from typing import Any
 
@@ -48,7 +49,8 @@ UNKNOWN, INNER, MAP = 3, 6, 9
 
 def positive(value: sp.Expr) -> Data:
     """A fraction in x."""
-    return fraction(*sp.fraction(sp.cancel(value)), [x])
+    above, below = sp.fraction(sp.cancel(value))
+    return fraction(above, below, [x])
 
 
 @pytest.fixture
@@ -93,7 +95,7 @@ def toy() -> Data:
 
 
 def program_reason(
-    toy: Data, nodes: list[list[Any]], end: int, roots: dict[int, Any], value: Any
+    toy: Data, nodes: Sequence[Any], end: int, roots: Mapping[int, Any], value: Any
 ) -> str:
     """Why a program of these nodes, with one output and these roots, is rejected."""
     graph_ = {"nodes": nodes, "outputs": {"alpha": end}}
@@ -271,7 +273,7 @@ def test_the_start_is_not_evaluated(toy: Data) -> None:
     assert refused(toy) == ""
 
 
-def _moved(node: list[Any], by: int) -> list[Any]:
+def _moved(node: Sequence[Any], by: int) -> list[Any]:
     return [entry + by if isinstance(entry, int) else entry for entry in node]
 
 
