@@ -144,9 +144,13 @@ def exclude_nan(
             return
         grid = boxes.grid(grid.low[:, bad], grid.high[:, bad])
         form = again(grid).form
-        worse = _uncertain(Behaviour(again(boxes.grid(grid.low, grid.low))), ends, domains)
+        points = again(boxes.grid(grid.low, grid.low))
+        worse = _uncertain(Behaviour(points), ends, domains)
         if worse.any() or turn == ROUNDS - 1 or grid.count > GREATEST_COUNT:
-            point = boxes.point_text(grid, int(worse.argmax()))
+            box = int(worse.argmax())
+            point = boxes.point_text(grid, box)
+            if points.cycles.complaint(box):
+                raise PrintingError(f"input {point}: {points.cycles.complaint(box)}")
             raise PrintingError(
                 f"input {point}: NaN, or a normal number where the true value is none, cannot be "
                 "excluded; another order of operations may avoid an over- or underflow"

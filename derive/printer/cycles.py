@@ -58,6 +58,17 @@ class Cycles:
             return self._less(number, parts)
         return None
 
+    def complaint(self, box: int) -> str:
+        """Which fixed points are not found in a box, in words; empty if all are."""
+        names = [
+            f"{self.program.steps[cycle.iterates[-1]].label or 'a fixed point'}: its start is not "
+            f"shown to lie within a factor 1 + {cycle.within} of it, or something on the way to it "
+            "may over- or underflow"
+            for cycle in self.roots
+            if failed(self.forward.values[cycle.iterates[-1]])[box]
+        ]
+        return "; ".join(names)
+
     def set_drift(self, number: int, value: Value, parts: list[Value]) -> None:
         """The drift of a rough step, where no power of a large error may be given away."""
         step = self.program.steps[number]

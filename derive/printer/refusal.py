@@ -32,6 +32,8 @@ def reason(adjoint: Adjoint, failed: Mask) -> tuple[int, str]:
             continue  # only where it begins
         if value.over is not None and value.over[box]:
             found[number] = f"{name} may overflow"
+        elif step.operation == "root" and forward.cycles.complaint(box):
+            found[number] = forward.cycles.complaint(box)
         elif value.invalid is not None and value.invalid[box]:
             found[number] = f"{name} divides by, or takes the root of, what is not normal"
         elif value.tiny is not None and value.tiny[box] > 0:

@@ -100,10 +100,40 @@ def node_balls(graph: Graph, point: Point, bits: int = 400) -> list[flint.arb]:
     """Enclosures of all nodes; a plain number is the value of every symbol."""
     with flint.ctx.workprec(bits):
         values: list[flint.arb] = []
-        for node in graph["nodes"]:
+        for number, node in enumerate(graph["nodes"]):
+            if node[:2] == ["call", "unknown"]:
+                values.append(_fixed_point(graph["nodes"], number, values, bits))
+                continue
             x = point[str(node[1])] if isinstance(point, Mapping) and node[0] == "symbol" else point
             values.append(_ball(node, values, Fraction(x) if isinstance(x, float) else Fraction(0)))
         return values
+
+
+def _fixed_point(
+    nodes: Sequence[Sequence[str | int]], unknown: int, values: list[flint.arb], bits: int
+) -> flint.arb:
+    """By bisection of a logarithm: a map of slope below 1 makes greater what lies below its value.
+
+    What the map needs beside the unknown stands before it.
+    """
+    (image,) = {node[3] for node in nodes if node[:3] == ["call", "fixed_point", unknown]}
+    assert isinstance(image, int)
+
+    def greater(x: flint.arb) -> bool:
+        known = [*values, x]
+        for node in nodes[unknown + 1 : image + 1]:
+            known.append(_ball(node, known, Fraction(0)))
+        assert known[image] > x or known[image] < x, "too close for this precision"
+        return bool(known[image] > x)
+
+    low, high = flint.arb(2) ** -2000, flint.arb(2) ** 2000
+    while not high < 2 * low:
+        middle = (low * high).sqrt().mid()
+        low, high = (flint.arb(middle), high) if greater(middle) else (low, flint.arb(middle))
+    while high - low > low * flint.arb(2) ** (24 - bits):
+        middle = flint.arb(((low + high) / 2).mid())
+        low, high = (middle, high) if greater(middle) else (low, middle)
+    return low.union(high)
 
 
 def _ball(node: Sequence[str | int], values: list[flint.arb], x: Fraction) -> flint.arb:
@@ -129,6 +159,10 @@ def _ball(node: Sequence[str | int], values: list[flint.arb], x: Fraction) -> fl
             return parts[0].sqrt()
     if node[1] == "abs":
         return abs(parts[0])
+    if node[1] == "fixed_point":
+        return parts[2]
+    if node[1] == "near_cbrt":
+        return parts[0].root(3)
     first, second = parts[:2]
     if first < second:
         return parts[2]

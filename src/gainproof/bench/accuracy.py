@@ -7,6 +7,7 @@ narrower than 2^-80 of its size: what the kernel should have returned, apart fro
 from __future__ import annotations
 
 import math
+from collections import ChainMap
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
@@ -20,9 +21,13 @@ Ball = Any  # flint.arb; python-flint ships no types
 def ball_outputs(graph: Graph, point: Mapping[str, float], precision: int = 192) -> dict[str, Ball]:
     """Balls round the exact outputs of a graph at floats, one for each symbol."""
     with ctx.workprec(precision):
-        values: list[Ball] = []
-        for operation, *operands in graph["nodes"]:
-            values.append(_value(operation, operands, values, point))
+        values: dict[int, Ball] = {}
+        nodes = graph["nodes"]
+        for number, (operation, *operands) in enumerate(nodes):
+            if operands[0] == "unknown":
+                values[number] = _fixed_point(nodes, number, values, point, precision)
+            else:
+                values[number] = _value(operation, operands, values, point)
         found = {name: values[number] for name, number in graph["outputs"].items()}
         narrow = all(value.rel_accuracy_bits() > 80 or value == 0 for value in found.values())
     if narrow or precision > 4000:
@@ -30,8 +35,48 @@ def ball_outputs(graph: Graph, point: Mapping[str, float], precision: int = 192)
     return ball_outputs(graph, point, 2 * precision)
 
 
+def _fixed_point(
+    nodes: Sequence[Sequence[Any]],
+    unknown: int,
+    values: dict[int, Ball],
+    point: Mapping[str, float],
+    precision: int,
+) -> Ball:
+    """A ball that holds the fixed point, by repeating the map from 1, which contracts.
+
+    What the map makes greater lies below the only fixed point, what it makes smaller above; a ball
+    without such ends holds no number.
+    """
+    (image,) = {node[3] for node in nodes if node[:3] == ["call", "fixed_point", unknown]}
+    chain = _holding(nodes, unknown, image)
+
+    def mapped(x: Ball) -> Ball:
+        known = ChainMap({unknown: x}, values)
+        for number in chain:
+            operation, *operands = nodes[number]
+            if number not in values:
+                known[number] = _value(operation, operands, known, point)
+        return known[image]
+
+    x = arb(1)
+    for _ in range(precision):
+        x = arb(mapped(x).mid())
+    room = arb(2) ** (20 - precision)
+    low, high = x * (1 - room), x * (1 + room)
+    return low.union(high) if mapped(low) > low and mapped(high) < high else arb("nan")
+
+
+def _holding(nodes: Sequence[Sequence[Any]], unknown: int, image: int) -> list[int]:
+    """The nodes that lead from the unknown to its map, and what else the map needs after it."""
+    wanted = {image}
+    for number in range(image, unknown, -1):
+        if number in wanted:
+            wanted.update(entry for entry in nodes[number][1:] if isinstance(entry, int))
+    return [number for number in sorted(wanted) if number > unknown]
+
+
 def _value(
-    operation: str, operands: Sequence[Any], values: list[Ball], point: Mapping[str, float]
+    operation: str, operands: Sequence[Any], values: Mapping[int, Ball], point: Mapping[str, float]
 ) -> Ball:
     if operation == "number":
         number = Fraction(operands[0])
@@ -43,6 +88,10 @@ def _value(
         chosen = [values[number] for number in rest]
         if name == "abs":
             return abs(chosen[0])
+        if name == "near_cbrt":
+            return chosen[0].root(3)
+        if name == "fixed_point":
+            return chosen[2]
         if chosen[0] < chosen[1]:
             return chosen[2]
         if chosen[0] >= chosen[1]:
