@@ -26,7 +26,7 @@ from gainproof.derive.printer.value import Mask, Value
 
 
 def measured_by_parts(program: Program, output: int, scale: int) -> bool:
-    """Whether an output is a difference and its scale the sum of the same two steps.
+    """Whether an output is a difference and its scale the sum of the same two steps' magnitudes.
 
     Both may be multiplied by the same power of two, which is exact.
     """
@@ -34,8 +34,14 @@ def measured_by_parts(program: Program, output: int, scale: int) -> bool:
     if difference.scale is not None and difference.scale == both.scale:
         ((inside,), (within,)) = difference.operands, both.operands
         difference, both = program.steps[inside], program.steps[within]
-    same = sorted(difference.operands) == sorted(both.operands)
+    same = sorted(difference.operands) == sorted(_signed(program, part) for part in both.operands)
     return difference.operation == "sub" and both.operation == "add" and same
+
+
+def _signed(program: Program, number: int) -> int:
+    """The step itself, or the one whose absolute value it is."""
+    step = program.steps[number]
+    return step.operands[0] if step.operation == "abs" else number
 
 
 class Structural:
@@ -106,8 +112,9 @@ class Structural:
     def _sum(self, number: int, value: Value, parts: list[Array]) -> Array:
         affine = affine_sum(self.forward.program, number, self.forward.form)
         if affine is not None:
-            # exact operands: their rounding is all; in two parts it is left to the adjoint pass
-            return np.full(self.forward.count, 1.0 if affine.parts == 1 else np.inf)
+            # exact operands: their rounding is all; in two parts it is one more, a little apart
+            # from exact where the first sum is much larger than the rest of the constant
+            return np.full(self.forward.count, 1.0 if affine.parts == 1 else 2.0 + 2.0**-10)
         if value.loose:
             return np.full(self.forward.count, np.inf)
         return self._weighed(value, *parts)

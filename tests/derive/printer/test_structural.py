@@ -21,7 +21,8 @@ from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.structural import Structural
+from gainproof.derive.printer.program import program
+from gainproof.derive.printer.structural import Structural, measured_by_parts
 from gainproof.derive.printer.value import PrintingError
 
 SLACK = Fraction(2, 100)
@@ -161,3 +162,35 @@ def test_the_comparison_can_fail(fault: str, monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr(Structural, "_weighed", wrong)
     assert outside_bounds(kernel, 500, 1)
+
+
+def turned(divisor: int) -> Kernel:
+    """z less a term that changes its sign at x = 2, over z and its size or a part."""
+    b = GraphBuilder()
+    x, z = b.symbol("x"), b.symbol("z")
+    other = (x - 2) * z
+    gap = z - other
+    graph = b.graph(
+        {"y": gap, "_s": z + b.absolute(other / divisor if divisor > 1 else other)}, {"gap": gap}
+    )
+    return several_of(graph, "1e-4", "1e4", {"y": "_s"}, {"gap": "a test"})
+
+
+@pytest.mark.parametrize("form", FORMATS, ids=lambda form: form.name)
+def test_a_difference_is_measured_by_the_magnitudes_of_its_terms(form: Format) -> None:
+    assert 1 < roundings(turned(1), form) <= 3 + SLACK
+    assert roundings(turned(3), form) > 4
+
+
+def test_only_the_terms_themselves_measure_a_difference() -> None:
+    for divisor in (1, 3):
+        steps = program(turned(divisor).graph)
+        places = steps.outputs["y"], steps.outputs["_s"]
+        assert measured_by_parts(steps, *places) == (divisor == 1)
+
+
+@pytest.mark.usefixtures("alone")
+@pytest.mark.parametrize("form", FORMATS, ids=lambda form: form.name)
+def test_a_constant_of_two_parts_costs_two_roundings(form: Format) -> None:
+    kernel = two_inputs(lambda b, x, z: b.absolute(x - b.sqrt(b.number(3))) * z)
+    assert 3 <= roundings(kernel, form) <= 3 + SLACK
