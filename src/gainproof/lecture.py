@@ -165,7 +165,8 @@ def closing(derived: Derived, report: Mapping[str, Any]) -> str:
     marks = marks_of(report)
     tally = count(marks[step.id] for step in derived.steps)
     hidden = sum(not step.shown for step in derived.steps)
-    more = f" ({hidden} of them not shown)" if hidden else ""
+    held = "the certificate that `gainproof generate` writes holds all"
+    more = f" ({hidden} of them not shown; {held})" if hidden else ""
     lines = [
         f"{len(derived.steps)} steps{more}: {tally}, by the checker that uses no computer algebra."
     ]
