@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "ClosedLoopPoles",
     "Gains",
     "GainsByTrackingIndex",
     "GainsByVelocityRatio",
@@ -23,9 +24,11 @@ __all__ = [
     "PredictedCovariance",
     "PredictedCovarianceByTrackingIndex",
     "PredictedCovarianceByVelocityRatio",
+    "RealPoles",
     "UpdatedCovariance",
     "UpdatedCovarianceByTrackingIndex",
     "UpdatedCovarianceByVelocityRatio",
+    "closed_loop_poles",
     "gains",
     "gains_by_tracking_index",
     "gains_by_velocity_ratio",
@@ -33,6 +36,7 @@ __all__ = [
     "predicted_covariance",
     "predicted_covariance_by_tracking_index",
     "predicted_covariance_by_velocity_ratio",
+    "real_poles",
     "updated_covariance",
     "updated_covariance_by_tracking_index",
     "updated_covariance_by_velocity_ratio",
@@ -74,6 +78,18 @@ _VELOCITY_RATIO_DOMAIN_3 = Domain(
     (1e-30, 1e30),
     (9.999999974752427e-07, 1000000.0),
 )
+_TRACKING_INDEX_DOMAIN_4 = Domain(
+    "tracking_index",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6",
+    (1e-12, 1000000000000.0),
+    (9.999999974752427e-07, 1000000.0),
+)
+_VELOCITY_RATIO_DOMAIN_4 = Domain(
+    "velocity_ratio",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6",
+    (1e-12, 1000000000000.0),
+    (9.999999974752427e-07, 1000000.0),
+)
 
 
 class Gains(NamedTuple):
@@ -105,10 +121,10 @@ def gains(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
     gain_11: position's gain on the measured position. Relative error at most 16.83 * 2^-52
@@ -222,10 +238,10 @@ def predicted_covariance(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
     predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 16.73 *
@@ -341,10 +357,10 @@ def updated_covariance(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
     updated_11: variance of the updated position over sigma_o^2. Relative error at most 16.83 *
@@ -465,10 +481,10 @@ def gains_by_tracking_index(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     gain_11: derivative by Lambda of the position's gain on the measured position. Relative error at
@@ -667,10 +683,10 @@ def gains_by_velocity_ratio(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     gain_11: derivative by S of the position's gain on the measured position. Relative error at most
@@ -863,10 +879,10 @@ def predicted_covariance_by_tracking_index(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-6 and at most 1e6.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6.
 
     predicted_11: derivative by Lambda of the variance of the predicted position over sigma_o^2.
@@ -1067,10 +1083,10 @@ def predicted_covariance_by_velocity_ratio(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     predicted_11: derivative by S of the variance of the predicted position over sigma_o^2. Relative
@@ -1217,10 +1233,10 @@ def updated_covariance_by_tracking_index(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     updated_11: derivative by Lambda of the variance of the updated position over sigma_o^2.
@@ -1406,10 +1422,10 @@ def updated_covariance_by_velocity_ratio(
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     updated_11: derivative by S of the variance of the updated position over sigma_o^2. Relative
@@ -1539,9 +1555,9 @@ def known_velocity(
         updated_11 = 2 Lambda/(Lambda + sqrt(Lambda^2 + 48)),
         predicted_11 = updated_11 + Lambda^2/3: the limits for S -> 0
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
 
     predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 2.27 *
         2^-52 (float64), 2.26 * 2^-23 (float32), proved for 1e-12 <= tracking_index <=
@@ -1583,4 +1599,206 @@ _KNOWN_VELOCITY = Signature(
     ("predicted_11", "updated_11"),
     2,
     _known_velocity_block,
+)
+
+
+class ClosedLoopPoles(NamedTuple):
+    """Result of `closed_loop_poles`."""
+
+    half_sum: Real
+    """Half the sum of the poles, the real part of each where they are complex."""
+    modulus: Real
+    """The geometric mean of their moduli, the modulus of each where they are complex."""
+    quarter_discriminant: Real
+    """The square of half their difference, negative where they are complex."""
+
+
+def closed_loop_poles(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> ClosedLoopPoles:
+    """Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
+
+        z = half_sum -+ sqrt(quarter_discriminant), product of both modulus^2 = 1/sigma^2,
+        half_sum = Lambda^2/(2 m sigma) (4/Lambda^2 + 1/S^2 - 1/6),
+        quarter_discriminant = (Lambda^2/(2 delta sigma))^2 ((1/S^2 - 1/3)^2 - 1/12 - 4/Lambda^2),
+        sigma, m and delta as in gains. Near the curve where the poles meet their difference is
+        the square root of a difference: the poles themselves have half the digits there.
+
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-6 and at most 1e6.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6.
+
+    half_sum: half the sum of the poles, the real part of each where they are complex. Error over
+        half_sum_scale at most 11.28 * 2^-52 (float64), 11.16 * 2^-23 (float32), proved for every
+        input. Cancellation in half_sum_difference, condition number 1: the real part of complex
+        poles vanishes on a curve; half_sum_scale is the sum of the terms' magnitudes.
+    modulus: the geometric mean of their moduli, the modulus of each where they are complex.
+        Relative error at most 3.88 * 2^-52 (float64), 3.88 * 2^-23 (float32), proved for every
+        input.
+    quarter_discriminant: the square of half their difference, negative where they are complex.
+        Error over quarter_discriminant_scale at most 23.03 * 2^-52 (float64), 33.21 * 2^-23
+        (float32), proved for every input. Cancellation in quarter_discriminant_difference,
+        condition number 1: the poles meet on a curve; quarter_discriminant_scale is the sum of both
+        terms.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out))
+
+
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    half_sum, modulus, quarter_discriminant = out
+    w0, w1, w2, w3, w4 = work
+    t2 = np.square(velocity_ratio, w0)
+    t3 = np.square(tracking_index, w1)
+    t5 = np.divide(t3, 12.0, half_sum)
+    t6 = np.add(t2, t5, half_sum)
+    level_scaled = np.sqrt(t6, modulus)
+    t9 = np.divide(t3, 3.0, quarter_discriminant)
+    t11 = np.add(t9, 16.0, quarter_discriminant)
+    t13 = np.multiply(t2, 4.0, half_sum)
+    t14 = np.add(t13, t3, half_sum)
+    t15 = np.multiply(t14, 0.25, half_sum)
+    t16 = np.multiply(t11, t15, quarter_discriminant)
+    eta_scaled = np.sqrt(t16, quarter_discriminant)
+    t19 = np.multiply(t3, 0.041666666666666664, half_sum)
+    t21 = np.add(t19, 1.0, half_sum)
+    t22 = np.divide(t2, 3.0, w0)
+    t23 = np.add(t22, t21, w0)
+    t24 = np.multiply(t3, t23, w0)
+    t25 = np.multiply(tracking_index, level_scaled, modulus)
+    t27 = np.multiply(eta_scaled, 0.5, half_sum)
+    t28 = np.multiply(t25, t27, half_sum)
+    t29 = np.add(t24, t28, w0)
+    delta_scaled = np.sqrt(t29, w0)
+    t31 = np.add(t25, eta_scaled, modulus)
+    t32 = np.multiply(t31, 0.5, half_sum)
+    t33 = np.add(t32, delta_scaled, half_sum)
+    sigma_scaled = np.multiply(t33, 0.5, quarter_discriminant)
+    t37 = np.divide(velocity_ratio, t31, half_sum)
+    t38 = np.multiply(t37, velocity_ratio, half_sum)
+    t39 = np.divide(4.0, sigma_scaled, w2)
+    t40 = np.multiply(t38, t39, half_sum)
+    t41 = np.divide(tracking_index, t31, modulus)
+    t42 = np.divide(tracking_index, sigma_scaled, w2)
+    t43 = np.multiply(t41, t42, modulus)
+    rest = 8.914125970704845e-08 if single else -2.168616518103246e-16
+    np.add(velocity_ratio, -2.449489742783178, w2)
+    t45 = np.add(w2, rest, w2)
+    t46 = np.add(velocity_ratio, 2.449489742783178, w3)
+    t47 = np.multiply(t45, t46, w2)
+    t48 = np.divide(t47, 6.0, w2)
+    t49 = np.multiply(t43, t48, modulus)
+    t55 = np.multiply(delta_scaled, sigma_scaled, w0)
+    t56 = np.multiply(t55, 2.0, w0)
+    t57 = np.divide(tracking_index, t56, w0)
+    t58 = np.multiply(tracking_index, t57, w2)
+    rest_ = -3.1087250107475484e-08 if single else -1.0035084221806903e-16
+    np.add(velocity_ratio, -1.7320508075688772, w3)
+    t60 = np.add(w3, rest_, w3)
+    t61 = np.add(velocity_ratio, 1.7320508075688772, w4)
+    t62 = np.multiply(t60, t61, w3)
+    t63 = np.divide(t62, 3.0, w3)
+    t64 = np.multiply(t58, t63, w2)
+    t65 = np.multiply(velocity_ratio, t57, w0)
+    t66 = np.multiply(velocity_ratio, 2.0, w3)
+    t67 = np.multiply(t65, t66, w0)
+    t69 = np.divide(t3, 48.0, w1)
+    t70 = np.add(t69, 1.0, w1)
+    t71 = np.square(t64, w2)
+    t72 = np.multiply(t67, t70, w1)
+    t73 = np.multiply(t72, t67, w1)
+    np.subtract(t40, t49, half_sum)
+    np.divide(velocity_ratio, sigma_scaled, modulus)
+    np.subtract(t71, t73, quarter_discriminant)
+
+
+_CLOSED_LOOP_POLES = Signature(
+    "closed_loop_poles",
+    (_TRACKING_INDEX_DOMAIN_4, _VELOCITY_RATIO_DOMAIN_4),
+    ("half_sum", "modulus", "quarter_discriminant"),
+    5,
+    _closed_loop_poles_block,
+)
+
+
+class RealPoles(NamedTuple):
+    """Result of `real_poles`."""
+
+    positive_from: Real
+    """The 1/S^2 from which on both poles are real and positive."""
+    negative_up_to: Real
+    """The 1/S^2 up to which both poles are real and negative, for no S where it is not positive."""
+
+
+def real_poles(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> RealPoles:
+    """The values of 1/S^2 between which the closed-loop poles are complex.
+
+        positive_from = 1/3 + 2 r/Lambda, r = sqrt(1 + Lambda^2/48),
+        negative_up_to = 1/3 - 2 r/Lambda = product of both/positive_from
+
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+
+    positive_from: the 1/S^2 from which on both poles are real and positive. Relative error at most
+        1.76 * 2^-52 (float64), 1.76 * 2^-23 (float32), proved for 1e-12 <= tracking_index <=
+        1000000000000.0 (float64) and 1e-08 <= tracking_index <= 1e08 (float32).
+    negative_up_to: the 1/S^2 up to which both poles are real and negative, for no S where it is not
+        positive. Error over positive_from at most 5.26 * 2^-52 (float64), 5.26 * 2^-23 (float32),
+        proved for 1e-12 <= tracking_index <= 1000000000000.0 (float64) and 1e-08 <= tracking_index
+        <= 1e08 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity
+    """
+    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out))
+
+
+def _real_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (tracking_index,) = given
+    positive_from, negative_up_to = out
+    (w0,) = work
+    t1 = np.square(tracking_index, w0)
+    t3 = np.divide(t1, 48.0, positive_from)
+    t5 = np.add(t3, 1.0, positive_from)
+    spread_root = np.sqrt(t5, negative_up_to)
+    t8 = np.multiply(spread_root, 2.0, negative_up_to)
+    t9 = np.divide(t8, tracking_index, negative_up_to)
+    np.add(0.3333333333333333, t9, positive_from)
+    t13 = np.add(tracking_index, 12.0, w0)
+    t14 = np.divide(t13, tracking_index, w0)
+    t16 = np.add(tracking_index, -12.0, negative_up_to)
+    t17 = np.divide(t16, tracking_index, negative_up_to)
+    t18 = np.multiply(t14, t17, w0)
+    t20 = np.divide(t18, 36.0, w0)
+    np.divide(t20, positive_from, negative_up_to)
+
+
+_REAL_POLES = Signature(
+    "real_poles",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("positive_from", "negative_up_to"),
+    1,
+    _real_poles_block,
 )

@@ -16,21 +16,27 @@ if TYPE_CHECKING:
     from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "ClosedLoopPoles",
     "Gains",
     "GainsByTrackingIndex",
     "GainsByVelocityRatio",
+    "KnownVelocity",
     "PredictedCovariance",
     "PredictedCovarianceByTrackingIndex",
     "PredictedCovarianceByVelocityRatio",
+    "RealPoles",
     "UpdatedCovariance",
     "UpdatedCovarianceByTrackingIndex",
     "UpdatedCovarianceByVelocityRatio",
+    "closed_loop_poles",
     "gains",
     "gains_by_tracking_index",
     "gains_by_velocity_ratio",
+    "known_velocity",
     "predicted_covariance",
     "predicted_covariance_by_tracking_index",
     "predicted_covariance_by_velocity_ratio",
+    "real_poles",
     "updated_covariance",
     "updated_covariance_by_tracking_index",
     "updated_covariance_by_velocity_ratio",
@@ -72,6 +78,18 @@ _VELOCITY_RATIO_DOMAIN_3 = Domain(
     (1e-30, 1e30),
     (9.999999974752427e-07, 1000000.0),
 )
+_TRACKING_INDEX_DOMAIN_4 = Domain(
+    "tracking_index",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6",
+    (1e-12, 1000000000000.0),
+    (9.999999974752427e-07, 1000000.0),
+)
+_VELOCITY_RATIO_DOMAIN_4 = Domain(
+    "velocity_ratio",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6",
+    (1e-12, 1000000000000.0),
+    (9.999999974752427e-07, 1000000.0),
+)
 
 
 class Gains(NamedTuple):
@@ -103,10 +121,10 @@ def gains(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
     gain_11: position's gain on the measured position. Relative error at most 13.67 * 2^-52
@@ -212,10 +230,10 @@ def predicted_covariance(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
     predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 13.71 *
@@ -323,10 +341,10 @@ def updated_covariance(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
     updated_11: variance of the updated position over sigma_o^2. Relative error at most 13.67 *
@@ -439,10 +457,10 @@ def gains_by_tracking_index(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     gain_11: derivative by Lambda of the position's gain on the measured position. Relative error at
@@ -598,10 +616,10 @@ def gains_by_velocity_ratio(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     gain_11: derivative by S of the position's gain on the measured position. Relative error at most
@@ -774,10 +792,10 @@ def predicted_covariance_by_tracking_index(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-6 and at most 1e6.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6.
 
     predicted_11: derivative by Lambda of the variance of the predicted position over sigma_o^2.
@@ -935,10 +953,10 @@ def predicted_covariance_by_velocity_ratio(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     predicted_11: derivative by S of the variance of the predicted position over sigma_o^2. Relative
@@ -1074,10 +1092,10 @@ def updated_covariance_by_tracking_index(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     updated_11: derivative by Lambda of the variance of the updated position over sigma_o^2.
@@ -1220,10 +1238,10 @@ def updated_covariance_by_velocity_ratio(
         w = 1, eta^2 = 16 (1 + t^2/4);
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        acceleration_deviation**2*sampling_interval**4/position_deviation**2; a number at least
-        1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     updated_11: derivative by S of the variance of the updated position over sigma_o^2. Relative
@@ -1322,4 +1340,232 @@ _UPDATED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     ("updated_11", "updated_12", "updated_22"),
     5,
     _updated_covariance_by_velocity_ratio_block,
+)
+
+
+class KnownVelocity(NamedTuple):
+    """Result of `known_velocity`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_o^2."""
+
+
+def known_velocity(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -> KnownVelocity:
+    """The position's variances where the velocity is known exactly, S = 0.
+
+        predicted_11 = Lambda^2/4, the limit for S -> 0; that of the updated variance is 0
+
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+
+    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 0.51 *
+        2^-52 (float64), 0.51 * 2^-23 (float32), proved for 1e-12 <= tracking_index <=
+        1000000000000.0 (float64) and 1e-08 <= tracking_index <= 1e08 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out))
+
+
+def _known_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (tracking_index,) = given
+    (predicted_11,) = out
+    (w0,) = work
+    t1 = np.square(tracking_index, w0)
+    np.multiply(t1, 0.25, predicted_11)
+
+
+_KNOWN_VELOCITY = Signature(
+    "known_velocity",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("predicted_11",),
+    1,
+    _known_velocity_block,
+)
+
+
+class ClosedLoopPoles(NamedTuple):
+    """Result of `closed_loop_poles`."""
+
+    half_sum: Real
+    """Half the sum of the poles, the real part of each where they are complex."""
+    modulus: Real
+    """The geometric mean of their moduli, the modulus of each where they are complex."""
+    quarter_discriminant: Real
+    """The square of half their difference, negative where they are complex."""
+
+
+def closed_loop_poles(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> ClosedLoopPoles:
+    """Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
+
+        z = half_sum -+ sqrt(quarter_discriminant), product of both modulus^2 = 1/sigma^2,
+        half_sum = Lambda^2/(2 m sigma) (4/Lambda^2 + 1/S^2 - 1/4),
+        quarter_discriminant = (Lambda^2/(2 delta sigma))^2 ((1/S^2 - 1/4)^2 - 4/Lambda^2),
+        sigma, m and delta as in gains. Near the curve where the poles meet their difference is
+        the square root of a difference: the poles themselves have half the digits there.
+
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-6 and at most 1e6.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6.
+
+    half_sum: half the sum of the poles, the real part of each where they are complex. Error over
+        half_sum_scale at most 7.71 * 2^-52 (float64), 7.66 * 2^-23 (float32), proved for every
+        input. Cancellation in half_sum_difference, condition number 1: the real part of complex
+        poles vanishes on a curve; half_sum_scale is the sum of the terms' magnitudes.
+    modulus: the geometric mean of their moduli, the modulus of each where they are complex.
+        Relative error at most 2.75 * 2^-52 (float64), 2.75 * 2^-23 (float32), proved for every
+        input.
+    quarter_discriminant: the square of half their difference, negative where they are complex.
+        Error over quarter_discriminant_scale at most 15.99 * 2^-52 (float64), 15.99 * 2^-23
+        (float32), proved for every input. Cancellation in quarter_discriminant_difference,
+        condition number 1: the poles meet on a curve; quarter_discriminant_scale is the sum of both
+        terms.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out))
+
+
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    half_sum, modulus, quarter_discriminant = out
+    w0, w1, w2, w3 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.multiply(t3, 4.0, w2)
+    t6 = np.add(t5, t2, w2)
+    t7 = np.multiply(t6, 4.0, w2)
+    eta_scaled = np.sqrt(t7, half_sum)
+    t9 = np.multiply(t3, 0.25, w1)
+    t11 = np.add(t9, 1.0, w1)
+    t12 = np.multiply(t2, t11, w0)
+    t13 = np.multiply(tracking_index, velocity_ratio, w1)
+    t15 = np.multiply(eta_scaled, 0.5, w2)
+    t16 = np.multiply(t13, t15, w2)
+    t17 = np.add(t12, t16, w0)
+    delta_scaled = np.sqrt(t17, modulus)
+    t19 = np.add(t13, eta_scaled, w1)
+    t20 = np.multiply(t19, 0.5, w0)
+    t21 = np.add(t20, delta_scaled, w0)
+    sigma_scaled = np.multiply(t21, 0.5, w0)
+    t23 = np.divide(velocity_ratio, t19, quarter_discriminant)
+    t24 = np.multiply(t23, velocity_ratio, quarter_discriminant)
+    t25 = np.divide(4.0, sigma_scaled, w2)
+    t26 = np.multiply(t24, t25, quarter_discriminant)
+    t27 = np.divide(tracking_index, t19, w1)
+    t28 = np.divide(tracking_index, sigma_scaled, w2)
+    t29 = np.multiply(t27, t28, w1)
+    t31 = np.add(velocity_ratio, -2.0, w2)
+    t32 = np.add(velocity_ratio, 2.0, half_sum)
+    t33 = np.multiply(t31, t32, w2)
+    t34 = np.multiply(t33, 0.25, w2)
+    t35 = np.multiply(t29, t34, w1)
+    t40 = np.multiply(delta_scaled, sigma_scaled, modulus)
+    t41 = np.multiply(t40, 2.0, modulus)
+    t42 = np.divide(tracking_index, t41, modulus)
+    t43 = np.multiply(tracking_index, t42, half_sum)
+    t44 = np.multiply(t43, t34, half_sum)
+    t45 = np.multiply(velocity_ratio, t42, modulus)
+    t46 = np.multiply(velocity_ratio, 2.0, w2)
+    t47 = np.multiply(t45, t46, modulus)
+    t48 = np.square(t44, w2)
+    t49 = np.square(t47, w3)
+    np.subtract(t26, t35, half_sum)
+    np.divide(velocity_ratio, sigma_scaled, modulus)
+    np.subtract(t48, t49, quarter_discriminant)
+
+
+_CLOSED_LOOP_POLES = Signature(
+    "closed_loop_poles",
+    (_TRACKING_INDEX_DOMAIN_4, _VELOCITY_RATIO_DOMAIN_4),
+    ("half_sum", "modulus", "quarter_discriminant"),
+    4,
+    _closed_loop_poles_block,
+)
+
+
+class RealPoles(NamedTuple):
+    """Result of `real_poles`."""
+
+    positive_from: Real
+    """The 1/S^2 from which on both poles are real and positive."""
+    negative_up_to: Real
+    """The 1/S^2 up to which both poles are real and negative, for no S where it is not positive."""
+
+
+def real_poles(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> RealPoles:
+    """The values of 1/S^2 between which the closed-loop poles are complex.
+
+        positive_from = 1/4 + 2 r/Lambda, r = 1,
+        negative_up_to = 1/4 - 2 r/Lambda = product of both/positive_from
+
+    tracking_index: Lambda, with Lambda^2 = acceleration_deviation^2
+        sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+
+    positive_from: the 1/S^2 from which on both poles are real and positive. Relative error at most
+        1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for 1e-12 <= tracking_index <=
+        1000000000000.0 (float64) and 1e-08 <= tracking_index <= 1e08 (float32).
+    negative_up_to: the 1/S^2 up to which both poles are real and negative, for no S where it is not
+        positive. Error over positive_from at most 4.02 * 2^-52 (float64), 4.04 * 2^-23 (float32),
+        proved for 1e-12 <= tracking_index <= 1000000000000.0 (float64) and 1e-08 <= tracking_index
+        <= 1e08 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-acceleration
+    """
+    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out))
+
+
+def _real_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (tracking_index,) = given
+    positive_from, negative_up_to = out
+    (w0,) = work
+    t2 = np.divide(2.0, tracking_index, positive_from)
+    np.add(0.25, t2, positive_from)
+    t6 = np.add(tracking_index, 8.0, w0)
+    t7 = np.divide(t6, tracking_index, negative_up_to)
+    t9 = np.add(tracking_index, -8.0, w0)
+    t10 = np.divide(t9, tracking_index, w0)
+    t11 = np.multiply(t7, t10, negative_up_to)
+    t13 = np.multiply(t11, 0.0625, negative_up_to)
+    np.divide(t13, positive_from, negative_up_to)
+
+
+_REAL_POLES = Signature(
+    "real_poles",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("positive_from", "negative_up_to"),
+    1,
+    _real_poles_block,
 )

@@ -16,21 +16,25 @@ if TYPE_CHECKING:
     from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "ClosedLoopPoles",
     "Gains",
     "GainsByTrackingIndex",
     "GainsByVelocityRatio",
     "PredictedCovariance",
     "PredictedCovarianceByTrackingIndex",
     "PredictedCovarianceByVelocityRatio",
+    "RealPoles",
     "UpdatedCovariance",
     "UpdatedCovarianceByTrackingIndex",
     "UpdatedCovarianceByVelocityRatio",
+    "closed_loop_poles",
     "gains",
     "gains_by_tracking_index",
     "gains_by_velocity_ratio",
     "predicted_covariance",
     "predicted_covariance_by_tracking_index",
     "predicted_covariance_by_velocity_ratio",
+    "real_poles",
     "updated_covariance",
     "updated_covariance_by_tracking_index",
     "updated_covariance_by_velocity_ratio",
@@ -72,6 +76,24 @@ _VELOCITY_RATIO_DOMAIN_3 = Domain(
     (1e-30, 1e30),
     (9.999999747378752e-05, 10000.0),
 )
+_TRACKING_INDEX_DOMAIN_4 = Domain(
+    "tracking_index",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6",
+    (1e-12, 1000000000000.0),
+    (9.999999974752427e-07, 1000000.0),
+)
+_VELOCITY_RATIO_DOMAIN_4 = Domain(
+    "velocity_ratio",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6",
+    (1e-12, 1000000000000.0),
+    (9.999999974752427e-07, 1000000.0),
+)
+_TRACKING_INDEX_DOMAIN_5 = Domain(
+    "tracking_index",
+    "a number at least 1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8",
+    (1e-12, 1000000000000.0),
+    (9.99999993922529e-09, 100000000.0),
+)
 
 
 class Gains(NamedTuple):
@@ -103,10 +125,10 @@ def gains(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-8 and at most 4e6.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 4e6.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e8.
 
     gain_11: position's gain on the measured position. Relative error at most 11.66 * 2^-52
@@ -206,10 +228,10 @@ def predicted_covariance(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-8 and at most 4e6.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 4e6.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e8.
 
     predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 8.06 *
@@ -307,10 +329,10 @@ def updated_covariance(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-12
-        and at most 1e12, in float32 at least 1e-8 and at most 4e6.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 4e6.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e8.
 
     updated_11: variance of the updated position over sigma_o^2. Relative error at most 11.63 *
@@ -415,10 +437,10 @@ def gains_by_tracking_index(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
-        and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     gain_11: derivative by Lambda of the position's gain on the measured position. Relative error at
@@ -564,10 +586,10 @@ def gains_by_velocity_ratio(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
-        and at most 1e30, in float32 at least 1e-4 and at most 1e4.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-4 and at most 1e4.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
 
     gain_11: derivative by S of the position's gain on the measured position. Relative error at most
@@ -768,10 +790,10 @@ def predicted_covariance_by_tracking_index(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
-        and at most 1e30, in float32 at least 1e-4 and at most 1e4.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-4 and at most 1e4.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
 
     predicted_11: derivative by Lambda of the variance of the predicted position over sigma_o^2.
@@ -915,10 +937,10 @@ def predicted_covariance_by_velocity_ratio(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
-        and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     predicted_11: derivative by S of the variance of the predicted position over sigma_o^2. Relative
@@ -1054,10 +1076,10 @@ def updated_covariance_by_tracking_index(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
-        and at most 1e30, in float32 at least 1e-5 and at most 1e5.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-5 and at most 1e5.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     updated_11: derivative by Lambda of the variance of the updated position over sigma_o^2.
@@ -1190,10 +1212,10 @@ def updated_covariance_by_velocity_ratio(
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
         all computed without a subtraction
 
-    tracking_index: Lambda, with Lambda^2 =
-        increment_deviation**2*sampling_interval**2/position_deviation**2; a number at least 1e-30
-        and at most 1e30, in float32 at least 1e-4 and at most 1e4.
-    velocity_ratio: S = sampling_interval*velocity_deviation/position_deviation; a number at least
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-30 and at most 1e30, in
+        float32 at least 1e-4 and at most 1e4.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
 
     updated_11: derivative by S of the variance of the updated position over sigma_o^2. Relative
@@ -1341,4 +1363,155 @@ _UPDATED_COVARIANCE_BY_VELOCITY_RATIO = Signature(
     ("updated_11", "updated_12", "updated_22"),
     13,
     _updated_covariance_by_velocity_ratio_block,
+)
+
+
+class ClosedLoopPoles(NamedTuple):
+    """Result of `closed_loop_poles`."""
+
+    half_sum: Real
+    """Half the sum of the poles, the real part of each where they are complex."""
+    modulus: Real
+    """The geometric mean of their moduli, the modulus of each where they are complex."""
+    quarter_discriminant: Real
+    """The square of half their difference, negative where they are complex."""
+
+
+def closed_loop_poles(
+    tracking_index: ArrayLike,
+    velocity_ratio: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> ClosedLoopPoles:
+    """Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
+
+        z = half_sum -+ sqrt(quarter_discriminant), product of both modulus^2 = 1/sigma^2,
+        half_sum = Lambda^2/(2 m sigma) (4/Lambda^2 + 1/S^2),
+        quarter_discriminant = (Lambda^2/(2 delta sigma))^2 (1/S^4 - 4/Lambda^2),
+        sigma, m and delta as in gains. Near the curve where the poles meet their difference is
+        the square root of a difference: the poles themselves have half the digits there.
+
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-6 and at most 1e6.
+    velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
+        1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e6.
+
+    half_sum: half the sum of the poles, the real part of each where they are complex. Relative
+        error at most 7.09 * 2^-52 (float64), 7.03 * 2^-23 (float32), proved for every input.
+    modulus: the geometric mean of their moduli, the modulus of each where they are complex.
+        Relative error at most 3.11 * 2^-52 (float64), 3.04 * 2^-23 (float32), proved for every
+        input.
+    quarter_discriminant: the square of half their difference, negative where they are complex.
+        Error over quarter_discriminant_scale at most 14.62 * 2^-52 (float64), 14.56 * 2^-23
+        (float32), proved for every input. Cancellation in quarter_discriminant_difference,
+        condition number 1: the poles meet on a curve; quarter_discriminant_scale is the sum of both
+        terms.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-velocity
+    """
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out))
+
+
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    tracking_index, velocity_ratio = given
+    half_sum, modulus, quarter_discriminant = out
+    w0, w1, w2 = work
+    t2 = np.square(tracking_index, w0)
+    t3 = np.square(velocity_ratio, w1)
+    t5 = np.add(t2, 16.0, w2)
+    t6 = np.multiply(t5, t3, w2)
+    t8 = np.multiply(t2, 4.0, w1)
+    t9 = np.add(t6, t8, w2)
+    eta_scaled = np.sqrt(t9, half_sum)
+    t11 = np.multiply(tracking_index, velocity_ratio, w1)
+    t12 = np.add(t11, eta_scaled, half_sum)
+    t14 = np.multiply(t12, 0.5, w2)
+    t15 = np.multiply(t11, t14, w1)
+    t16 = np.add(t2, t15, w0)
+    delta_scaled = np.sqrt(t16, modulus)
+    t18 = np.add(t14, delta_scaled, w2)
+    sigma_scaled = np.multiply(t18, 0.5, w2)
+    t20 = np.divide(velocity_ratio, t12, quarter_discriminant)
+    t21 = np.multiply(t20, velocity_ratio, quarter_discriminant)
+    t22 = np.divide(4.0, sigma_scaled, w0)
+    t23 = np.multiply(t21, t22, quarter_discriminant)
+    t24 = np.divide(tracking_index, t12, half_sum)
+    t25 = np.divide(tracking_index, sigma_scaled, w0)
+    t26 = np.multiply(t24, t25, half_sum)
+    t29 = np.multiply(delta_scaled, sigma_scaled, modulus)
+    t30 = np.multiply(t29, 2.0, modulus)
+    t31 = np.divide(tracking_index, t30, modulus)
+    t32 = np.multiply(tracking_index, t31, w0)
+    t33 = np.multiply(velocity_ratio, t31, modulus)
+    t34 = np.multiply(velocity_ratio, 2.0, w1)
+    t35 = np.multiply(t33, t34, modulus)
+    t36 = np.square(t32, w0)
+    t37 = np.square(t35, w1)
+    np.add(t23, t26, half_sum)
+    np.divide(velocity_ratio, sigma_scaled, modulus)
+    np.subtract(t36, t37, quarter_discriminant)
+
+
+_CLOSED_LOOP_POLES = Signature(
+    "closed_loop_poles",
+    (_TRACKING_INDEX_DOMAIN_4, _VELOCITY_RATIO_DOMAIN_4),
+    ("half_sum", "modulus", "quarter_discriminant"),
+    3,
+    _closed_loop_poles_block,
+)
+
+
+class RealPoles(NamedTuple):
+    """Result of `real_poles`."""
+
+    positive_from: Real
+    """The 1/S^2 from which on both poles are real and positive."""
+
+
+def real_poles(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -> RealPoles:
+    """The values of 1/S^2 between which the closed-loop poles are complex.
+
+        positive_from = 2 r/Lambda, r = 1
+
+    tracking_index: Lambda, with Lambda^2 = increment_deviation^2
+        sampling_interval^2/position_deviation^2; a number at least 1e-12 and at most 1e12, in
+        float32 at least 1e-8 and at most 1e8.
+
+    positive_from: the 1/S^2 from which on both poles are real and positive. Relative error at most
+        0.51 * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 1e-12 <= tracking_index <=
+        1000000000000.0 (float64) and 1e-08 <= tracking_index <= 1e08 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation position-velocity-random-velocity
+    """
+    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out))
+
+
+def _real_poles_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
+    (tracking_index,) = given
+    (positive_from,) = out
+    np.divide(2.0, tracking_index, positive_from)
+
+
+_REAL_POLES = Signature(
+    "real_poles",
+    (_TRACKING_INDEX_DOMAIN_5,),
+    ("positive_from",),
+    0,
+    _real_poles_block,
 )

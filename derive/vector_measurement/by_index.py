@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gainproof.derive.vector_measurement.forms import times, total
+from gainproof.derive.vector_measurement.noise import times, total
 from gainproof.derive.vector_measurement.rates import Rates
 
 Parts = tuple[Any, Any]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from gainproof.derive.vector_measurement.by_index import Parts, updated_by_index
-from gainproof.derive.vector_measurement.forms import total
+from gainproof.derive.vector_measurement.noise import total
 from gainproof.derive.vector_measurement.rates import Rates
 
 

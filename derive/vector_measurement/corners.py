@@ -13,10 +13,10 @@ import sympy as sp
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.vector_measurement import forms
+from gainproof.derive.vector_measurement import radicands
 from gainproof.derive.vector_measurement.ends import root_of_e
-from gainproof.derive.vector_measurement.forms import Noise
 from gainproof.derive.vector_measurement.names import RATIO, ROOT
+from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.towers import rational, steady_elements, symbolic_noise
 
 T, X = real("t"), real("x")
@@ -41,7 +41,7 @@ def fixed_index_tower(noise: Noise) -> Tower:
     else:
         generators.append(Generator("high", 16 + area + 4 * T**2))
         eta = HIGH
-    square = forms.delta_squared(
+    square = radicands.delta_squared(
         numbers, ROOT**2, ROOT**2 / T, ROOT**2 / T * level, ROOT**2 / T * eta
     )
     generators.append(Generator("gap", sp.expand(sp.expand(square) * T**2 / area)))
@@ -55,12 +55,12 @@ def narrow_tower(noise: Noise) -> Tower:
     generators = []
     width: sp.Expr = ratio
     if noise.determinant:
-        square = forms.level_squared(numbers, ROOT**2, ratio)
+        square = radicands.level_squared(numbers, ROOT**2, ratio)
         generators.append(Generator("w", sp.expand(square / ROOT**2)))
         width = W * ROOT
-    square = forms.eta_squared(numbers, ROOT**2, ratio)
+    square = radicands.eta_squared(numbers, ROOT**2, ratio)
     generators.append(Generator("high", sp.expand(square / ROOT**2)))
-    square = forms.delta_squared(numbers, ROOT**2, ratio, width, HIGH * ROOT)
+    square = radicands.delta_squared(numbers, ROOT**2, ratio, width, HIGH * ROOT)
     generators.append(Generator("gap", sp.expand(square / area)))
     roots = (W / X if noise.determinant else sp.Integer(1), HIGH / X, ROOT * GAP / X)
     return _tower("narrow", "x", ratio, generators, roots, noise)

@@ -8,8 +8,8 @@ from typing import Any
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.vector_measurement import by_index, by_ratio
-from gainproof.derive.vector_measurement.forms import Noise
 from gainproof.derive.vector_measurement.kernels import graph_basis
+from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.rates import Rates
 
 BY_INDEX, BY_RATIO = "_by_tracking_index", "_by_velocity_ratio"

@@ -13,7 +13,8 @@ from gainproof.derive.vector_measurement.derivative_kernels import (
     SCALE,
     difference,
 )
-from gainproof.derive.vector_measurement.forms import Noise
+from gainproof.derive.vector_measurement.names import in_words
+from gainproof.derive.vector_measurement.noise import Noise
 
 LATIN = {BY_INDEX: "Lambda", BY_RATIO: "S"}
 HELD = {BY_INDEX: "S", BY_RATIO: "Lambda"}
@@ -80,10 +81,10 @@ def inputs(c: Context, kernel: str) -> tuple[Input, Input]:
     (ratio,) = c.model.ratios.values()
     decades = _decades(c.noise, kernel)
     ends = f"1e-{decades}", f"1e{decades}"
-    index = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
+    index = f"Lambda, with Lambda^2 = {in_words(c.model.noise_ratio)}"
     return (
         closed("tracking_index", index, "1e-30", "1e30", ends),
-        closed("velocity_ratio", f"S = {ratio}", "1e-30", "1e30", ends),
+        closed("velocity_ratio", f"S = {in_words(ratio)}", "1e-30", "1e30", ends),
     )
 
 

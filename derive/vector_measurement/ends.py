@@ -14,8 +14,8 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.steady_state import towers as position_only
-from gainproof.derive.vector_measurement.forms import Noise
 from gainproof.derive.vector_measurement.names import INDEX, ROOT
+from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.towers import (
     rational,
     steady_elements,

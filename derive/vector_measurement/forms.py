@@ -16,48 +16,9 @@ so that squares over- or underflow only far outside the range of any radar.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
-HALF = Fraction(1, 2)
-
-
-def times(number: Fraction, value: Any) -> Any:
-    """number * value; a quotient by the denominator where the number is one over an integer."""
-    if number == 1:
-        return value
-    return value / number.denominator if number.numerator == 1 else value * number
-
-
-def total(*terms: Any) -> Any:
-    """The sum of the terms that are there: None stands for a term that vanishes in the family."""
-    first, *rest = (term for term in terms if term is not None)
-    for term in rest:
-        first = first + term
-    return first
-
-
-@dataclass(frozen=True)
-class Noise:
-    """The numbers of a family: e = noise(4)/noise(0) and n = Q12/Q22."""
-
-    e: Fraction
-    n: Fraction
-
-    @property
-    def first(self) -> Fraction:
-        """Q11/Q22."""
-        return self.n - (1 - self.e) / 4
-
-    @property
-    def determinant(self) -> Fraction:
-        """d = det Q/Q22^2."""
-        return self.first - self.n * self.n
-
-    @property
-    def interval(self) -> bool:
-        """Whether n = 1/2: the noise acts all through the interval, and eta is a product."""
-        return self.n == HALF
+from gainproof.derive.vector_measurement.noise import Noise, times, total
 
 
 @dataclass(frozen=True)
@@ -154,34 +115,6 @@ class Basis:
     def rest(self) -> Any:
         """g = Lambda w - h = sigma det(U)/S^2."""
         return self.rest_scaled / self.ratio
-
-
-def level_squared(noise: Noise, index: Any, ratio: Any) -> Any:
-    """S^2 w^2 = S^2 + d Lambda^2; None where d = 0."""
-    if not noise.determinant:
-        return None
-    return ratio * ratio + times(noise.determinant, index * index)
-
-
-def eta_squared(noise: Noise, index: Any, ratio: Any) -> Any:
-    """S^2 eta^2 = S^2 (16 + e Lambda^2) + Lambda^2 (4 + d Lambda^2); for n = 1/2 a product."""
-    area, square = index * index, ratio * ratio
-    first = times(noise.e, area) + 16 if noise.e else None
-    if noise.interval:
-        second = square * 4 + area
-        return second * 4 if first is None else first * (second / 4)
-    return first * square + area * 4
-
-
-def delta_squared(noise: Noise, index: Any, ratio: Any, width: Any, eta_scaled: Any) -> Any:
-    """S^2 delta^2 = S^2 (m^2 - 4), without a subtraction; `width` is S w."""
-    area = index * index
-    if not noise.interval:
-        return area + (index * ratio) * ((index * ratio + eta_scaled) / 2)
-    own = area * (noise.determinant / 2) + 1 if noise.determinant else 1
-    return area * (times((1 + noise.e) / 4, ratio * ratio) + own) + (index * width) * (
-        eta_scaled / 2
-    )
 
 
 def _position_step(x: Basis) -> Any:

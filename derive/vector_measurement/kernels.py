@@ -6,8 +6,9 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
-from gainproof.derive.vector_measurement import forms
-from gainproof.derive.vector_measurement.forms import Basis, Noise
+from gainproof.derive.vector_measurement import radicands
+from gainproof.derive.vector_measurement.forms import Basis
+from gainproof.derive.vector_measurement.noise import Noise, times
 
 FormsOf = Callable[[Basis], Mapping[str, Any]]
 INPUTS = ("tracking_index", "velocity_ratio")
@@ -19,10 +20,10 @@ def graph_basis(builder: GraphBuilder, noise: Noise) -> tuple[Basis, dict[str, N
     names: dict[str, Node] = {}
     level = None
     if noise.determinant:
-        level = names["level_scaled"] = builder.sqrt(forms.level_squared(noise, index, ratio))
-    eta = names["eta_scaled"] = builder.sqrt(forms.eta_squared(noise, index, ratio))
+        level = names["level_scaled"] = builder.sqrt(radicands.level_squared(noise, index, ratio))
+    eta = names["eta_scaled"] = builder.sqrt(radicands.eta_squared(noise, index, ratio))
     width = ratio if level is None else level
-    square = forms.delta_squared(noise, index, ratio, width, eta)
+    square = radicands.delta_squared(noise, index, ratio, width, eta)
     delta = names["delta_scaled"] = builder.sqrt(square)
     basis = Basis(index, ratio, level, eta, delta, noise)
     names |= {
@@ -45,14 +46,19 @@ def steady_graph(noise: Noise, *parts: FormsOf) -> Graph:
 
 
 def known_graph(noise: Noise) -> Graph:
-    """The position's variances where the velocity is known exactly; for d > 0."""
+    """The position's variances where the velocity is known exactly, those that do not vanish.
+
+    For d = 0 exact velocities leave nothing of the position open, and the prediction has Q11.
+    """
     builder = GraphBuilder()
     index = builder.symbol("tracking_index")
     area = index * index
+    if not noise.determinant:
+        return builder.graph({"predicted_11": times(noise.first, area)})
     far = builder.sqrt(area + 16 / noise.e)
     updated = (index * 2) / (index + far)
     outputs = {
-        "predicted_11": updated + forms.times(noise.first, area),
+        "predicted_11": updated + times(noise.first, area),
         "updated_11": updated,
     }
     return builder.graph(outputs, {"far": far})

@@ -13,8 +13,11 @@ from gainproof.derive.vector_measurement import forms
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.derivative_kernels import DERIVATIVES, derivative_graph
 from gainproof.derive.vector_measurement.derivative_module import derivative_kernel, is_derivative
-from gainproof.derive.vector_measurement.forms import Noise
 from gainproof.derive.vector_measurement.kernels import FormsOf, known_graph, steady_graph
+from gainproof.derive.vector_measurement.names import in_words
+from gainproof.derive.vector_measurement.noise import Noise
+from gainproof.derive.vector_measurement.pole_kernels import pole_graphs
+from gainproof.derive.vector_measurement.pole_module import is_of_poles, pole_kernel
 
 STEADY_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
     "gains": (forms.gains,),
@@ -56,7 +59,9 @@ def graphs(noise: Noise) -> dict[str, Graph]:
     """The graphs of all kernels of a family by name."""
     found = {name: steady_graph(noise, *parts) for name, parts in STEADY_KERNELS.items()}
     found |= {name: derivative_graph(noise, name) for name in DERIVATIVES}
-    return {**found, KNOWN: known_graph(noise)} if noise.determinant else found
+    if noise.first:
+        found[KNOWN] = known_graph(noise)
+    return {**found, **pole_graphs(noise)}
 
 
 def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
@@ -71,6 +76,8 @@ def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
 
 
 def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
+    if is_of_poles(name):
+        return pole_kernel(c, name, graph)
     if is_derivative(name):
         base, _, _ = name.partition("_by_")
         return derivative_kernel(c, name, graph, _equations(c, base), MEANINGS)
@@ -89,13 +96,13 @@ def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
 def _inputs(c: Context, name: str) -> tuple[Input, ...]:
     """The dimensionless parameters, as they follow from the model's quantities."""
     (ratio,) = c.model.ratios.values()
-    index = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
+    index = f"Lambda, with Lambda^2 = {in_words(c.model.noise_ratio)}"
     if name == KNOWN:
         return (closed("tracking_index", index, "1e-12", "1e12", ("1e-8", "1e8")),)
     single = VALUES[c.noise.interval]
     return (
         closed("tracking_index", index, "1e-12", "1e12", single[0]),
-        closed("velocity_ratio", f"S = {ratio}", "1e-12", "1e12", single[1]),
+        closed("velocity_ratio", f"S = {in_words(ratio)}", "1e-12", "1e12", single[1]),
     )
 
 
@@ -129,6 +136,9 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
 
 
 def _known_equations(c: Context) -> tuple[str, ...]:
+    if not c.noise.determinant:
+        own = _product(c.noise.first)
+        return (f"predicted_11 = {own}, the limit for S -> 0; that of the updated variance is 0",)
     far = 16 / c.noise.e
     return (
         f"updated_11 = 2 Lambda/(Lambda + sqrt(Lambda^2 + {far})),",

@@ -50,6 +50,11 @@ LATEX = {
 }
 
 
+def in_words(expression: sp.Expr) -> str:
+    """A product of named quantities as people write it: a^2 b/c."""
+    return str(sp.sstr(expression)).replace("**", "^").replace("*", " ")
+
+
 def symmetric(names: tuple[str, str, str]) -> sp.ImmutableDenseMatrix:
     """The symmetric 2 x 2 matrix of three named entries 11, 12, 22."""
     first, cross, second = map(real, names)

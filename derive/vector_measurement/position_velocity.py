@@ -19,19 +19,23 @@ from gainproof.derive.vector_measurement.corners import fixed_index_tower, narro
 from gainproof.derive.vector_measurement.ends import LATEX as END_LATEX
 from gainproof.derive.vector_measurement.ends import ends_tower, index_tower
 from gainproof.derive.vector_measurement.names import LATEX
+from gainproof.derive.vector_measurement.pole_towers import LATEX as POLE_LATEX
+from gainproof.derive.vector_measurement.pole_towers import pole_towers
 from gainproof.derive.vector_measurement.steps_corners import corner_steps
 from gainproof.derive.vector_measurement.steps_derivatives import derivative_steps
 from gainproof.derive.vector_measurement.steps_entries import cross_steps
 from gainproof.derive.vector_measurement.steps_limits import limit_steps
 from gainproof.derive.vector_measurement.steps_model import model_steps
+from gainproof.derive.vector_measurement.steps_poles import pole_steps
 from gainproof.derive.vector_measurement.steps_position import position_steps
 from gainproof.derive.vector_measurement.steps_program import program_steps
 from gainproof.derive.vector_measurement.steps_proof import form_steps, proof_steps
 from gainproof.derive.vector_measurement.steps_ratio import improvement_steps
 from gainproof.derive.vector_measurement.steps_spectrum import spectrum_steps
 from gainproof.derive.vector_measurement.steps_trends import trend_steps
-from gainproof.derive.vector_measurement.steps_width import LATEX as WIDTH_LATEX
-from gainproof.derive.vector_measurement.steps_width import outer_tower, width_steps
+from gainproof.derive.vector_measurement.steps_width import width_steps
+from gainproof.derive.vector_measurement.steps_width_small import LATEX as WIDTH_LATEX
+from gainproof.derive.vector_measurement.steps_width_small import outer_tower
 from gainproof.derive.vector_measurement.steps_without_trend import without_trend_steps
 from gainproof.derive.vector_measurement.textbook import textbook_forms
 
@@ -87,6 +91,7 @@ def derive_position_velocity(
         *without_trend_steps(c),
         *improvement_steps(c),
         *width_steps(c),
+        *pole_steps(c),
         *program_steps(c, graphs),
     )
     symbols = {quantity.name: quantity.latex for quantity in model.quantities}
@@ -99,7 +104,15 @@ def derive_position_velocity(
             OPENING,
             tuple(printed.beside(step) for step in steps),
             sources,
-            {**LATEX, **END_LATEX, **CORNER_LATEX, **WIDTH_LATEX, **printed.latex, **symbols},
+            {
+                **LATEX,
+                **END_LATEX,
+                **CORNER_LATEX,
+                **WIDTH_LATEX,
+                **POLE_LATEX,
+                **printed.latex,
+                **symbols,
+            },
         ),
         towers={tower.name: tower for tower in towers},
         programs={
@@ -114,7 +127,13 @@ def derive_position_velocity(
 def _towers(c: Context) -> tuple[Tower, ...]:
     """All towers of a family."""
     noise = c.noise
-    towers = (c.tower, ends_tower(noise), fixed_index_tower(noise), narrow_tower(noise))
+    towers = (
+        c.tower,
+        ends_tower(noise),
+        fixed_index_tower(noise),
+        narrow_tower(noise),
+        *pole_towers(noise),
+    )
     return (*towers, index_tower(noise), outer_tower()) if noise.determinant else towers
 
 

@@ -20,10 +20,9 @@ from gainproof.derive.vector_measurement.forms import (
     Basis,
     gains,
     predicted_covariance,
-    times,
-    total,
     updated_covariance,
 )
+from gainproof.derive.vector_measurement.noise import times, total
 
 
 class Rates:

@@ -6,7 +6,7 @@ import sympy as sp
 
 from gainproof.derive.derivation import Step
 from gainproof.derive.relation import equal
-from gainproof.derive.vector_measurement import forms
+from gainproof.derive.vector_measurement import radicands
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.names import (
     DELTA,
@@ -114,7 +114,7 @@ def _level_steps(c: Context, one: sp.Expr) -> list[Step]:
                 "level",
                 "`w` is near 1 while the velocity is measured badly, and grows when it is measured "
                 "well.",
-                equal(LEVEL**2, _over_square(forms.level_squared(noise, INDEX, RATIO))),
+                equal(LEVEL**2, _over_square(radicands.level_squared(noise, INDEX, RATIO))),
                 "Divide the second line of step @at-one by `Lambda^2`; `t = Lambda/S` by step "
                 "@ratio.",
             )
@@ -123,7 +123,7 @@ def _level_steps(c: Context, one: sp.Expr) -> list[Step]:
 
 
 def _eta_steps(c: Context, other: sp.Expr) -> list[Step]:
-    form = _over_square(forms.eta_squared(symbolic_noise(c.noise), INDEX, RATIO))
+    form = _over_square(radicands.eta_squared(symbolic_noise(c.noise), INDEX, RATIO))
     form = sp.factor(form) if c.noise.interval else form
     shape = "a product" if c.noise.interval else "a sum of positive terms"
     return [
@@ -169,7 +169,9 @@ def _sigma_steps(c: Context) -> list[Step]:
 
 
 def _delta_squared(c: Context) -> sp.Expr:
-    form = forms.delta_squared(symbolic_noise(c.noise), INDEX, RATIO, RATIO * c.level, RATIO * ETA)
+    form = radicands.delta_squared(
+        symbolic_noise(c.noise), INDEX, RATIO, RATIO * c.level, RATIO * ETA
+    )
     return _over_square(form)
 
 

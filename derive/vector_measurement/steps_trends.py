@@ -14,8 +14,9 @@ from gainproof.derive.relation import limit, monotone
 from gainproof.derive.vector_measurement.by_ratio import updated_by_ratio
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.ends import root_of_e
-from gainproof.derive.vector_measurement.forms import Noise, gains
+from gainproof.derive.vector_measurement.forms import gains
 from gainproof.derive.vector_measurement.names import PREDICTED, RATIO, UPDATED
+from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.rates import Rates
 
 WITH_INDEX = (*PREDICTED, "updated_11", "updated_22", "gain_11", "gain_22", "innovation_ratio")

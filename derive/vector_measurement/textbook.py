@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from gainproof.derive.vector_measurement import forms
+from gainproof.derive.vector_measurement import radicands
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.names import INDEX, RATIO
 from gainproof.derive.vector_measurement.towers import rational, symbolic_noise
@@ -24,7 +24,7 @@ def textbook_forms(c: Context) -> Mapping[str, Forms]:
     noise, area = symbolic_noise(c.noise), INDEX**2
     n = rational(c.noise.n)
     one = sp.sqrt(c.spectrum.constant)
-    mean = (one + sp.sqrt(forms.eta_squared(noise, INDEX, RATIO)) / RATIO) / 2
+    mean = (one + sp.sqrt(radicands.eta_squared(noise, INDEX, RATIO)) / RATIO) / 2
     delta = sp.sqrt(mean**2 - 4)
     sigma = (mean + delta) / 2
     cross = (area * (1 / sigma + n * delta) + RATIO**2 * one) / (delta**2 + RATIO**2)

@@ -9,8 +9,8 @@ import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.vector_measurement import forms
-from gainproof.derive.vector_measurement.forms import Basis, Noise
+from gainproof.derive.vector_measurement import radicands
+from gainproof.derive.vector_measurement.forms import Basis
 from gainproof.derive.vector_measurement.names import (
     COUPLING,
     CROSS,
@@ -24,6 +24,7 @@ from gainproof.derive.vector_measurement.names import (
     SIGMA,
     SPEED,
 )
+from gainproof.derive.vector_measurement.noise import Noise
 
 LEVEL_SCALED, ETA_SCALED, DELTA_SCALED = map(real, ("level_scaled", "eta_scaled", "delta_scaled"))
 
@@ -60,12 +61,12 @@ def steady_generators(noise: Noise) -> tuple[Generator, ...]:
     generators = []
     width: sp.Expr = RATIO
     if noise.determinant:
-        square = forms.level_squared(numbers, index, RATIO)
+        square = radicands.level_squared(numbers, index, RATIO)
         generators.append(Generator("level_scaled", sp.expand(square)))
         width = LEVEL_SCALED
-    square = forms.eta_squared(numbers, index, RATIO)
+    square = radicands.eta_squared(numbers, index, RATIO)
     generators.append(Generator("eta_scaled", sp.expand(square)))
-    square = forms.delta_squared(numbers, index, RATIO, width, ETA_SCALED)
+    square = radicands.delta_squared(numbers, index, RATIO, width, ETA_SCALED)
     generators.append(Generator("delta_scaled", sp.expand(square / index)))
     return tuple(generators)
 

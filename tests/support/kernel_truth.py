@@ -13,6 +13,7 @@ from functools import cache
 from typing import Any
 
 import flint
+from both_measured import BothMeasuredTruth, both_measured
 
 from gainproof.verify.oracles.truth import FitTruth, SteadyStateTruth, Truth, steady_state_truth
 
@@ -39,26 +40,12 @@ FITS: Mapping[str, int] = {
 }
 
 
-KNOWN_VELOCITIES: Mapping[str, str] = {"position_velocity": "continuous_white_acceleration"}
-"""Modules with a kernel for velocities that are measured exactly, and their process noise."""
-
-
-@dataclass(frozen=True)
-class KnownVelocityTruth:
-    """Position measured, velocities known: the displacement in an interval has the variance that
-    is left when both velocities at its ends are given, and the position is all there is to filter.
-    """
-
-    spread: Fraction
-    displacement: SteadyStateTruth
-
-    def at(self, argument: str, value: float) -> Mapping[str, Truth]:
-        """Variances of the position, updated and predicted before the new velocity is known."""
-        updated = self.displacement.at(argument, value)["updated_11"]
-        with flint.ctx.workprec(400):
-            more = self.spread * Fraction(value) ** 2
-            predicted = updated.value + flint.fmpq(more.numerator, more.denominator)
-            return {"updated_11": updated, "predicted_11": Truth(predicted, predicted)}
+BOTH_MEASURED: Mapping[str, str] = {
+    "position_velocity": "continuous_white_acceleration",
+    "position_velocity_random_acceleration": "random_acceleration",
+    "position_velocity_random_velocity": "random_velocity",
+}
+"""Modules with position and velocity measured, and their process noise."""
 
 
 @dataclass(frozen=True)
@@ -89,25 +76,13 @@ class HandOverTruth:
         return 1 / n + (k / 2) ** 2 / (n * (n * n - 1) / 12)
 
 
-def _known_velocity(noise: list[list[str]]) -> KnownVelocityTruth:
-    (own, cross), (_, last) = ([Fraction(entry) for entry in row] for row in noise)
-    one = [["1"]]
-    data = {
-        "transition": one,
-        "process_noise": [[str(own - cross * cross / last)]],
-        "measurement": one,
-        "measurement_noise": one,
-    }
-    return KnownVelocityTruth(own, steady_state_truth(data))
-
-
 @cache
-def truth_of(family: str) -> SteadyStateTruth | FitTruth | KnownVelocityTruth | HandOverTruth:
+def truth_of(family: str) -> SteadyStateTruth | FitTruth | BothMeasuredTruth | HandOverTruth:
     """The truth about a family; LookupError for one without an oracle."""
     if family in STEADY_STATES:
         return steady_state_truth(STEADY_STATES[family])
-    if family in KNOWN_VELOCITIES:
-        return _known_velocity(STEADY_STATES[KNOWN_VELOCITIES[family]]["process_noise"])
+    if family in BOTH_MEASURED:
+        return both_measured(STEADY_STATES[BOTH_MEASURED[family]]["process_noise"])
     if family in FITS:
         return FitTruth(FITS[family])
     if family == "recursion_two_states":

@@ -11,9 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from position_velocity_slopes import DIGITS, slopes
 
-from gainproof.derive.vector_measurement import forms
+from gainproof.derive.vector_measurement import radicands
 from gainproof.derive.vector_measurement.derivative_kernels import BY_INDEX, BY_RATIO, DERIVATIVES
-from gainproof.derive.vector_measurement.forms import Basis, Noise
+from gainproof.derive.vector_measurement.forms import Basis
+from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.derive.vector_measurement.rates import Rates
 
 NOISES = {
@@ -34,11 +35,11 @@ def evaluated(noise: Noise, index: Fraction, ratio: Fraction, kernel: str) -> di
     """The forms of one kernel as numbers, or pairs of them."""
     with mpmath.workdps(DIGITS + 40):
         own, other = (mpmath.mpf(x.numerator) / x.denominator for x in (index, ratio))
-        square = forms.level_squared(noise, own, other)
+        square = radicands.level_squared(noise, own, other)
         level = None if square is None else mpmath.sqrt(square)
-        eta = mpmath.sqrt(forms.eta_squared(noise, own, other))
+        eta = mpmath.sqrt(radicands.eta_squared(noise, own, other))
         width = other if level is None else level
-        delta = mpmath.sqrt(forms.delta_squared(noise, own, other, width, eta))
+        delta = mpmath.sqrt(radicands.delta_squared(noise, own, other, width, eta))
         return dict(DERIVATIVES[kernel](Rates(Basis(own, other, level, eta, delta, noise))))
 
 

@@ -11,10 +11,11 @@ import sympy as sp
 
 from gainproof.derive.model import ModelError
 from gainproof.derive.quantity import METRE, SAMPLING_INTERVAL, SECOND, Quantity
-from gainproof.derive.vector_measurement import forms
+from gainproof.derive.vector_measurement import forms, radicands
 from gainproof.derive.vector_measurement.context import context
-from gainproof.derive.vector_measurement.forms import Basis, Noise
+from gainproof.derive.vector_measurement.forms import Basis
 from gainproof.derive.vector_measurement.model import measured_model
+from gainproof.derive.vector_measurement.noise import Noise
 from gainproof.verify.oracles import doubling, position_velocity
 from gainproof.verify.oracles.multiprecision import fraction
 
@@ -35,11 +36,11 @@ POINTS = ("1/1000000", "1/50", "1", "30", "4000000")
 
 def evaluated(noise: Noise, index: Any, ratio: Any) -> dict[str, Any]:
     """All entries at numbers with many digits."""
-    level_squared = forms.level_squared(noise, index, ratio)
+    level_squared = radicands.level_squared(noise, index, ratio)
     level = None if level_squared is None else mpmath.sqrt(level_squared)
-    eta = mpmath.sqrt(forms.eta_squared(noise, index, ratio))
+    eta = mpmath.sqrt(radicands.eta_squared(noise, index, ratio))
     width = ratio if level is None else level
-    delta = mpmath.sqrt(forms.delta_squared(noise, index, ratio, width, eta))
+    delta = mpmath.sqrt(radicands.delta_squared(noise, index, ratio, width, eta))
     x = Basis(index, ratio, level, eta, delta, noise)
     return {**forms.gains(x), **forms.predicted_covariance(x), **forms.updated_covariance(x)}
 
