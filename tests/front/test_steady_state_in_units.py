@@ -136,5 +136,16 @@ def test_other_bad_arguments() -> None:
         steady_state(1.0, 1.0, 1j, 1.0)
     with pytest.raises(ValueError, match="process_noise must be one of continuous-white"):
         steady_state(1.0, 1.0, 1.0, 1.0, "white")
-    with pytest.raises(ValueError, match="tracking_index must be"):
+    with pytest.raises(
+        ValueError,
+        match=r"tracking_index = acceleration_deviation .* got inf",
+    ):
         steady_state(1e200, 1e-200, 1.0, 1.0)
+    with pytest.raises(ValueError, match=r"velocity_ratio = .* 1e\+20 at index 1"):
+        steady_state(1.0, 1.0, [1.0, 1e20], 1.0)
+
+
+def test_the_index_of_numbers_is_a_number() -> None:
+    found = steady_state(2.0, 1.0, 1.0, 1.0)
+    assert isinstance(found.tracking_index, float)
+    assert isinstance(found.velocity_ratio, float)

@@ -10,25 +10,18 @@ from types import ModuleType
 
 @dataclass(frozen=True)
 class Noise:
-    """One process noise: its printed kernels, and what an exact velocity says of the position.
-
-    ``both`` and ``alone`` name modules of `gainproof.generated`: with both quantities measured,
-    and with the position alone. ``displacement`` is Q11/Lambda^2 in units T = sigma_o = 1 where
-    the velocities at both ends of an interval fix the displacement in it (det Q = 0), so that
-    nothing of the position is left to estimate; None where something is.
+    """One process noise: the modules of `gainproof.generated` with ``both`` quantities measured,
+    and with the position ``alone``.
     """
 
     both: str
     alone: str
-    displacement: float | None = None
 
 
 PROCESS_NOISES: Mapping[str, Noise] = {
     "continuous-white-acceleration": Noise("position_velocity", "continuous_white_acceleration"),
-    "random-acceleration": Noise(
-        "position_velocity_random_acceleration", "random_acceleration", 1 / 4
-    ),
-    "random-velocity": Noise("position_velocity_random_velocity", "random_velocity", 0.0),
+    "random-acceleration": Noise("position_velocity_random_acceleration", "random_acceleration"),
+    "random-velocity": Noise("position_velocity_random_velocity", "random_velocity"),
 }
 DEFAULT = "continuous-white-acceleration"
 

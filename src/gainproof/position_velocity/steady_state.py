@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gainproof.position_velocity.arguments import positive
+from gainproof.position_velocity.arguments import positive, require
 from gainproof.position_velocity.powers import Factor, Reals, product
 from gainproof.position_velocity.process_noise import DEFAULT, kernels
 
@@ -19,15 +19,15 @@ class SteadyState:
     The dots are the common shape of the arguments. Index 0 is the position, 1 the velocity;
     ``predicted`` and ``updated`` are in m^2, m^2/s and m^2/s^2; ``gain[..., i, j]`` carries the
     innovation of measured quantity j to state i: in 1, s (position from velocity), 1/s (velocity
-    from position) and 1. ``tracking_index`` and ``velocity_ratio`` are the two numbers, of the
-    common shape, on which the dimensionless steady state depends.
+    from position) and 1. ``tracking_index`` and ``velocity_ratio`` are the two numbers, or
+    arrays of the common shape, on which the dimensionless steady state depends.
     """
 
     predicted: Reals
     updated: Reals
     gain: Reals
-    tracking_index: Reals
-    velocity_ratio: Reals
+    tracking_index: np.float64 | Reals
+    velocity_ratio: np.float64 | Reals
 
 
 def steady_state(
@@ -73,6 +73,7 @@ def steady_state(
     )
     index = product((acceleration, 1), (interval, 2), (position, -1))
     ratio = product((velocity, 1), (interval, 1), (position, -1))
+    _require_inside(process_noise, index, ratio)
     units = [[(position, 2), (interval, -power)] for power in range(3)]
     p11, p12, p22 = (
         product((np.asarray(entry), 1), *unit)
@@ -87,9 +88,23 @@ def steady_state(
         _matrix(p11, p12, p12, p22),
         _matrix(u11, u12, u12, u22),
         _matrix(k11, _times(k12, (interval, 1)), _times(k21, (interval, -1)), k22),
-        index,
-        ratio,
+        index[()],
+        ratio[()],
     )
+
+
+def _require_inside(process_noise: str, index: Reals, ratio: Reals) -> None:
+    """ValueError where Lambda or S lies beyond what the kernels take, with what it is made of."""
+    domains = kernels(process_noise)._PREDICTED_COVARIANCE.inputs
+    made = (
+        (index, "acceleration_deviation sampling_interval^2/position_deviation"),
+        (ratio, "velocity_deviation sampling_interval/position_deviation"),
+    )
+    for domain, (values, formula) in zip(domains, made, strict=True):
+        least, most = domain.double
+        wanted = f"at least {least:g} and at most {most:g}"
+        name = f"{domain.name} = {formula}"
+        require((values >= least) & (values <= most), values, name, wanted)
 
 
 def _times(entry: Reals, unit: Factor) -> Reals:

@@ -33,8 +33,9 @@ class Variance:
 def position_variance(covariance: str = "predicted", process_noise: str = DEFAULT) -> Variance:
     """G1 of the predicted or the updated position. Raises ValueError for an unknown name.
 
-    All values come from printed kernels, but for the limit of an exact velocity where that leaves
-    nothing of the position open: then the updated variance is 0, the predicted one Q11.
+    All values come from printed kernels. `known_velocity` has the limits of an exact velocity that
+    do not vanish: where the velocities at both ends of an interval fix the displacement in it, the
+    updated variance does.
     """
     noise = noise_called(process_noise)
     if covariance not in COVARIANCES:
@@ -42,10 +43,11 @@ def position_variance(covariance: str = "predicted", process_noise: str = DEFAUL
     function, entry = f"{covariance}_covariance", f"{covariance}_11"
     both, alone = (getattr(printed(module), function) for module in (noise.both, noise.alone))
 
+    known_velocity = getattr(printed(noise.both), "known_velocity", None)
+
     def known_exactly(index: Reals) -> Reals:
-        if noise.displacement is None:
-            return np.asarray(getattr(printed(noise.both).known_velocity(index), entry))
-        return index * index * (noise.displacement if covariance == "predicted" else 0.0)
+        known = None if known_velocity is None else known_velocity(index)
+        return np.asarray(getattr(known, entry)) if hasattr(known, entry) else np.zeros(index.shape)
 
     _, ratio = getattr(printed(noise.both), f"_{function.upper()}").inputs
     return Variance(
