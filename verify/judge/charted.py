@@ -21,6 +21,7 @@ from gainproof.verify.judge.exact.zero_divisor import divisor_factors, rational_
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.catalogue import judge_reading
 from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.setting.chart_decision import EQUAL
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import Finding
 
@@ -37,13 +38,17 @@ def judge_in(
     if chart is None or claim.kind not in KINDS:
         return judge_reading(claim, reading, Scope(setting, environment, held=claim.held))
     try:
-        found = judge_reading(claim, reading, Scope(setting, chart, held=claim.held))
+        scope = Scope(setting, chart, held=claim.held, plain=environment)
+        found = judge_reading(claim, reading, scope)
     except Undecided:
         return judge_reading(claim, reading, Scope(setting, environment, held=claim.held))
     if found.verdict == "proved":
         return found
     at_points = replace(environment, chart=None, decide=_by_points)
     seen = judge_reading(claim, reading, Scope(setting, at_points, held=claim.held))
+    if seen.witness is None and found.reason == EQUAL:
+        at_points = replace(at_points, decide=_as_equal)
+        seen = judge_reading(claim, reading, Scope(setting, at_points, held=claim.held))
     if seen.witness is None:
         raise Undecided("false on a chart, but no rational point that shows it was found")
     reason = f"fails {seen.witness.text()}"
@@ -72,6 +77,26 @@ def _by_points(
             domain = f"for {named}, where {labelled(factor, labels)} is not zero"
             return Outcome("refuted", domain, "", "", witness)
     return Outcome("proved", "", "", "")
+
+
+def _as_equal(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]) -> Outcome:
+    """The same for one relation that excludes equality, of sides that are known to be equal."""
+    found = _by_points(statement, boxes, labels)
+    strict = [rel for rel in statement.relations if rel.operator in ("<", ">", "!=")]
+    known = {name: box for name, box in boxes.items() if name in statement.symbols()}
+    inside = all(box.holds(Fraction(1)) for box in known.values())
+    if found.witness is not None or len(strict) != 1 or statement.domain or not inside:
+        return found
+    (rel,) = strict
+    point = dict.fromkeys(sorted(known), Fraction(1))
+    gap = enclosed(rel.left - rel.right, point, BITS)
+    if not gap.contains(0):
+        return found
+    left, right = (_side(expr, point) for expr in (rel.left, rel.right))
+    where = {labels.get(name, name): "1" for name in point}
+    note = "the sides are equal, as they are everywhere"
+    witness = Witness(where, rel.operator, left, right, exact=True, note=note)
+    return Outcome("refuted", "", "", "", witness)
 
 
 def _without_value(

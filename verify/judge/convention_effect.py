@@ -107,8 +107,6 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
                 quantities[name] = power(quantities[name], 2)
     name = environment.name + chosen.in_words()
     chart = None if environment.chart is None else with_conventions(environment.chart, chosen)
-    # a quantity that is squared is no coordinate any more
-    squares = environment.squares if chosen.noise == "deviation" else {}
     return replace(
         environment,
         name=name,
@@ -116,7 +114,6 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
         boxes=boxes,
         continued=continued,
         chart=chart,
-        squares=squares,
     )
 
 

@@ -25,8 +25,9 @@ from gainproof.verify.judge.formula import Graph, Reading, Relation
 from gainproof.verify.judge.kinds.framing import Frame
 from gainproof.verify.judge.kinds.one_way import is_one_way
 from gainproof.verify.judge.meaning.domains import is_whole
+from gainproof.verify.judge.meaning.pair import pair_of
 from gainproof.verify.judge.scope import Scope
-from gainproof.verify.judge.setting.environment import INDEX
+from gainproof.verify.judge.setting.environment import INDEX, Environment
 
 SMALL = "distance to the limit"
 End = Expr | str
@@ -112,6 +113,9 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
             raise Undecided("a limit in the intensity of the noise other than zero and infinity")
         # the source's other symbols stay, so the index alone goes
         variable = environment.quantities[INDEX]
+    alone = [t for t in environment.fixing if variable == environment.assigned[t]]
+    if alone:
+        variable, point = _of_one(alone[0], point, environment)
     variable = tidied(variable)
     if variable.kind == "symbol":
         name = variable.name
@@ -139,3 +143,17 @@ def approach_of(variable: Expr, point: End, frame: Frame) -> Approach:
         if found.verdict == "proved":
             return Approach(name, end if isinstance(end, str) else number(end), box, label)
     raise Undecided("a limit in a quantity that does not tend to its point at an end")
+
+
+def _of_one(token: str, point: End, environment: Environment) -> tuple[Expr, End]:
+    """The parameter that goes where a symbol of the noises goes alone, and to which end."""
+    if point != "infinity" and point != number(0):
+        raise Undecided("a limit in a deviation of the model other than zero and infinity")
+    powers = pair_of({}, environment, token).powers
+    moving = {name: p[token] for name, p in powers.items() if p[token]}
+    if len(moving) != 1:
+        raise Undecided("a limit in a deviation with which both parameters of the model change")
+    ((name, exponent),) = moving.items()
+    if exponent < 0:
+        point = number(0) if point == "infinity" else "infinity"
+    return symbol(name), point

@@ -7,12 +7,15 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limit_value import NoValueNear
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Witness
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.approach import (
     SMALL,
@@ -35,6 +38,7 @@ from gainproof.verify.judge.kinds.near_limit import (
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import Series, leading
+from gainproof.verify.judge.setting.environment import POSITIVE
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 DEPTHS = (Fraction(3), Fraction(8), Fraction(16))
@@ -48,8 +52,13 @@ def judge_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         raise Undecided(f"the relation {relation.operator} in a limit is not covered")
     variable, point = scope.expression(arrow.left), end_of(arrow.right, scope)
     expr, claimed = scope.expression(relation.left), end_of(relation.right, scope)
-    scope.refuse_moving(variable, expr, *([] if isinstance(claimed, str) else [claimed]))
+    used = [expr] if isinstance(claimed, str) else [expr, claimed]
     frame = framed(claim, scope, resolved(others, scope))
+    is_pair = bool(scope.environment.pair) and variable.kind == "symbol"
+    if is_pair and scope.is_shared(variable.name, *used):
+        expr, claimed, frame = _unfolded(expr, claimed, frame, scope)
+    else:
+        scope.refuse_moving(variable, *used)
     approach = approach_of(variable, point, frame)
     if not isinstance(claimed, str) and approach.name in symbols_of(claimed):
         raise Undecided("a limit that holds the variable itself: say it as asymptotics")
@@ -61,6 +70,22 @@ def judge_limit(claim: Claim, reading: Reading, scope: Scope) -> Finding:
             if isinstance(reason, NoValueNear) or not _has_calls(expr):
                 raise
     return _by_expansion(expr, approach, claimed, frame)
+
+
+def _unfolded(expr: Expr, claimed: End, frame: Frame, scope: Scope) -> tuple[Expr, End, Frame]:
+    """With two parameters of a model written in T, the deviation and two symbols that stay, all of
+    which take all positive values.
+    """
+    pair = scope.pair()
+    names = {free_name(token): token for token in pair.tokens}
+
+    def moved(side: Expr) -> Expr:
+        return tidied(substituted(side, pair.unfolded))
+
+    conditions = tuple(Rel(c.operator, moved(c.left), moved(c.right)) for c in frame.conditions)
+    boxes = {**frame.boxes, **dict.fromkeys(names, POSITIVE)}
+    found = replace(frame, boxes=boxes, conditions=conditions, labels={**frame.labels, **names})
+    return moved(expr), claimed if isinstance(claimed, str) else moved(claimed), found
 
 
 def _has_calls(expr: Expr) -> bool:

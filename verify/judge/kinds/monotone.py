@@ -52,17 +52,20 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     if claim.about[1] == scope.environment.intensity:
         names = {scope.environment.parameter or ""}
     is_own = variable.kind == "symbol" or scope.environment.is_coordinate(variable)
-    if not is_own and not is_one_way(variable, names, frame):
+    is_own |= claim.about[1] in scope.environment.fixing
+    if not is_own and not _is_one_way(claim.about[1], variable, names, frame, scope):
         raise Undecided(f"{claim.about[1]} is not strictly monotone itself")
     # defined everywhere, hence continuous; where it has corners its slope is not asked for
-    without = _without_value(subject, names, frame)
+    without, unknown = _without_value(subject, names, frame)
     if without is not None:
         return without
     within = {n: _opened(b) if n in names else b for n, b in frame.boxes.items()}
     inside = replace(frame, boxes=within)
-    _refuse_unknown_slopes(slope, inside)
+    unknown = unknown or _unknown_slopes(slope, inside)
     rises = Statement((Rel(operator, slope, number(0)),), needed=(subject,))
     finding = finding_of(inside.decide(rises))
+    if unknown is not None and finding.verdict != "refuted":
+        raise Undecided(unknown)
     if finding.verdict == "proved" or operator not in "<>" or is_moving:
         pass  # zeros of a slope are looked for with the other variables kept
     elif _nearly(operator, slope, names, inside):
@@ -71,28 +74,44 @@ def judge_monotone(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     return replace(finding, method=f"sign of the derivative; {finding.method}")
 
 
-def _without_value(subject: Expr, names: set[str], frame: Frame) -> Finding | None:
-    """The finding where the subject lacks a value between the ends of the domain, else None."""
+def _is_one_way(token: str, variable: Expr, names: set[str], frame: Frame, scope: Scope) -> bool:
+    """Whether the variable rises or falls with one base variable throughout; over a chart, with one
+    of the parameters of which it is a chart.
+    """
+    if scope.plain is None:
+        return is_one_way(variable, names, frame)
+    plain = tidied(scope.plain_value(token))
+    inside = replace(frame, environment=scope.plain)
+    return is_one_way(plain, symbols_of(plain), inside)
+
+
+def _without_value(
+    subject: Expr, names: set[str], frame: Frame
+) -> tuple[Finding | None, str | None]:
+    """The finding where the subject lacks a value between the ends of the domain, else None; and
+    why nothing is proved, where it is seen to have values at points only.
+    """
     boxes = {n: replace(b, stated=b.stated or n in names) for n, b in frame.boxes.items()}
     defined = replace(frame, boxes=boxes).decide(Statement((Rel("=", subject, subject),)))
     if defined.verdict == "held":
-        raise Undecided("it may have no value somewhere between the ends of the domain")
+        return None, "it may have no value somewhere between the ends of the domain"
     if defined.verdict == "proved":
-        return None
+        return None, None
     reason = f"no value everywhere between the ends of the domain: {defined.reason}"
-    return replace(finding_of(defined), reason=reason)
+    return replace(finding_of(defined), reason=reason), None
 
 
-def _refuse_unknown_slopes(slope: Expr, inside: Frame) -> None:
-    """Raises Undecided unless the slope has a value everywhere but at single points."""
+def _unknown_slopes(slope: Expr, inside: Frame) -> str | None:
+    """Why nothing is proved, unless the slope has a value everywhere but at single points."""
     everywhere = {n: replace(b, stated=True) for n, b in inside.boxes.items()}
     found = replace(inside, boxes=everywhere).decide(Statement((Rel("=", slope, slope),)))
     if found.verdict == "proved":
-        return
+        return None
     places = found.certificate.get("places", [{"place": "", "found": NO_VALUE}])
     without = [p["place"] for p in places if p["found"] == NO_VALUE]
     if not all(" = " in place for place in without):
-        raise Undecided("the derivative has no value on a whole interval")
+        return "the derivative has no value on a whole interval"
+    return None
 
 
 def _refuse_gaps(frame: Frame, names: set[str]) -> None:
@@ -111,6 +130,8 @@ def _refuse_winding(frame: Frame, scope: Scope) -> None:
     own = scope.environment.own_variables()
     if any(not own.isdisjoint(symbols_of(c.left, c.right)) for c in frame.conditions):
         raise Undecided("a condition on the tracking index, which changes with the variable")
+    if scope.environment.pair:
+        return  # powers of the variable, which run through all positive numbers with it
     fixing = [e for e in scope.staying().values() if not own.isdisjoint(symbols_of(e))]
     if not all(_is_product(e) for e in fixing):
         raise Undecided("what stays does not fix the tracking index in a simple way")
@@ -136,6 +157,8 @@ def _nearly(operator: str, slope: Expr, names: set[str], frame: Frame) -> bool:
     if len(names) != 1 or not names <= symbols_of(slope):
         return False
     if not frame.holds(Rel(f"{operator}=", slope, number(0))):
+        return False
+    if frame.holds(Rel("=", slope, number(0))):
         return False
     if symbols_of(slope) == names:
         found = frame.decide(Statement((Rel("=", slope, number(0)),)))
@@ -171,9 +194,11 @@ def _from_sample_to_sample(
     name = variable.name
     _refuse_gaps(frame, {name})
     _refuse_other_samples(subject, name)
-    without = _without_value(subject, {name}, frame)
+    without, unknown = _without_value(subject, {name}, frame)
     if without is not None:
         return without
+    if unknown is not None:
+        raise Undecided(unknown)
     box = frame.boxes[name]
     if box.upper is not None:
         frame = replace(frame, boxes={**frame.boxes, name: replace(box, upper=box.upper - 1)})

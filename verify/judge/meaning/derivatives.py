@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from gainproof.verify.judge.exact.calculus import differentiated
-from gainproof.verify.judge.exact.expression import Expr, neg, number, symbols_of
+from gainproof.verify.judge.exact.calculus import differentiated, substituted
+from gainproof.verify.judge.exact.expression import Expr, add, neg, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.setting.environment import Environment
@@ -45,6 +45,17 @@ def total_derivative(entry: Expr, name: str, own: str, rate: Expr) -> Expr:
     """The derivative with respect to a base variable with which the parameter changes at a rate."""
     alone = differentiated(entry, name)
     return alone if rate == number(0) else alone + differentiated(entry, own) * rate
+
+
+def along_pair(
+    entry: Expr, own: str | None, rates: Mapping[str, Expr], environment: Environment
+) -> Expr:
+    """The derivative with respect to a base variable, or to anything else, with which two
+    parameters change at these rates, given in the parameters.
+    """
+    known = {name: environment.coordinate(name) for name in environment.pair}
+    terms = [environment.change(entry, n) * substituted(rate, known) for n, rate in rates.items()]
+    return add(*terms) if own is None else add(differentiated(entry, own), *terms)
 
 
 def partial_derivative(entry: Expr, target: Expr, token: str, environment: Environment) -> Expr:

@@ -16,6 +16,7 @@ from gainproof.verify.judge.formula import Formula, Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.derivatives import rate_of_parameter
 from gainproof.verify.judge.meaning.domains import entry_names
+from gainproof.verify.judge.meaning.pair import Pair, pair_of
 from gainproof.verify.judge.meaning.reach import Reach
 from gainproof.verify.judge.meaning.value import (
     Value,
@@ -37,7 +38,8 @@ class UndefinedSymbol(Exception):
 @dataclass
 class Symbols(ABC):
     """The symbols of a setting in one environment. `choice` says which reading of each definition
-    is taken; `held` are symbols that stay while T or the deviation of the noise changes.
+    is taken; `held` are symbols that stay while T or the deviation of the noise changes. `plain` is
+    the environment in the parameters themselves, where this one is a chart of them.
 
     `needed` collects what was differentiated: a derivative has a value only where its function has
     one. `required` collects what sums and integrals rest on: bounds in order, convergence; `whole`
@@ -49,6 +51,7 @@ class Symbols(ABC):
     environment: Environment
     choice: Mapping[str, int] = field(default_factory=dict)
     held: tuple[str, ...] = ()
+    plain: Environment | None = None
     needed: list[Expr] = field(default_factory=list)
     required: list[Rel] = field(default_factory=list)
     whole: list[Expr] = field(default_factory=list)
@@ -138,7 +141,26 @@ class Symbols(ABC):
         """Whether expressions change with a base variable in a way that they do not show."""
         if not self.environment.moves_with(name, *of):
             return False
+        if self.environment.pair:
+            return self.pair().moves(name)
         return self.rate(name) != number(0)
+
+    def plain_value(self, token: str) -> Expr:
+        """What a symbol that is a number stands for in the parameters themselves."""
+        scope = self if self.plain is None else self.there(self.plain)
+        found = scope.symbol(token)
+        if not isinstance(found, Expr):
+            raise Undecided(f"{token} is a matrix, not a number")
+        return found
+
+    def there(self, environment: Environment) -> Symbols:
+        """The same symbols in another environment."""
+        return type(self)(self.setting, environment, self.choice, self.held)
+
+    def pair(self, wanted: str | None = None) -> Pair:
+        """How two parameters go with T, the deviation and what stays. Raises Undecided."""
+        held = {token: self.plain_value(token) for token in self.held}
+        return pair_of(held, self.plain or self.environment, wanted)
 
     def rate(self, name: str) -> Expr:
         """How the model's parameter changes with T or the deviation. Raises Undecided."""

@@ -15,9 +15,14 @@ from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.bindings import Bindings
-from gainproof.verify.judge.meaning.derivatives import partial_derivative, total_derivative
+from gainproof.verify.judge.meaning.derivatives import (
+    along_pair,
+    partial_derivative,
+    total_derivative,
+)
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
@@ -180,6 +185,10 @@ class Table(Symbols):
         self.refuse_own_terms(value, token)
         environment, own = self.environment, self.environment.parameter or ""
         self.needed += entries(value)
+        if environment.pair and token not in bindings.names:
+            known, rates = self._rates(token, *entries(value))
+            if known is not None or rates:
+                return mapped(value, lambda entry: along_pair(entry, known, rates, environment))
         if target.kind == "symbol" and environment.moves_with(target.name, *entries(value)):
             rate = self.rate(target.name)
             return mapped(value, lambda entry: total_derivative(entry, target.name, own, rate))
@@ -187,6 +196,25 @@ class Table(Symbols):
             below = differentiated(target, own)
             return mapped(value, lambda entry: differentiated(entry, own) / below)
         return mapped(value, lambda entry: partial_derivative(entry, target, token, environment))
+
+    def _rates(self, token: str, *of: Expr) -> tuple[str | None, Mapping[str, Expr]]:
+        """How two parameters change with a symbol, and the base variable that it is, if they may
+        change with it; nothing for any other.
+        """
+        target = self.plain_value(token)
+        if token in self.environment.fixing:
+            return None, self.pair(token).rates(token, target)
+        if target.kind == "symbol":
+            if not self.environment.moves_with(target.name, *of):
+                return None, {}
+            return target.name, self.pair().rates(target.name, target)
+        plain = tidied(target)
+        names = symbols_of(plain)
+        if len(names) != 1 or not names <= set(self.environment.pair):
+            return None, {}
+        # a parameter changes alone: everything else stays
+        (name,) = names
+        return None, {name: number(1) / differentiated(plain, name)}
 
     def expectation(self, value: Value) -> Value:
         """The expectation over the symbols that are declared noises."""

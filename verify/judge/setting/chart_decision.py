@@ -20,6 +20,7 @@ from gainproof.verify.judge.setting.triangle import sign_on_triangle
 
 METHOD = "zero in a field of functions on a chart of all values of the two parameters"
 SIGNS = "signs of polynomials on a chart of all values of the two parameters"
+EQUAL = "the sides are equal everywhere"
 ALLOWED: Mapping[str, tuple[int, ...]] = {
     ">": (1,),
     ">=": (1, 0),
@@ -63,6 +64,8 @@ class Plane:
         certificate = {"chart": [LOW, HIGH], "roots": [text(p) for p in over.squares]}
         if wrong:
             reason = "the sides differ on a dense set"
+            if len(found) == 1 and found[0][1] == 0:
+                reason = EQUAL
             return Outcome("refuted", "nowhere", reason, method, None, certificate)
         if over.gaps:
             if not all(gap.exact for gap in over.gaps.values()):

@@ -9,7 +9,7 @@ from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated
-from gainproof.verify.judge.exact.expression import Expr, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
 from gainproof.verify.judge.exact.statement import Outcome, Statement
 
 INTERVAL = "sampling_interval"
@@ -50,10 +50,11 @@ class Environment:
     rational functions equal to quantities wherever these have a value, and defined where their
     formula still is. `assigned` are free symbols of the source that the setting's model fixes, and
     `intensity` is the one among them that changes with the parameter while all others stay.
+    With two parameters `fixing` are two that fix these, and each may change while the other stays.
 
     Where two parameters are needed they are `coordinates`, and `chart` may be the same setting in
-    other base variables, in which more is decided: there `decide` is what decides, and `squares`
-    are those of the coordinates.
+    other base variables, in which more is decided: there `decide` is what decides, `charted` are
+    the coordinates, whatever a source calls them, and `squares` those of these.
     """
 
     name: str
@@ -65,9 +66,11 @@ class Environment:
     continued: Mapping[str, Expr] = field(default_factory=dict)
     assigned: Mapping[str, Expr] = field(default_factory=dict)
     intensity: str | None = None
+    fixing: tuple[str, ...] = ()
     coordinates: tuple[str, ...] = ()
     chart: Environment | None = None
     decide: Decide | None = None
+    charted: Mapping[str, Expr] = field(default_factory=dict)
     squares: Mapping[str, Expr] = field(default_factory=dict)
 
     def own_variables(self) -> frozenset[str]:
@@ -76,6 +79,15 @@ class Environment:
             return frozenset()
         known = (self.parameter, *self.coordinates, *symbols_of(*self.squares.values()))
         return frozenset(name for name in known if name is not None)
+
+    @property
+    def pair(self) -> tuple[str, ...]:
+        """The names of two parameters, if there are two."""
+        return self.coordinates or tuple(self.charted)
+
+    def coordinate(self, name: str) -> Expr:
+        """One of two parameters in base variables."""
+        return self.charted[name] if self.charted else symbol(name)
 
     def moves_with(self, name: str, *of: Expr) -> bool:
         """Whether these expressions hide a base variable, of which the parameter that they hold is
@@ -87,13 +99,19 @@ class Environment:
 
     def is_coordinate(self, expr: Expr) -> bool:
         """Whether it is one of the coordinates in other base variables."""
-        return any(self.quantities[name] == expr for name in self.squares)
+        return any(coordinate == expr for coordinate in self.charted.values())
+
+    def change(self, expr: Expr, name: str) -> Expr:
+        """The partial derivative with respect to one of two parameters, the other being kept."""
+        if self.charted:
+            return self.slope(expr, self.charted[name])
+        return differentiated(expr, name)
 
     def slope(self, expr: Expr, along: Expr) -> Expr:
         """The partial derivative with respect to one coordinate, the other being kept: by that of
         its square, from the derivatives with respect to the base variables of the squares.
         """
-        (name,) = (n for n in self.squares if self.quantities[n] == along)
+        (name,) = (n for n, coordinate in self.charted.items() if coordinate == along)
         (kept,) = (square for n, square in self.squares.items() if n != name)
         low, high = sorted(symbols_of(kept))
 

@@ -43,7 +43,7 @@ def both_measured(setting: Setting) -> Environment:
     if mixed != other or last != 1:
         raise Undecided("the process noise of the model is no covariance with driven velocity")
     solved = position_velocity(Noise(position, mixed), setting.name)
-    return with_assigned(solved, {**assigned, **intensity})
+    return with_assigned(solved, {**assigned, **intensity}, (*intensity, *velocity))
 
 
 def _velocity_noise(r: Rows) -> str:

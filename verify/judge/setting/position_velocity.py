@@ -75,6 +75,7 @@ def position_velocity(noise: Noise, name: str) -> Environment:
         {**boxes, **dict.fromkeys((LOW, HIGH, INDEX, RATIO), POSITIVE)},
         facts=facts,
         decide=plane.decide,
+        charted={INDEX: chosen.index, RATIO: sqrt(chosen.ratio2)},
         squares={INDEX: chosen.index2, RATIO: chosen.ratio2},
     )
     quantities = _quantities(closed, index, ratio)
@@ -130,14 +131,17 @@ def _outside(
     return found
 
 
-def with_assigned(environment: Environment, assigned: Mapping[str, Expr]) -> Environment:
-    """The environment that knows what symbols of the source its model fixes, in base variables."""
+def with_assigned(
+    environment: Environment, assigned: Mapping[str, Expr], fixing: tuple[str, ...]
+) -> Environment:
+    """The environment that knows what symbols of the source its model fixes, in base variables;
+    two of them, of the noises of process and velocity, fix the parameters.
+    """
     chart = environment.chart
     if chart is not None:
-        known = {name: chart.quantities[name] for name in (INDEX, RATIO)}
-        there = {token: substituted(expr, known) for token, expr in assigned.items()}
-        chart = replace(chart, assigned=there)
-    return replace(environment, assigned=assigned, chart=chart)
+        there = {token: substituted(expr, chart.charted) for token, expr in assigned.items()}
+        chart = replace(chart, assigned=there, fixing=fixing)
+    return replace(environment, assigned=assigned, chart=chart, fixing=fixing)
 
 
 def _charted(over: ChartField, raw: Entries) -> Entries:
