@@ -12,6 +12,7 @@ import sympy as sp
 from gainproof.derive.vector_measurement import radicands
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.names import INDEX, RATIO
+from gainproof.derive.vector_measurement.pole_kernels import MEAN, MODULUS, POLES, SQUARE
 from gainproof.derive.vector_measurement.towers import rational, symbolic_noise
 
 Forms = Mapping[str, sp.Expr]
@@ -32,17 +33,30 @@ def textbook_forms(c: Context) -> Mapping[str, Forms]:
     step = 2 * cross / sigma + rate + rational(c.noise.first) * area
     first = 1 - (rate + area + RATIO**2) / (RATIO**2 * sigma**2)
     updated = {"updated_11": first, "updated_12": cross / sigma, "updated_22": rate}
+    gains = {
+        "gain_11": first,
+        "gain_12": cross / sigma / RATIO**2,
+        "gain_21": cross / sigma,
+        "gain_22": rate / RATIO**2,
+    }
     return {
-        "gains": {
-            "gain_11": first,
-            "gain_12": cross / sigma / RATIO**2,
-            "gain_21": cross / sigma,
-            "gain_22": rate / RATIO**2,
-        },
+        "gains": gains,
+        POLES: _poles(gains),
         "updated_covariance": updated,
         "predicted_covariance": {
             "predicted_11": first + step,
             "predicted_12": cross * sigma,
             "predicted_22": rate + area,
         },
+    }
+
+
+def _poles(gains: Forms) -> Forms:
+    """From trace and determinant of F (I - K)."""
+    half = (2 - gains["gain_11"] - gains["gain_21"] - gains["gain_22"]) / 2
+    product = (1 - gains["gain_11"]) * (1 - gains["gain_22"]) - gains["gain_12"] * gains["gain_21"]
+    return {
+        MEAN: half,
+        MODULUS: sp.sqrt(product),
+        SQUARE: half**2 - product,
     }
