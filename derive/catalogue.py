@@ -14,7 +14,7 @@ from gainproof.derive.families import (
     random_acceleration,
     random_velocity,
 )
-from gainproof.derive.recursion import two_states
+from gainproof.derive.recursion import three_states, two_states
 from gainproof.derive.subject import Subject
 
 
@@ -53,4 +53,5 @@ CATALOGUE: tuple[Entry, ...] = (
         position_velocity_random_velocity.build,
     ),
     Entry(two_states.NAME, two_states.TITLE, two_states.build),
+    Entry(three_states.NAME, three_states.TITLE, three_states.build),
 )

@@ -14,5 +14,7 @@
   measured position.
 - `random_velocity`: Random velocity (velocity random walk): steady state with measured
   position.
+- `recursion_three_states`: Kalman recursion of position, velocity and acceleration, any
+  intervals.
 - `recursion_two_states`: Kalman recursion of position and velocity, any intervals.
 """

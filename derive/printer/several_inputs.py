@@ -16,6 +16,8 @@ from gainproof.derive.printer.structural import Structural
 from gainproof.derive.printer.value import Grid
 
 WIDE = 2  # inputs: of more the first box is the whole domain, boxes of each would be too many
+MANY = 6  # inputs: of more the bounds are those of the shape, and boxes beyond a few change nothing
+FEWER = 8  # times fewer boxes then
 WORST = 2.0**7  # epsilons: a larger bound tells of an underflow on the way, and is refused
 
 
@@ -53,6 +55,8 @@ class SeveralInputs(Proof):
 
     def _refine(self, grid: Grid) -> Settled:
         count, budget = len(self.ends), frontier.WORK // len(self.program.steps)
+        if len(self.inputs) > MANY:
+            budget //= FEWER
         others = count * len(self.kernel.cancellations)
         progress = frontier.Frontier(count, others, self.form, self.greatest, budget)
         progress.least = self.enough

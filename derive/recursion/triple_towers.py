@@ -1,0 +1,90 @@
+"""The parameters of the recursion of three states, and what is made of them."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.recursion import triple_forms as forms
+from gainproof.derive.recursion.triple_names import (
+    D1,
+    D2,
+    D3,
+    ENTRIES,
+    FACTORS,
+    GAINS,
+    PLACES,
+    A,
+    B,
+    C,
+    Q,
+    R,
+    T,
+    predicted_names,
+)
+from gainproof.derive.recursion.triple_noise import TripleNoise
+
+Elements = dict[str, sp.Expr]
+GIVEN = forms.Triple(D1, D2, D3, A, B, C)
+
+
+def values_of(f: forms.Triple) -> tuple[sp.Expr, ...]:
+    """d1, d2, d3, a, b, c."""
+    return f.first, f.second, f.third, f.a, f.b, f.c
+
+
+def positive(*names: str) -> tuple[Parameter, ...]:
+    """Parameters above zero."""
+    return tuple(Parameter(name) for name in names)
+
+
+def from_zero(*names: str) -> tuple[Parameter, ...]:
+    """Parameters from zero on."""
+    return tuple(Parameter(name, above=None, start="0") for name in names)
+
+
+def entries_of(prefix: str, f: forms.Triple) -> Elements:
+    """The covariance of factors."""
+    return {f"{prefix}_{ij}": entry for ij, entry in zip(ENTRIES, forms.covariance(f), strict=True)}
+
+
+def update_tower() -> Tower:
+    """A covariance and what a measurement makes of it."""
+    new = forms.updated(GIVEN, R)
+    gains = (new.position_gain, new.velocity_gain, new.acceleration_gain)
+    names = (f"updated_{name}" for name in FACTORS)
+    elements = {
+        **entries_of("covariance", GIVEN),
+        **dict(zip(GAINS, gains, strict=True)),
+        "innovation_variance": new.innovation,
+        **dict(zip(names, values_of(new.factors), strict=True)),
+        **entries_of("updated", new.factors),
+    }
+    parameters = (*positive("d1", "d2", "d3", "r"), *from_zero("a", "b", "c"))
+    return Tower("main", parameters, (), elements)
+
+
+def predict_tower(noise: TripleNoise) -> Tower:
+    """A covariance and what an interval makes of it."""
+    after = forms.predicted(noise, GIVEN, T, Q)
+    noisy = {
+        f"{noise.name}_noise_{ij}": noise.covariance[place]
+        for ij, place in zip(ENTRIES, PLACES, strict=True)
+    }
+    elements = {
+        **entries_of("covariance", GIVEN),
+        **noisy,
+        **dict(zip(predicted_names(noise), values_of(after), strict=True)),
+    }
+    parameters = (*positive("d1", "d2", "d3", "t"), *from_zero("a", "b", "c", "q"))
+    return Tower(noise.name, parameters, (), elements)
+
+
+def intervals_tower() -> Tower:
+    """Two intervals, one after the other."""
+    return Tower("intervals", from_zero("s", "t", "q"), (), {})
+
+
+def pair_tower() -> Tower:
+    """Any two covariances, whose entries are free, under the same measurement."""
+    return Tower("pair", positive("r"), (), {})

@@ -1,0 +1,173 @@
+"""Three-state recursion kernels against the exact recursion and the whole track at once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from printed_kernels import DTYPES, EPSILON
+from printed_pairs import pairs_of
+from recursion_tracks import transition
+
+import gainproof.generated
+from gainproof.generated import recursion_three_states
+from gainproof.verify.oracles import noise
+from gainproof.verify.oracles.matrices import Matrix, identity, matrix, product, scale, transpose
+from gainproof.verify.oracles.multiprecision import fraction
+from gainproof.verify.oracles.riccati import predict, update
+from gainproof.verify.oracles.state_space import StateSpace
+from gainproof.verify.oracles.trajectory import Move, last_covariance
+
+ROW = matrix([[1, 0, 0]], Fraction)
+kernels: Any = recursion_three_states
+NOISES = (
+    "acceleration_increments",
+    "wiener_acceleration",
+    "random_jerk",
+    "continuous_white_jerk",
+)
+FACTORS = (
+    "diagonal_1",
+    "diagonal_2",
+    "diagonal_3",
+    "first_shear",
+    "second_shear",
+    "third_shear",
+)
+BOUNDS = {
+    (kernel.name, output): stated.bound
+    for folder in gainproof.generated.__path__
+    for kernel in pairs_of("recursion_three_states", Path(folder))
+    for output, stated in kernel.outputs.items()
+}
+SIZE = st.floats(-3, 3).map(lambda e: 10.0**e)
+SHEAR = st.one_of(st.just(0.0), st.floats(-2, 2).map(lambda e: 10.0**e))
+TIME = st.floats(-1.9, 1.9).map(lambda e: 10.0**e)
+
+
+@cache
+def unit_noise(name: str, interval: Fraction) -> Matrix:
+    """One unit of a noise over an interval: integrated, or what it does until the end."""
+    a, b = noise.chain(3)
+    move = transition(interval, 3)
+    if name == "continuous_white_jerk":
+        return matrix(noise.white(a, b, interval, 60), fraction)
+    if name == "random_jerk":
+        return matrix(noise.held(a, b, interval, 60), fraction)
+    # an acceleration from the interval's start on is carried by the motion; else it comes last
+    column = tuple((row[2],) for row in move) if name == "wiener_acceleration" else b
+    return product(column, transpose(column))
+
+
+def covariance(values: Sequence[float]) -> Matrix:
+    """U D U' with U the product of the three shears, exactly."""
+    d1, d2, d3, a, b, c = map(Fraction, values)
+    one, zero = Fraction(1), Fraction(0)
+    first = ((one, a, zero), (zero, one, zero), (zero, zero, one))
+    second = ((one, zero, zero), (zero, one, b), (zero, zero, one))
+    third = ((one, c, zero), (zero, one, zero), (zero, zero, one))
+    u = product(first, second, third)
+    diagonal = ((d1, zero, zero), (zero, d2, zero), (zero, zero, d3))
+    return product(u, diagonal, transpose(u))
+
+
+def factors(p: Matrix) -> dict[str, Fraction]:
+    """The factors by elimination from the last state, then the shears from the first row."""
+    d3 = p[2][2]
+    u13, u23 = p[0][2] / d3, p[1][2] / d3
+    d2 = p[1][1] - u23 * u23 * d3
+    u12 = (p[0][1] - u13 * u23 * d3) / d2
+    d1 = p[0][0] - u12 * u12 * d2 - u13 * u13 * d3
+    a = u13 / u23 if u23 else Fraction(0)
+    return dict(zip(FACTORS, (d1, d2, d3, a, u23, u12 - a), strict=True))
+
+
+def held(kernel: str, found: Any, truth: dict[str, Fraction], dtype: str) -> None:
+    """Every output within its stated bound, but for 60 digits of the oracle's noise."""
+    for output, true in truth.items():
+        value = Fraction(float(getattr(found, output)))
+        allowed = BOUNDS[kernel, output][dtype] * EPSILON[dtype] + Fraction(1, 10**40)
+        assert abs(value - true) <= allowed * abs(true), (kernel, output, float(value / true - 1))
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("name", NOISES)
+@settings(max_examples=25, deadline=None)
+@given(st.tuples(SIZE, SIZE, SIZE), st.tuples(SHEAR, SHEAR, SHEAR), TIME, SIZE)
+def test_prediction(
+    name: str,
+    dtype: str,
+    sizes: tuple[float, ...],
+    shears: tuple[float, ...],
+    t: float,
+    q: float,
+) -> None:
+    kind = np.dtype(dtype).type
+    given_ = [kind(x) for x in (*sizes, *shears)]
+    step, strength = kind(t), kind(q)
+    t_, q_ = Fraction(float(step)), Fraction(float(strength))
+    p = covariance([float(x) for x in given_])
+    system = StateSpace(transition(t_, 3), scale(q_, unit_noise(name, t_)), ROW, ((Fraction(1),),))
+    found = getattr(kernels, f"predict_{name}")(*given_, step, strength)
+    held(f"predict_{name}", found, factors(predict(system, p)), dtype)
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@settings(max_examples=60, deadline=None)
+@given(st.tuples(SIZE, SIZE, SIZE), st.tuples(SHEAR, SHEAR, SHEAR), SIZE)
+def test_update(dtype: str, sizes: tuple[float, ...], shears: tuple[float, ...], r: float) -> None:
+    kind = np.dtype(dtype).type
+    given_, variance = [kind(x) for x in (*sizes, *shears)], kind(r)
+    p = covariance([float(x) for x in given_])
+    new = update(StateSpace(p, p, ROW, ((Fraction(float(variance)),),)), p)
+    truth = factors(new.updated)
+    if shears[1] == 0:  # a and c stand for their sum where b is 0
+        for name in ("first_shear", "third_shear"):
+            del truth[name]
+    held("update", kernels.update(*given_, variance), truth, dtype)
+    gains = ("position_gain", "velocity_gain", "acceleration_gain")
+    wanted = {name: row[0] for name, row in zip(gains, new.gain, strict=True)}
+    wanted["innovation_variance"] = new.innovation[0][0]
+    held("gains", kernels.gains(*given_, variance), wanted, dtype)
+    places = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+    entries = {f"covariance_{i + 1}{j + 1}": p[i][j] for i, j in places}
+    held("covariance", kernels.covariance(*given_), entries, dtype)
+
+
+INTERVALS = (1.0, 0.25, 3.0, 1.0, 10.0, 0.5, 0.125, 2.0)
+
+
+@pytest.mark.parametrize("missed", [(), (3,), (4, 5)])
+@pytest.mark.parametrize("name", NOISES)
+def test_a_whole_track(name: str, missed: Sequence[int]) -> None:
+    """Nine measurements from an uncorrelated start against the normal equations of all."""
+    start, q, r = (100.0, 9.0, 4.0, 0.0, 0.0, 0.0), 0.5, 4.0
+    f: Any = kernels.update(*start, r)
+    moves = []
+    for number, interval in enumerate(INTERVALS):
+        f = getattr(kernels, f"predict_{name}")(*f, interval, q)
+        if number not in missed:
+            f = kernels.update(*f, r)
+        whole = scale(Fraction(q), unit_noise(name, Fraction(interval)))
+        if name == "continuous_white_jerk":
+            moves.append(Move(transition(Fraction(interval), 3), identity(3, Fraction(1)), whole))
+        else:
+            last = whole[2][2]
+            shape = tuple((row[2] / last,) for row in whole)
+            moves.append(Move(transition(Fraction(interval), 3), shape, ((last,),)))
+    measured = [True, *(number not in missed for number in range(len(INTERVALS)))]
+    truth = last_covariance(covariance(start), moves, measured, ROW, Fraction(r))
+    found = covariance([float(x) for x in f])
+    worst = max(abs(float(found[i][j] / truth[i][j] - 1)) for i in range(3) for j in range(3))
+    # eight steps of at most 17 and 7 epsilon in a factor, which later steps forget
+    assert worst < 8 * 24 * 2.0**-52
+    nearly = Fraction(r) * (1 + Fraction(1, 10**12))
+    wrong = last_covariance(covariance(start), moves, measured, ROW, nearly)
+    assert abs(float(found[0][0] / wrong[0][0] - 1)) > worst
