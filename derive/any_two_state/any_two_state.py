@@ -11,7 +11,8 @@ from gainproof.derive.any_two_state.names import INDEX, LATEX
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import shape_of
 from gainproof.derive.any_two_state.steps_covariances import covariance_steps
-from gainproof.derive.any_two_state.steps_limits import derivative_steps, limit_steps
+from gainproof.derive.any_two_state.steps_derivatives import derivative_steps
+from gainproof.derive.any_two_state.steps_limits import limit_steps
 from gainproof.derive.any_two_state.steps_model import model_steps
 from gainproof.derive.any_two_state.steps_proof import proof_steps
 from gainproof.derive.any_two_state.steps_spectrum import spectrum_steps
@@ -23,6 +24,7 @@ from gainproof.derive.relation import Relation, described
 from gainproof.derive.source import RICCATI, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
+DEGREES = {"gain_derivatives": 1, "gain_second_derivatives": 2}
 OPENING = (
     "The first of two states is measured at a fixed interval. How much of each innovation should a "
     "Kalman filter in its steady state believe?"
@@ -89,8 +91,8 @@ def _meant(kernel: str, entry: Made) -> dict[str, sp.Expr]:
     for output in entry.graph["outputs"]:
         if output.endswith(SCALE):
             meant[output] = values[output]
-        elif kernel == "gain_derivatives":
-            meant[output] = sp.Derivative(real(output), INDEX)
+        elif kernel in DEGREES:
+            meant[output] = sp.Derivative(real(output), (INDEX, DEGREES[kernel]))
         else:
             meant[output] = real(output)
     return meant

@@ -37,6 +37,13 @@ class Basis:
         product = value if size == 1 else self.number(size) * value
         return Signed(product) if found.minus is None else Signed(None, product)
 
+    def scaled(self, expression: sp.Expr, value: Signed) -> Signed:
+        """A number of the model times a value of any sign."""
+        plus, minus = (
+            Signed() if part is None else self.term(expression, part) for part in value.parts
+        )
+        return plus - minus
+
     @property
     def area(self) -> Any:
         """q, the square of the index."""

@@ -57,10 +57,16 @@ class FreeNumbers:
         number = sp.sympify(expression)
         if number.is_Rational:
             return int(sp.sign(number))
-        top, bottom = self.fraction(expression)
-        if not top:
-            return 0
-        return self._sign(top, expression) * self._sign(bottom, expression)
+        if number not in self._known:
+            top, bottom = self.fraction(number)
+            found = self._sign(top, number) * self._sign(bottom, number) if top else 0
+            self._known[number] = found
+        return self._known[number]
+
+    @cached_property
+    def _known(self) -> dict[sp.Expr, int]:
+        """What has been asked before."""
+        return {}
 
     def _sign(self, poly: Poly, expression: sp.Expr) -> int:
         constant, factors = poly.factor_list()

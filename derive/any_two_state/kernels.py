@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from gainproof.derive.algebra.leading import square_root
-from gainproof.derive.any_two_state import covariance_forms, derivatives, forms
+from gainproof.derive.any_two_state import covariance_forms, curvature, derivatives, forms
 from gainproof.derive.any_two_state.basis import Basis
 from gainproof.derive.any_two_state.excess import rises
 from gainproof.derive.any_two_state.kernel_numbers import Numbers
@@ -27,6 +27,7 @@ KERNELS: Mapping[str, FormsOf] = {
     "predicted_covariance": covariance_forms.predicted_covariance,
     "updated_covariance": covariance_forms.updated_covariance,
     "gain_derivatives": derivatives.gains,
+    "gain_second_derivatives": curvature.gains,
 }
 
 

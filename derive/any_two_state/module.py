@@ -20,6 +20,11 @@ SUMMARIES = {
     "predicted_covariance": "Predicted covariance in the units of the scaled model.",
     "updated_covariance": "Updated covariance in the units of the scaled model.",
     "gain_derivatives": "First derivatives of the filter gain with respect to the tracking index.",
+    "gain_second_derivatives": "Second derivatives of the filter gain by the tracking index.",
+}
+ORDERS = {
+    "gain_derivatives": "derivative of the ",
+    "gain_second_derivatives": "second derivative of the ",
 }
 MEANINGS = {
     "alpha": "gain of the measured state",
@@ -85,9 +90,7 @@ def _kernel(c: Context, name: str, found: Made) -> Kernel:
         outputs=tuple(
             Output(
                 output,
-                f"derivative of the {MEANINGS[output]}"
-                if name == "gain_derivatives"
-                else MEANINGS[output],
+                ORDERS.get(name, "") + MEANINGS[output],
                 relative_to=output + SCALE if output in apart else None,
             )
             for output in shown

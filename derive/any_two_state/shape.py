@@ -8,6 +8,7 @@ f0 and f2 are det(I - F) and det(I + F), n0 and n1 the numerator at z = 1 and z 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 
@@ -31,12 +32,12 @@ class Shape:
         """An entry of Q0, counted from 1."""
         return self.model.process_noise[i - 1, j - 1]
 
-    @property
+    @cached_property
     def determinant(self) -> sp.Expr:
         """det F."""
         return sp.factor(self.model.transition.det())
 
-    @property
+    @cached_property
     def open_loop(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
         """f0, f1, f2."""
         one, matrix = sp.eye(2), self.model.transition
@@ -46,7 +47,7 @@ class Shape:
             self.readable((one + matrix).det()),
         )
 
-    @property
+    @cached_property
     def noise_ends(self) -> tuple[sp.Expr, sp.Expr]:
         """n0 and n1."""
         return self.readable(self._numerator(1)), self.readable(self._numerator(-1))
@@ -82,8 +83,18 @@ class Shape:
         except NoSign:
             return 1
 
+    @cached_property
+    def _known(self) -> dict[sp.Expr, Signed]:
+        """What has been asked before: the same numbers stand in many forms."""
+        return {}
+
     def signed(self, expression: sp.Expr) -> Signed:
         """An expression of the model's numbers as a value of known sign."""
+        if expression not in self._known:
+            self._known[expression] = self._signed(expression)
+        return self._known[expression]
+
+    def _signed(self, expression: sp.Expr) -> Signed:
         sign = self.sign(expression)
         if sign == 0:
             return Signed()

@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import sympy as sp
+
 
 @dataclass(frozen=True)
 class Signed:
@@ -64,7 +66,7 @@ class Signed:
     def value(self) -> Any:
         """plus - minus, for values of a sign that is known or not; 0 where nothing is there."""
         if self.minus is None:
-            return 0 if self.plus is None else self.plus
+            return sp.Integer(0) if self.plus is None else self.plus
         return -self.minus if self.plus is None else self.plus - self.minus
 
     @property

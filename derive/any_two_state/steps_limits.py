@@ -1,4 +1,4 @@
-"""Steps on both ends of the index, the range of the first gain, and the slopes of the gains."""
+"""Steps on both ends of the index, and on the range of the first gain."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from gainproof.derive.any_two_state.towers import variable
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError
-from gainproof.derive.relation import equal, increasing_onto, limit
+from gainproof.derive.relation import increasing_onto, limit
 
 
 def limit_steps(c: Context) -> list[Step]:
@@ -142,27 +142,4 @@ def _range(c: Context, edges: tuple[Edge, Edge]) -> list[Step]:
             "Its derivative is a quotient of sums without a minus sign.",
             hint=hint,
         )
-    ]
-
-
-def derivative_steps(c: Context) -> list[Step]:
-    """First derivatives of the gains with respect to the index."""
-    try:
-        found = derivatives.gains(c.basis)
-    except ModelError:
-        found = {"alpha": Signed(derivatives.gains_slope(c.basis))}
-    entries = [
-        (f"derivative-{name}", equal(sp.Derivative(real(name), INDEX), value.value))
-        for name, value in found.items()
-    ]
-    (first, relation), *others = entries
-    return [
-        Step(
-            first,
-            "The gains change with the index like this.",
-            relation,
-            "Differentiate step @stable-alpha and the roots of step @roots.",
-            heading="How the steady state changes with the index",
-        ),
-        *(joined(name, entry) for name, entry in others),
     ]

@@ -138,7 +138,12 @@ def _roots(shape: Shape) -> Roots:
         generators.append(Generator(symbol, sp.expand(own**2 + index**2 * noise)))
         return real(symbol)
 
-    first, last = end(0, f0, n0), end(2, f2, n1)
+    first = end(0, f0, n0)
+    same = f0 * f2 * n0 * n1 != 0 and sp.expand(f0**2 * n1 - f2**2 * n0) == 0
+    last = first * shape.readable(_sized(shape, 2) / _sized(shape, 0)) if same else end(2, f2, n1)
+    if shape.determinant == 0:  # d1^2 is (d0 + d2)^2 - 16 det F
+        ends = (first + last) / below
+        return Roots(tuple(generators), (first / below, ends, last / below), known, {})
     inner = sp.expand(f1**2 - 2 * f0 * f2 + index**2 * (n0 + n1)) + 2 * first * last
     parameters = tuple(Parameter(entry) for entry in (name, *numbers.symbols))
     trial = Tower("trial", parameters, tuple(generators), {"inner": inner})
@@ -160,6 +165,12 @@ def _roots(shape: Shape) -> Roots:
         "product": (first + last) * first * last,
     }
     return Roots(tuple(generators), (values[0], values[1], values[2]), known, likely)
+
+
+def _sized(shape: Shape, number: int) -> sp.Expr:
+    """The size of f0 or f2."""
+    own = shape.open_loop[number]
+    return own if shape.sign(own) > 0 else -own
 
 
 def _plain(numbers: FreeNumbers) -> Callable[[sp.Expr], sp.Expr]:

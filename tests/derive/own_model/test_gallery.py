@@ -32,7 +32,9 @@ FOLDER = Path(__file__).resolve().parents[3] / "docs" / "models"
 MODELS = sorted(path.stem for path in FOLDER.glob("*.py"))
 INDICES = (0.0078125, 0.3, 1.0, 2.7, 900.0)
 PARAMETERS = (0.0625, 0.5, 0.9)
-DIGITS = 40
+DIGITS = 60
+STEP = Fraction(1, 10**10)
+"""Of differences, relative: their error is its square, and 10^-DIGITS over its square."""
 
 
 @dataclass(frozen=True)
@@ -103,14 +105,30 @@ def named(state: SteadyState) -> dict[str, flint.arb]:
     return found
 
 
-def slopes(subject: Subject, point: Mapping[str, float]) -> dict[str, flint.arb]:
-    """Derivatives by the index, from differences: they agree with the truth to 20 digits."""
-    step = Fraction(1, 10**12)
-    after, before = (named(truth(subject, point, sign * step)) for sign in (1, -1))
-    width = 2 * step * Fraction(point["tracking_index"])
-    with flint.ctx.workprec(400):
+def slopes(subject: Subject, point: Mapping[str, float], degree: int) -> dict[str, flint.arb]:
+    """First or second derivatives by the index, from differences."""
+    places = {1: (STEP, -STEP), 2: (STEP, Fraction(0), -STEP)}[degree]
+    weights = {1: (1, -1), 2: (1, -2, 1)}[degree]
+    values = [named(truth(subject, point, place)) for place in places]
+    width = (STEP * Fraction(point["tracking_index"])) ** degree * (2 if degree == 1 else 1)
+    with flint.ctx.workprec(600):
         over = flint.arb(width.denominator) / flint.arb(width.numerator)
-        return {name: (after[name] - before[name]) * over for name in ("alpha", "beta")}
+        return {
+            name: sum((w * v[name] for w, v in zip(weights, values, strict=True)), flint.arb(0))
+            * over
+            for name in ("alpha", "beta")
+        }
+
+
+DEGREES = {"gain_derivatives": 1, "gain_second_derivatives": 2}
+COMPARED = {"gains", "predicted_covariance", "updated_covariance", *DEGREES}
+
+
+def wanted(subject: Subject, kernel: str, point: Mapping[str, float]) -> dict[str, flint.arb]:
+    """What a kernel should give."""
+    if kernel in DEGREES:
+        return slopes(subject, point, DEGREES[kernel])
+    return named(truth(subject, point))
 
 
 @pytest.mark.parametrize("name", MODELS)
@@ -129,23 +147,17 @@ def test_kernels_are_as_true_as_they_say(name: str, tmp_path: Path) -> None:
     subject = made(name).subject
     module = imported(name, tmp_path)
     for kernel in subject.module.kernels:
-        if kernel.name not in {
-            "gains",
-            "predicted_covariance",
-            "updated_covariance",
-            "gain_derivatives",
-        }:
+        if kernel.name not in COMPARED:
             continue
         bounds = {entry.name: entry.bound for entry in prove(kernel, FLOAT64).outputs}
         for point in points(kernel):
             computed = getattr(module, kernel.name)(*point.values())._asdict()
-            derivative = kernel.name == "gain_derivatives"
-            wanted = slopes(subject, point) if derivative else named(truth(subject, point))
+            true = wanted(subject, kernel.name, point)
             for output in kernel.outputs:
-                scale = wanted[output.name]
+                scale = true[output.name]
                 if output.relative_to is not None:
                     scale = balls(kernel.graph, point)[output.relative_to]
-                error = relative_error(float(computed[output.name]), wanted[output.name], scale)
+                error = relative_error(float(computed[output.name]), true[output.name], scale)
                 assert error <= float(bounds[output.name]) * 2.0**-52, (kernel.name, output, point)
 
 

@@ -1,0 +1,105 @@
+"""Two-state models far from any tracker: unstable, alternating, with poles anywhere."""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+import pytest
+import sympy as sp
+from own_models import free_number, own_model
+
+from gainproof.derive.any_two_state import module
+from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
+from gainproof.derive.expression import real
+from gainproof.derive.model import Model
+from gainproof.deriving import plain_subject
+from gainproof.rechecking import expected_of, recheck
+from gainproof.verify.certificate import check
+
+R, S = real("r"), real("s_squared")
+TENTH = sp.Rational(1, 10)
+LAST = [[0, 0], [0, 1]]
+
+MODELS: dict[str, Model] = {
+    "alternating": own_model([[-8 * TENTH, 6 * TENTH], [0, -1]], [[9, 12], [12, 16]]),
+    "unstable": own_model([[11 * TENTH, 1], [0, 9 * TENTH]], LAST),
+    "second state leaves": own_model([[7 * TENTH, 4 * TENTH], [-TENTH, -12 * TENTH]], LAST),
+    "pulling each other": own_model([[11 * TENTH, 1], [4 * TENTH, TENTH]], [[2, 3], [3, 9]]),
+    "second is noise": own_model([[1, 1], [0, 0]], LAST),
+    "second remembers the first": own_model(
+        [[3 * sp.Rational(1, 2), 1], [-6 * TENTH, 0]], [[1, 0], [0, TENTH]]
+    ),
+    "without a trend": own_model([[0, 1], [-sp.Rational(1, 4), 0]], [[0, 0], [0, 1]]),
+    "decay and ratio": own_model(
+        [[1, 1 - R], [0, R]],
+        [[S, 0], [0, 1]],
+        parameters=(free_number("r", below_one=True), free_number("s_squared")),
+    ),
+}
+
+
+@pytest.fixture(autouse=True, scope="module")
+def without_bounds() -> Iterator[None]:
+    """Only what certificates hold is looked at here: bounds of kernels take their time."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "prove", lambda _kernel, _form: None)
+        yield
+
+
+@cache
+def certificate(name: str) -> tuple[Any, dict[str, Any]]:
+    derived = plain_subject(derive_any_two_state(MODELS[name]))
+    return json.loads(json.dumps(derived.certificate)), expected_of(derived)
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_everything_is_proved(name: str) -> None:
+    report = recheck(*certificate(name))
+    assert report["accepted"], report["reason"]
+    statuses = {entry["id"]: entry["status"] for entry in report["statements"]}
+    assert statuses["riccati"] == statuses["stable"] == statuses["kernel-gains"] == "proved"
+
+
+def test_each_equation_altered_is_rejected() -> None:
+    """One more on the right side of every equation; each must fail."""
+    found, _ = certificate("unstable")
+    altered = copy.deepcopy(found)
+    wanted = []
+    for statement in altered["statements"]:
+        if statement["kind"] != "equal":
+            continue
+        graph = statement["claim"]["right"]
+        value = graph["outputs"]["value"]
+        if graph["nodes"][value][0] == "matrix":
+            value = graph["nodes"][value][3]
+        last = len(graph["nodes"])
+        graph["nodes"] += [["number", "1"], ["add", value, last]]
+        top = graph["outputs"]["value"]
+        if top == value:
+            graph["outputs"]["value"] = last + 1
+        else:
+            graph["nodes"].append([*graph["nodes"][top][:3], last + 1, *graph["nodes"][top][4:]])
+            graph["outputs"]["value"] = last + 2
+            graph["nodes"][top] = ["neg", value]
+            graph["nodes"][last + 1][1] = top
+        wanted.append(statement["id"])
+    assert len(wanted) > 15
+    statuses = {entry.id: entry.status for entry in check(altered).statements}
+    assert {statuses[name] for name in wanted} == {"rejected"}
+
+
+def test_a_certificate_of_another_model_is_refused() -> None:
+    mine, _ = certificate("unstable")
+    _, other = certificate("alternating")
+    assert not recheck(mine, other)["accepted"]
+
+
+def test_a_noise_with_a_free_ratio_has_a_free_ratio_in_its_limits() -> None:
+    found, _ = certificate("decay and ratio")
+    claims = {entry["id"]: entry["claim"] for entry in found["statements"]}
+    text = json.dumps(claims["large-innovation-deviation"]["value"])
+    assert "s_squared" in text

@@ -1,0 +1,137 @@
+"""Models that have no steady state, or are not written well: what each refusal names."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy as sp
+from own_models import DEVIATION, SHAKE, T, free_number, own_model
+
+from gainproof.derive.expression import real
+from gainproof.derive.model import Model, ModelError
+from gainproof.derive.own_model.choice import derive_own_model
+from gainproof.derive.quantity import METRE, Quantity
+
+KINEMATIC = [[1, 1], [0, 1]]
+LAST = [[0, 0], [0, 1]]
+HALF = sp.Rational(1, 2)
+R = real("r")
+
+
+def _matrix(*rows: list[Any]) -> sp.ImmutableDenseMatrix:
+    return sp.ImmutableDenseMatrix(rows)
+
+
+REFUSED: list[tuple[Model, str]] = [
+    (
+        own_model(KINEMATIC, LAST, process_noise=_matrix([0, SHAKE.symbol**2], [0, 0])),
+        r"process_noise should be symmetric, its entry 1,2 is shake\*\*2 and its entry 2,1 is 0",
+    ),
+    (
+        own_model(KINEMATIC, [[0, 1], [1, 1]]),
+        "process_noise should be positive semidefinite; .* its minor of rows 1, 2 is -1",
+    ),
+    (
+        own_model(KINEMATIC, LAST, measurement_noise=_matrix([-(DEVIATION**2)])),
+        "measurement_noise should be positive definite; .* its minor of rows 1 is -1",
+    ),
+    (
+        own_model(KINEMATIC, LAST, measurement=_matrix([1, 0, 0])),
+        r"measurement should have the shape \(1, 2\), it has \(1, 3\)",
+    ),
+    (
+        own_model(KINEMATIC, LAST, transition=_matrix([1, T])),
+        r"transition should have the shape \(1, 1\), it has \(1, 2\)",
+    ),
+    (
+        own_model([[1, 0], [0, HALF]], [[1, 0], [0, 1]]),
+        r"\(F, H\) should be observable, the rank of H, H F, ... is 1 of 2",
+    ),
+    (
+        own_model([[1, 1], [0, 2]], [[1, 0], [0, 0]]),
+        (
+            r"should be stabilisable, the process noise never drives the mode 2 of F, which lies "
+            "outside the unit circle"
+        ),
+    ),
+    (
+        own_model(KINEMATIC, [[1, 0], [0, 0]]),
+        (
+            "the process noise should drive every state, the process noise never drives the mode 1 of "
+            "F, which lies on the unit circle: the Riccati equation has no stabilising solution"
+        ),
+    ),
+    (
+        own_model([[1, 1], [0, HALF]], [[1, 0], [0, 0]]),
+        "never drives the mode 1/2 of F, which dies out",
+    ),
+    (
+        own_model([[1, 1 - R], [0, R]], LAST),
+        "transition holds the symbol r, which has no domain",
+    ),
+    (
+        own_model(KINEMATIC, [[sp.Symbol("shake"), 0], [0, 1]]),
+        "holds another symbol named shake",
+    ),
+    (
+        own_model(KINEMATIC, [[R, 1], [1, 1]], parameters=(free_number("r"),)),
+        (
+            "process_noise should be positive semidefinite for all parameters, the sign of its minor "
+            "of rows 1, 2, r - 1, is not shown"
+        ),
+    ),
+    (
+        own_model([[1, R - 2], [0, HALF]], LAST, parameters=(free_number("r"),)),
+        "has no sign shown for all parameters",
+    ),
+    (
+        own_model(
+            [[1, 1], [0, R]],
+            LAST,
+            parameters=(free_number("r", below_one=True, kernel_to="2"),),
+        ),
+        "kernels need r from a positive number to a greater one below 1, the range is 1/1024 to 2",
+    ),
+    (own_model(KINEMATIC, [[0, 0], [0, 0]]), "all its entries are 0"),
+    (
+        own_model(KINEMATIC, LAST, process_noise=_matrix([0, 0], [0, DEVIATION**2 / T**2])),
+        "which fixes the tracking index",
+    ),
+    (
+        own_model(KINEMATIC, LAST, process_noise=_matrix([T * SHAKE.symbol, 0], [0, 1])),
+        "one strength times a matrix",
+    ),
+    (
+        own_model(KINEMATIC, LAST, measurement=_matrix([2, 0])),
+        r"H = \[\[1, 0\]\] and R = \[\[1\]\] are wanted, they are \[\[2, 0\]\]",
+    ),
+    (own_model(KINEMATIC, LAST, name="My model"), "a name of lower-case letters"),
+    (
+        own_model(KINEMATIC, LAST, state_units=(METRE,)),
+        "a unit for each of 2 entries of the state is wanted, there are 1",
+    ),
+    (
+        own_model(
+            [[1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 1, 1], [0, 0, 0, 1]],
+            sp.diag(0, 0, 0, 1).tolist(),
+        ),
+        "4 states and 1 measurements came",
+    ),
+]
+
+
+@pytest.mark.parametrize(("model", "message"), REFUSED)
+def test_each_refusal_names_the_entry_or_property(model: Model, message: str) -> None:
+    with pytest.raises(ModelError, match=message) as raised:
+        derive_own_model(model)
+    assert isinstance(raised.value, ValueError)
+    assert "\n" not in str(raised.value)
+
+
+def test_a_parameter_has_no_unit() -> None:
+    parameter = free_number("r")
+    length = Quantity("r", "r", "a length", METRE)
+    wrong = type(parameter)(length)
+    with pytest.raises(ModelError, match="the parameter r should have no unit, it has m"):
+        derive_own_model(own_model([[1, 1], [0, R]], LAST, parameters=(wrong,)))
