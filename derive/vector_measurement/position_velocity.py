@@ -21,6 +21,11 @@ from gainproof.derive.vector_measurement.ends import ends_tower, index_tower
 from gainproof.derive.vector_measurement.names import LATEX
 from gainproof.derive.vector_measurement.pole_towers import LATEX as POLE_LATEX
 from gainproof.derive.vector_measurement.pole_towers import pole_towers
+from gainproof.derive.vector_measurement.steps_bending import (
+    BENDING_LATEX,
+    bending_steps,
+    bending_tower,
+)
 from gainproof.derive.vector_measurement.steps_corners import corner_steps
 from gainproof.derive.vector_measurement.steps_derivatives import derivative_steps
 from gainproof.derive.vector_measurement.steps_entries import cross_steps
@@ -89,6 +94,7 @@ def derive_position_velocity(
         *derivative_steps(c),
         *trend_steps(c),
         *without_trend_steps(c),
+        *bending_steps(c),
         *improvement_steps(c),
         *width_steps(c),
         *pole_steps(c),
@@ -110,6 +116,7 @@ def derive_position_velocity(
                 **CORNER_LATEX,
                 **WIDTH_LATEX,
                 **POLE_LATEX,
+                **BENDING_LATEX,
                 **printed.latex,
                 **symbols,
             },
@@ -129,6 +136,7 @@ def _towers(c: Context) -> tuple[Tower, ...]:
     noise = c.noise
     towers = (
         c.tower,
+        bending_tower(c),
         ends_tower(noise),
         fixed_index_tower(noise),
         narrow_tower(noise),
