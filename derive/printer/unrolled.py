@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from gainproof.derive.printer.derivative import Sum, Term, derivative, over_one
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import Graph, GraphNode, fraction_text, operands
 from gainproof.derive.printer.newton import Convergence, slopes
@@ -36,15 +37,6 @@ class Cycle:
         """The same with other numbers."""
         iterates = tuple(place[number] for number in self.iterates)
         return Cycle(iterates, place[self.map_value], self.within, self.convergence)
-
-
-@dataclass(frozen=True)
-class Term:
-    """Part of a derivative: a coefficient times nodes, over nodes."""
-
-    coefficient: Fraction
-    above: tuple[int, ...] = ()
-    below: tuple[int, ...] = ()
 
 
 def unrolled(graph: Graph) -> tuple[Graph, tuple[Cycle, ...]]:
@@ -187,74 +179,24 @@ class _Unrolling:
         return [n for n in sorted(wanted) if n > unknown and unknown in self.free[n]]
 
     def _newton(self, unknown: int, chain: Sequence[int], x: int) -> int:
-        """(g - x g')/(1 - g') with the derivative as a quotient: (g d - x n)/(d - n)."""
-        place: dict[int, int] = {unknown: x}
-        terms: dict[int, list[Term]] = {unknown: [Term(Fraction(1))]}
+        """(g - x g')/(1 - g') with the derivative as a quotient n/d: (g d - x n)/(d - n)."""
+        place: dict[int, int] = {**self.place, unknown: x}
+        known: dict[int, Sum] = {unknown: (Term(Fraction(1)),)}
         for number in chain:
-            place[number] = self._copied(number, {**self.place, **place})
-            terms[number] = self._derivative(number, place, terms)
-        above, below = self._quotient(terms[chain[-1]])
-        value = place[chain[-1]]
-        assert below is not None  # without roots the slope would not be below 1
-        over = self._put("call", "less", self._put("mul", value, below), self._put("mul", above, x))
+            place[number] = self._copied(number, place)
+            known[number] = derivative(self.old, number, known)
+        terms, divisor = over_one(known[chain[-1]])
+        above = self._sum([self._product(term, place) for term in terms])
+        below = self._product(Term(Fraction(1), divisor), place)
+        image = self._put("mul", place[chain[-1]], below)
+        over = self._put("call", "less", image, self._put("mul", above, x))
         return self._put("div", over, self._put("call", "less", below, above))
 
-    def _derivative(
-        self, number: int, place: Mapping[int, int], terms: Mapping[int, list[Term]]
-    ) -> list[Term]:
-        node, parts = self.old[number], operands(self.old[number])
-        at = [place[part] if part in place else self.place[part] for part in parts]
-        match node[0]:
-            case "add":
-                return [term for part in parts for term in terms.get(part, ())]
-            case "mul":
-                found = []
-                for which, part in enumerate(parts):
-                    rest = [entry for i, entry in enumerate(at) if i != which]
-                    found += [self._times(term, rest) for term in terms.get(part, ())]
-                return found
-            case "div":
-                return [
-                    Term(term.coefficient, term.above, (*term.below, at[1]))
-                    for term in terms[parts[0]]
-                ]
-        return [
-            Term(term.coefficient / 2, term.above, (*term.below, place[number]))
-            for term in terms[parts[0]]
-        ]
+    def _sum(self, terms: Sequence[int]) -> int:
+        return terms[0] if len(terms) == 1 else self._put("add", *terms)
 
-    def _times(self, term: Term, factors: Sequence[int]) -> Term:
-        """Numbers join the coefficient, other nodes the product above the line."""
-        coefficient, above = term.coefficient, list(term.above)
-        for factor in factors:
-            node = self.nodes[factor]
-            if node[0] == "number":
-                coefficient *= Fraction(str(node[1]))
-            else:
-                above.append(factor)
-        return Term(coefficient, tuple(above), term.below)
-
-    def _quotient(self, terms: Sequence[Term]) -> tuple[int, int | None]:
-        """The terms over one denominator; None for a denominator 1."""
-        below: list[int] = []
-        for term in terms:
-            left = list(below)
-            for factor in term.below:
-                if factor in left:
-                    left.remove(factor)
-                else:
-                    below.append(factor)
-        parts = []
-        for term in terms:
-            missing = list(below)
-            for factor in term.below:
-                missing.remove(factor)
-            factors = [*term.above, *missing]
-            if term.coefficient != 1 or not factors:
-                factors.append(self._number(term.coefficient))
-            parts.append(self._product(factors))
-        above = parts[0] if len(parts) == 1 else self._put("add", *parts)
-        return above, self._product(below) if below else None
-
-    def _product(self, factors: Sequence[int]) -> int:
+    def _product(self, term: Term, place: Mapping[int, int]) -> int:
+        factors = [place[factor] for factor in term.above]
+        if term.coefficient != 1 or not factors:
+            factors.append(self._number(term.coefficient))
         return factors[0] if len(factors) == 1 else self._put("mul", *factors)

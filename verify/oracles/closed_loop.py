@@ -63,13 +63,13 @@ def _cardano(
     sign = -1 if third < 0 else 1
     if apart > 0:
         # one real root: C is real, and so is the first of the three
-        cube = (abs(flint.arb(third)) + flint.arb(apart).sqrt()) / 2
+        cube = flint.acb(abs(flint.arb(third)) + flint.arb(apart).sqrt()) / 2
         factors = [flint.acb(1), turn, turn.conjugate()]
     else:
         # the real part is not negative: no branch of the cube root is near
         cube = flint.acb(abs(flint.arb(third)), flint.arb(-apart).sqrt()) / 2
         factors = [flint.acb(1), turn, turn * turn]
-    c = flint.acb(cube).log()
+    c = cube.log()
     found = []
     for factor in factors:
         moved = sign * factor * (c / 3).exp()

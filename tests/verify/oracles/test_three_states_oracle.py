@@ -72,9 +72,7 @@ def test_noises_integrated_from_the_motion() -> None:
 
 
 @pytest.mark.parametrize("which", NOISES)
-@pytest.mark.parametrize(
-    "index", [Fraction(1, 30), Fraction(3, 10), Fraction(7), Fraction(10**5)]
-)
+@pytest.mark.parametrize("index", [Fraction(1, 30), Fraction(3, 10), Fraction(7), Fraction(10**5)])
 def test_oracles_agree(which: str, index: Fraction) -> None:
     own = model(which)
     truth = ball.enclose(spectrum(own), index)
