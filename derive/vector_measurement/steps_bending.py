@@ -104,7 +104,8 @@ def _equation(c: Context) -> list[Step]:
         Step(
             "change-of-updated",
             "How does the steady state bend? Take the square of the index as the variable, of "
-            "which `Q` is a multiple, and call the derivative of the updated covariance `D`.",
+            "which `Q` is a multiple. The derivative of the updated covariance is `D`, with the "
+            "entries `D11`, `D12`, `D22`.",
             equal(row(*map(real, CHANGES)), row(*slopes)),
             "Its name; `d/d(Lambda^2)` is `(1/(2 Lambda)) d/dLambda`.",
             tower=TOWER,
