@@ -6,13 +6,17 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from gainproof.derive.families import (
+    acceleration_increments,
     continuous_white_acceleration,
+    continuous_white_jerk,
     least_squares,
     position_velocity,
     position_velocity_random_acceleration,
     position_velocity_random_velocity,
     random_acceleration,
+    random_jerk,
     random_velocity,
+    wiener_acceleration,
 )
 from gainproof.derive.recursion import three_states, two_states
 from gainproof.derive.subject import Subject
@@ -35,6 +39,12 @@ CATALOGUE: tuple[Entry, ...] = (
         continuous_white_acceleration.TITLE,
         continuous_white_acceleration.build,
     ),
+    Entry(
+        acceleration_increments.NAME, acceleration_increments.TITLE, acceleration_increments.build
+    ),
+    Entry(wiener_acceleration.NAME, wiener_acceleration.TITLE, wiener_acceleration.build),
+    Entry(random_jerk.NAME, random_jerk.TITLE, random_jerk.build),
+    Entry(continuous_white_jerk.NAME, continuous_white_jerk.TITLE, continuous_white_jerk.build),
     *(
         Entry(
             least_squares.NAMES[degree], least_squares.TITLES[degree], least_squares.builder(degree)

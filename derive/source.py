@@ -63,6 +63,13 @@ ELEMENTARY = Source(
     "McGraw-Hill, 1976",
     "crossings of monotone functions follow their limit",
 )
+ALGEBRA = Source(
+    "van-der-waerden-1991",
+    "B. L. van der Waerden",
+    "Algebra, Volume I",
+    "Springer, 1991",
+    "the casus irreducibilis: three real roots of an irreducible cubic defy real radicals",
+)
 SUZUKI = Source(
     "suzuki-position-velocity",
     "C. Suzuki",
@@ -71,4 +78,13 @@ SUZUKI = Source(
     "the closed form of the steady state with position and velocity measured",
 )
 
-SOURCES: tuple[Source, ...] = (KALATA, RICCATI, SPECTRAL, LECTURE, GAUSS_MARKOV, ELEMENTARY, SUZUKI)
+SOURCES: tuple[Source, ...] = (
+    KALATA,
+    RICCATI,
+    SPECTRAL,
+    LECTURE,
+    GAUSS_MARKOV,
+    ELEMENTARY,
+    ALGEBRA,
+    SUZUKI,
+)

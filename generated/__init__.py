@@ -1,7 +1,10 @@
 """Kernels that need NumPy only, printed from derivations with proved error bounds.
 
+- `acceleration_increments`: Acceleration increments (acceleration random walk): steady state
+  with measured position.
 - `continuous_white_acceleration`: Continuous white acceleration: steady state with measured
   position.
+- `continuous_white_jerk`: Continuous white jerk: steady state with measured position.
 - `least_squares_line`: Least-squares line (growing memory): gains by sample number.
 - `least_squares_mean`: Least-squares mean (growing memory): gains by sample number.
 - `least_squares_parabola`: Least-squares parabola (growing memory): gains by sample number.
@@ -12,9 +15,12 @@
 - `position_velocity`: Position and velocity measured, continuous white acceleration.
 - `random_acceleration`: Random acceleration (constant over each interval): steady state with
   measured position.
+- `random_jerk`: Random jerk (constant over each interval): steady state with measured position.
 - `random_velocity`: Random velocity (velocity random walk): steady state with measured
   position.
 - `recursion_three_states`: Kalman recursion of position, velocity and acceleration, any
   intervals.
 - `recursion_two_states`: Kalman recursion of position and velocity, any intervals.
+- `wiener_acceleration`: Discrete Wiener process acceleration (increments acting through the
+  interval): steady state with measured position.
 """

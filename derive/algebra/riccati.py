@@ -22,9 +22,10 @@ def _named(rows: Any) -> sp.ImmutableDenseMatrix:
 
 
 def riccati_evidence(step: Step, tower: Tower) -> dict[str, Any]:
-    """d, A and cofactors of E = s (F A F' - A + d q Q) - F a a' F' with M = A/d, a = A H'.
+    """d, A and cofactors of D^2 (s (F A F' - A) - F a a' F') + s d N^2 Q0.
 
-    A gain given by rows (a vector measurement) has evidence of its own.
+    M = A/d, a = A H', and the index is N/D as the tower writes it. A gain given by rows (a vector
+    measurement) has evidence of its own.
     """
     parts = step.relation.parts
     if not isinstance(parts["gain"][0], str):
@@ -48,7 +49,8 @@ def riccati_evidence(step: Step, tower: Tower) -> dict[str, Any]:
 
     covariance = matrix(numerators)
     transition, measured = matrix(given("transition")), matrix(given("measurement"))
-    strength = tower.elements[parts["index"]].num ** 2 * denominator
+    index = tower.elements[parts["index"]]
+    strength, outside = index.num**2 * denominator, index.den**2
     noise = matrix([[entry * strength for entry in row] for row in given("process_noise")])
     column = covariance * measured.transpose()
     variance = (measured * column).to_Matrix()[0, 0]
@@ -56,9 +58,10 @@ def riccati_evidence(step: Step, tower: Tower) -> dict[str, Any]:
         tower.ring(sp.QQ(*_ratio(model["measurement_noise"][0][0]))) * denominator
     )
     moved = transition * column
-    residual = (
-        transition * covariance * transition.transpose() - covariance + noise
-    ) * tower.ring.to_domain().convert(scale) - moved * moved.transpose()
+    domain = tower.ring.to_domain()
+    moving = transition * covariance * transition.transpose() - covariance
+    residual = (moving * domain.convert(outside) + noise) * domain.convert(scale)
+    residual -= moved * moved.transpose() * domain.convert(outside)
     found = {
         f"{i + 1},{j + 1}": [poly_data(part) for part in cofactors(tower, residual[i, j].element)]
         for i in range(size)

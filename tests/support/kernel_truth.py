@@ -33,6 +33,32 @@ STEADY_STATES: Mapping[str, dict[str, Any]] = {
     "random_acceleration": position_velocity([["1/4", "1/2"], ["1/2", "1"]]),
     "continuous_white_acceleration": position_velocity([["1/3", "1/2"], ["1/2", "1"]]),
 }
+
+
+def acceleration_too(noise: list[list[str]]) -> dict[str, Any]:
+    """Position, velocity and acceleration with measured position, in units T = R = 1."""
+    return {
+        "transition": [["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1"]],
+        "process_noise": noise,
+        "measurement": [["1", "0", "0"]],
+        "measurement_noise": [["1"]],
+    }
+
+
+THREE_STATES: Mapping[str, dict[str, Any]] = {
+    "acceleration_increments": acceleration_too(
+        [["0", "0", "0"], ["0", "0", "0"], ["0", "0", "1"]]
+    ),
+    "wiener_acceleration": acceleration_too(
+        [["1/4", "1/2", "1/2"], ["1/2", "1", "1"], ["1/2", "1", "1"]]
+    ),
+    "random_jerk": acceleration_too(
+        [["1/36", "1/12", "1/6"], ["1/12", "1/4", "1/2"], ["1/6", "1/2", "1"]]
+    ),
+    "continuous_white_jerk": acceleration_too(
+        [["1/20", "1/8", "1/6"], ["1/8", "1/3", "1/2"], ["1/6", "1/2", "1"]]
+    ),
+}
 FITS: Mapping[str, int] = {
     "least_squares_mean": 0,
     "least_squares_line": 1,

@@ -1,0 +1,112 @@
+"""The printed module of a three-state family: what each kernel is called and says of itself."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy
+
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
+from gainproof.derive.three_state.context import Context
+
+SUMMARIES = {
+    "gains": "Steady-state filter gain.",
+    "gain_derivatives": "First derivatives of the filter gain with respect to the tracking index.",
+    "gains_with_derivatives": "Filter gain and its first derivatives in one pass.",
+    "predictor_gains": "Steady-state predictor gain F K.",
+    "predictor_gain_derivatives": "First derivatives of the predictor gain.",
+    "predicted_covariance": "Predicted covariance in units of sigma_v^2 and T.",
+    "predicted_covariance_derivatives": "First derivatives of the predicted covariance.",
+    "updated_covariance": "Updated covariance in units of sigma_v^2 and T.",
+    "index_from_alpha": "The tracking index that belongs to a position gain.",
+    "gains_from_alpha": "The velocity and acceleration gain that belong to a position gain.",
+}
+STATES = ("position", "velocity", "acceleration")
+UNITS = {2: "over sigma_v^2", 3: "times T/sigma_v^2", 4: "times T^2/sigma_v^2"}
+UNITS |= {5: "times T^3/sigma_v^2", 6: "times T^4/sigma_v^2"}
+MEANINGS = {
+    "alpha": "position gain",
+    "beta": "velocity gain times the sampling interval",
+    "gamma": "acceleration gain times the square of the sampling interval",
+    "position": "position entry of F K, alpha + beta + gamma/2",
+    "velocity": "velocity entry of F K times the sampling interval, beta + gamma",
+    "acceleration": "acceleration entry of F K times the square of the sampling interval, gamma",
+    "tracking_index": "tracking index Lambda",
+}
+# Squares of larger indices, and for derivatives their multiples, leave the range of the format.
+SQUARES, MULTIPLES = (2**511, 2**63), (2**1000, 2**120)
+
+
+def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
+    """The module of a family."""
+    return Module(
+        name=c.model.name.replace("-", "_"),
+        title=f"{c.model.title}: steady state with measured position.",
+        command=f"gainproof generate {c.model.name}",
+        derivation=f"gainproof derive {c.model.name}, SymPy {sympy.__version__}",
+        kernels=tuple(_kernel(c, name, graph) for name, graph in graphs.items()),
+    )
+
+
+def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
+    return Kernel(
+        name=name,
+        result="".join(word.capitalize() for word in name.split("_")),
+        summary=SUMMARIES[name],
+        equations=_equations(c, name),
+        inputs=(_input(c, name),),
+        outputs=tuple(Output(output, _meaning(name, output)) for output in graph["outputs"]),
+        graph=graph,
+        source=f"derivation {c.model.name}",
+    )
+
+
+def _input(c: Context, name: str) -> Input:
+    if name.endswith("from_alpha"):
+        return Input("alpha", "position gain", "0", "1")
+    meaning = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
+    if "covariance" not in name:
+        return Input("tracking_index", meaning)
+    double, single = MULTIPLES if name.endswith("_derivatives") else SQUARES
+    return Input("tracking_index", meaning, "0", double, upper_open=False, single=("0", single))
+
+
+def _meaning(kernel: str, output: str) -> str:
+    plain = output.removeprefix("d_")
+    derivative = plain != output or (
+        kernel.endswith("_derivatives") and kernel != "gains_with_derivatives"
+    )
+    meaning = MEANINGS.get(plain) or _entry(plain)
+    return f"derivative of the {meaning}" if derivative else meaning
+
+
+def _entry(name: str) -> str:
+    """The meaning of an entry of a covariance."""
+    kind, places = name.split("_")
+    first, second = (int(place) for place in places)
+    unit = UNITS[first + second]
+    if first == second:
+        return f"variance of the {kind} {STATES[first - 1]} {unit}"
+    return f"covariance of {kind} {STATES[first - 1]} and {STATES[second - 1]} {unit}"
+
+
+def _equations(c: Context, name: str) -> tuple[str, ...]:
+    a1, a2, e = c.numbers
+    if name.endswith("from_alpha"):
+        return (
+            "beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w),",
+            "Lambda = gamma/w, w = sqrt(1 - alpha)",
+        )
+    own = {
+        "gains": ("alpha = 2 (1 + eta)/nu, beta = 4 xi/nu, gamma = 8/nu,",),
+        "predicted_covariance": (
+            "predicted_1j = sigma^2 (alpha, beta, gamma), sigma = Lambda nu/8,",
+        ),
+        "updated_covariance": ("updated_1j = (alpha, beta, gamma),",),
+    }
+    return (
+        *own.get(name, ()),
+        f"delta = {f'sqrt(64/Lambda^2 + {e})' if e else '8/Lambda'},",
+        f"xi = sqrt({a1} + 2 eta), eta = sqrt({a2} + 2 delta xi), nu = 1 + xi + eta + delta",
+    )

@@ -1,0 +1,144 @@
+"""Steps on the change with the index: first derivatives, trends, second derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from gainproof.derive.algebra.derivative import derivative
+from gainproof.derive.algebra.tower import Fraction, Tower
+from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import real
+from gainproof.derive.relation import Relation, equal, monotone, positive
+from gainproof.derive.three_state import forms
+from gainproof.derive.three_state.context import Context
+from gainproof.derive.three_state.names import DELTA, DEVIATION, GAINS, INDEX, TAU, XI
+
+UPDATED = ("updated_22", "updated_23", "updated_33")
+
+
+def numbers(c: Context) -> forms.Numbers:
+    """The family's numbers in the forms of the derivatives."""
+    noise = c.model.process_noise
+    return forms.Numbers(
+        *c.numbers,
+        noise[0, 2],
+        noise[1, 2],
+        noise[1, 1] - noise[0, 1] - noise[0, 2] / 2 - noise[1, 2] / 4,
+    )
+
+
+def change_steps(c: Context) -> list[Step]:
+    """First derivatives by the index, the trends, and the curvature of the gains."""
+    n = numbers(c)
+    gains, predicted = forms.gain_derivatives(n), forms.predicted_derivatives(n)
+    return [
+        *_logarithmic(n),
+        *_derivatives(
+            gains,
+            "The gains change with the index like this.",
+            "Differentiate step @gains with the derivatives of step @derivative-delta and gather "
+            "positive terms.",
+        ),
+        *_hidden(_derivatives(forms.predictor_derivatives(n), "", "")),
+        *_derivatives(
+            predicted,
+            "And the predicted covariance; the first row of `X` are the gains.",
+            "Differentiate the entries of steps @predicted-covariance and @predicted-33 in the "
+            "same way.",
+        ),
+        *_trends(predicted),
+        *_curvature(c),
+    ]
+
+
+def _logarithmic(n: forms.Numbers) -> list[Step]:
+    slope = (DELTA**2 - n.e) / DELTA
+    rows = {"delta": slope, "xi": slope * XI / TAU, "eta": slope * XI**2 / TAU}
+    first, *others = (
+        (f"derivative-{name}", equal(-INDEX * sp.Derivative(real(name), INDEX), form))
+        for name, form in rows.items()
+    )
+    return [
+        Step(
+            first[0],
+            "All three coefficients of `d` fall as the index grows.",
+            first[1],
+            "Differentiate step @three-equations: `2 delta delta' = -128/Lambda^3`, "
+            "`xi xi' = eta'` and `eta eta' = delta' xi + delta xi'`. Solve the last two; "
+            "`xi eta - delta = tau`.",
+            heading="How the steady state changes with the index",
+        ),
+        *(joined(*entry) for entry in others),
+        Step(
+            "derivative-deviation",
+            "The deviation of the innovations grows.",
+            equal(
+                sp.Derivative(DEVIATION, INDEX),
+                DEVIATION * forms.deviation_rate(n) / INDEX,
+            ),
+            "Differentiate step @deviation and put sums for differences with step "
+            "@three-equations.",
+        ),
+    ]
+
+
+def _derivatives(entries: Mapping[str, sp.Expr], sentence: str, reason: str) -> list[Step]:
+    first, *others = (
+        (f"derivative-{name.replace('_', '-')}", equal(sp.Derivative(real(name), INDEX), form))
+        for name, form in entries.items()
+    )
+    return [Step(first[0], sentence, first[1], reason), *(joined(*entry) for entry in others)]
+
+
+def _hidden(steps: list[Step]) -> Iterator[Step]:
+    """Steps that are proved and not shown again."""
+    return (replace(step, shown=False) for step in steps)
+
+
+def _trends(predicted: Mapping[str, sp.Expr]) -> list[Step]:
+    def rising(name: str) -> Relation:
+        return monotone(real(name), "increasing")
+
+    names = (*GAINS, *predicted, *UPDATED)
+    return [
+        Step(
+            "increasing-alpha",
+            "Gains and covariances all grow with the index.",
+            rising("alpha"),
+            "Their derivatives over `p` are quotients of sums without a minus sign.",
+        ),
+        *(joined(f"increasing-{name.replace('_', '-')}", rising(name)) for name in names[1:]),
+    ]
+
+
+def _curvature(c: Context) -> list[Step]:
+    """The second derivatives, negative."""
+    start, *rest = (
+        (
+            f"concave-{name}",
+            positive(-sp.Derivative(real(name), INDEX, INDEX)),
+            {"form": _second(c.tower, name)},
+        )
+        for name in GAINS
+    )
+    return [
+        Step(
+            start[0],
+            "The second derivatives are negative: each gain rises ever more slowly.",
+            start[1],
+            "Differentiate step @derivative-alpha once more; over `p` the negative is a quotient "
+            "of sums without a minus sign.",
+            hint=start[2],
+        ),
+        *(joined(name, relation, hint=hint) for name, relation, hint in rest),
+    ]
+
+
+def _second(tower: Tower, gain: str) -> sp.Expr:
+    """Less the second derivative of a gain."""
+    first = tower.expression(derivative(tower, real(gain), "tracking_index"))
+    second = derivative(tower, first, "tracking_index")
+    return tower.expression(Fraction(-second.num, second.den))

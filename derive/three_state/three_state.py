@@ -1,0 +1,104 @@
+"""The whole derivation of a three-state family: towers, steps, programs and kernels."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gainproof.derive.derivation import Derivation, Step
+from gainproof.derive.model import Model, ScaledModel, scale
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.relation import Relation
+from gainproof.derive.source import ALGEBRA
+from gainproof.derive.subject import Program, Subject
+from gainproof.derive.three_state.context import Context, context
+from gainproof.derive.three_state.kernels import kernel_graphs, kernel_roots, meant
+from gainproof.derive.three_state.module import kernel_module
+from gainproof.derive.three_state.names import LATEX
+from gainproof.derive.three_state.steps_change import change_steps
+from gainproof.derive.three_state.steps_ends import end_steps
+from gainproof.derive.three_state.steps_gains import gain_steps
+from gainproof.derive.three_state.steps_inverse import inverse_steps, twin_steps
+from gainproof.derive.three_state.steps_model import model_steps
+from gainproof.derive.three_state.steps_poles import pole_steps, turning
+from gainproof.derive.three_state.steps_proof import covariance_steps, proof_steps
+from gainproof.derive.three_state.steps_spectrum import spectrum_steps
+from gainproof.derive.three_state.towers import kernel_tower
+
+OPENING = (
+    "A position is measured at a fixed interval; the state holds the position, its rate and the "
+    "rate of that. How much of each innovation should a Kalman filter in its steady state believe?"
+)
+
+
+def derive_three_state(
+    model: Model, sources: tuple[str, ...], twin: Model | None = None
+) -> Subject:
+    """Derive everything about the steady state of three kinematic states, position measured.
+
+    `twin` is a model of another process noise with the same spectrum, whose covariances are larger
+    by Lambda^2 at place 33: the derivation then says so and proves it.
+
+    Raises ModelError, naming the reason, for a model outside the method's reach.
+    """
+    c = context(model)
+    found = turning(c)
+    graphs = kernel_graphs(c)
+    roots = kernel_tower(c.tower)
+    latex = {**LATEX, **{quantity.name: quantity.latex for quantity in model.quantities}}
+    return Subject(
+        name=model.name,
+        title=model.title,
+        model=c.model,
+        derivation=Derivation(
+            OPENING,
+            (*_steps(c, scale(twin) if twin else None), *_program_steps(c, graphs)),
+            sources if found.value is None else (*sources, ALGEBRA.key),
+            latex,
+        ),
+        towers={tower.name: tower for tower in (c.tower, found.tower, roots)},
+        programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
+        module=kernel_module(c, graphs),
+        textbook=dict,
+    )
+
+
+def _steps(c: Context, twin: ScaledModel | None) -> tuple[Step, ...]:
+    return (
+        *model_steps(c),
+        *spectrum_steps(c),
+        *gain_steps(c),
+        *covariance_steps(c),
+        *proof_steps(c),
+        *change_steps(c),
+        *end_steps(c),
+        *pole_steps(c),
+        *inverse_steps(c),
+        *twin_steps(c, twin),
+    )
+
+
+def _inputs(name: str) -> Mapping[str, str]:
+    entry = "alpha" if name.endswith("from_alpha") else "tracking_index"
+    return {entry: entry}
+
+
+def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
+    """Every kernel computes what its outputs are called."""
+    return [
+        Step(
+            f"kernel-{name.replace('_', '-')}",
+            f"The kernel {name} computes what it says.",
+            Relation(
+                "program",
+                {
+                    "program": name,
+                    "outputs": {output: meant(name, output) for output in graph["outputs"]},
+                },
+            ),
+            "Evaluate the kernel's graph in the tower.",
+            tower="main" if name.endswith("from_alpha") else "kernels",
+            hint={"graph": graph, "roots": kernel_roots(c, name)},
+            shown=False,
+        )
+        for name, graph in graphs.items()
+    ]

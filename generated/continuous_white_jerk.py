@@ -1,0 +1,1595 @@
+# Made by: gainproof generate continuous-white-jerk
+# From: gainproof derive continuous-white-jerk, SymPy 1.14.0
+"""Continuous white jerk: steady state with measured position."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate, near_cbrt
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Arrays, Real
+
+__all__ = [
+    "GainDerivatives",
+    "Gains",
+    "GainsWithDerivatives",
+    "PredictedCovariance",
+    "PredictedCovarianceDerivatives",
+    "PredictorGainDerivatives",
+    "PredictorGains",
+    "UpdatedCovariance",
+    "gain_derivatives",
+    "gains",
+    "gains_with_derivatives",
+    "predicted_covariance",
+    "predicted_covariance_derivatives",
+    "predictor_gain_derivatives",
+    "predictor_gains",
+    "updated_covariance",
+]
+
+_TRACKING_INDEX_DOMAIN = Domain(
+    "tracking_index",
+    "a number above 0 and finite",
+    (5e-324, 1.7976931348623157e308),
+    (1.401298464324817e-45, 3.4028234663852886e38),
+)
+_TRACKING_INDEX_DOMAIN_2 = Domain(
+    "tracking_index",
+    "a number above 0 and at most 6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048, in float32 above 0 and at most 9223372036854775808",
+    (5e-324, 6.703903964971299e153),
+    (1.401298464324817e-45, 9.223372036854776e18),
+)
+_TRACKING_INDEX_DOMAIN_3 = Domain(
+    "tracking_index",
+    "a number above 0 and at most 10715086071862673209484250490600018105614048117055336074437503883703510511249361224931983788156958581275946729175531468251871452856923140435984577574698574803934567774824230985421074605062371141877954182153046474983581941267398767559165543946077062914571196477686542167660429831652624386837205668069376, in float32 above 0 and at most 1329227995784915872903807060280344576",
+    (5e-324, 1.0715086071862673e301),
+    (1.401298464324817e-45, 1.329227995784916e36),
+)
+
+
+class Gains(NamedTuple):
+    """Result of `gains`."""
+
+    alpha: Real
+    """Position gain."""
+    beta: Real
+    """Velocity gain times the sampling interval."""
+    gamma: Real
+    """Acceleration gain times the square of the sampling interval."""
+
+
+def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None) -> Gains:
+    """Steady-state filter gain.
+
+        alpha = 2 (1 + eta)/nu, beta = 4 xi/nu, gamma = 8/nu,
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    alpha: position gain. Relative error at most 6.19 * 2^-52 (float64), 6.19 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
+    beta: velocity gain times the sampling interval. Relative error at most 6.11 * 2^-52 (float64),
+        6.11 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+        (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.56
+        * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
+        3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return Gains(*evaluate(_GAINS, (tracking_index,), out))
+
+
+def _gains_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta, gamma = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    p = np.sqrt(tracking_index, gamma)
+    r = np.sqrt(p, alpha)
+    t5 = np.divide(2.220446049250313e-16, tracking_index, beta)
+    t7 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t8 = np.add(t5, t7, beta)
+    c_scaled = np.sqrt(t8, beta)
+    t11 = np.multiply(c_scaled, 67108864.0, beta)
+    t12 = np.multiply(t11, r, w0)
+    t13 = np.multiply(t12, 2.0, w0)
+    t15 = np.multiply(p, 0.5, w1)
+    t17 = np.multiply(tracking_index, 0.07083333333333333, w2)
+    t18 = np.multiply(p, r, w3)
+    t21 = np.multiply(t18, 1.5516447222296765, w3)
+    t23 = np.divide(8.0, r, w4)
+    t24 = np.add(t21, t23, w3)
+    t25 = near_cbrt(t24, w3, single)
+    t27 = np.multiply(t13, t25, w4)
+    t28 = np.add(t27, t17, w4)
+    t29 = np.sqrt(t28, w4)
+    t30 = np.multiply(t29, 2.0, w5)
+    t31 = np.add(t30, t15, w5)
+    t32 = np.sqrt(t31, w5)
+    t33 = np.multiply(t13, 0.5, w6)
+    t34 = np.multiply(t29, t32, w4)
+    t35 = np.multiply(t32, t34, w5)
+    t36 = np.multiply(t33, t25, w3)
+    t37 = np.subtract(t35, t36, w5)
+    t38 = np.subtract(t34, t33, w4)
+    t39 = np.divide(t37, t38, w5)
+    t41 = np.multiply(t13, t39, w3)
+    t42 = np.add(t41, t17, w3)
+    t43 = np.sqrt(t42, w3)
+    t44 = np.multiply(t43, 2.0, w4)
+    t45 = np.add(t44, t15, w4)
+    t46 = np.sqrt(t45, w4)
+    t47 = np.multiply(t43, t46, w3)
+    t48 = np.multiply(t46, t47, w4)
+    t49 = np.multiply(t33, t39, w5)
+    t50 = np.subtract(t48, t49, w4)
+    t51 = np.subtract(t47, t33, w3)
+    t52 = np.divide(t50, t51, w4)
+    t54 = np.multiply(t13, t52, w3)
+    t55 = np.add(t54, t17, w3)
+    t56 = np.sqrt(t55, w3)
+    t57 = np.multiply(t56, 2.0, w5)
+    t58 = np.add(t57, t15, w5)
+    t59 = np.sqrt(t58, w5)
+    t60 = np.multiply(t56, t59, w3)
+    t61 = np.multiply(t59, t60, w5)
+    t62 = np.multiply(t33, t52, w4)
+    t63 = np.subtract(t61, t62, w5)
+    t64 = np.subtract(t60, t33, w3)
+    t65 = np.divide(t63, t64, w5)
+    t67 = np.multiply(t13, t65, w3)
+    t68 = np.add(t67, t17, w3)
+    t69 = np.sqrt(t68, w3)
+    t70 = np.multiply(t69, 2.0, w4)
+    t71 = np.add(t70, t15, w4)
+    t72 = np.sqrt(t71, w4)
+    t73 = np.multiply(t69, t72, w3)
+    t74 = np.multiply(t72, t73, w4)
+    t75 = np.multiply(t33, t65, w5)
+    t76 = np.subtract(t74, t75, w4)
+    t77 = np.subtract(t73, t33, w3)
+    t78 = np.divide(t76, t77, w4)
+    t80 = np.multiply(t13, t78, w0)
+    t81 = np.add(t80, t17, w0)
+    e = np.sqrt(t81, w0)
+    t83 = np.multiply(e, 2.0, w2)
+    t84 = np.add(t83, t15, w2)
+    x = np.sqrt(t84, w2)
+    t86 = np.multiply(e, 0.5, w1)
+    t87 = np.add(t11, t86, beta)
+    t88 = np.multiply(x, r, w2)
+    t90 = np.multiply(t88, 0.25, w1)
+    t91 = np.multiply(p, 0.125, w3)
+    t92 = np.add(t90, t91, w1)
+    t93 = np.add(t87, t92, w1)
+    t94 = np.multiply(p, 0.25, w3)
+    t95 = np.add(e, t94, w0)
+    np.divide(t95, t93, alpha)
+    np.divide(t88, t93, beta)
+    np.divide(p, t93, gamma)
+
+
+_GAINS = Signature(
+    "gains",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta", "gamma"),
+    7,
+    _gains_block,
+)
+
+
+class GainDerivatives(NamedTuple):
+    """Result of `gain_derivatives`."""
+
+    alpha: Real
+    """Derivative of the position gain."""
+    beta: Real
+    """Derivative of the velocity gain times the sampling interval."""
+    gamma: Real
+    """Derivative of the acceleration gain times the square of the sampling interval."""
+
+
+def gain_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> GainDerivatives:
+    """First derivatives of the filter gain with respect to the tracking index.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    alpha: derivative of the position gain. Relative error at most 16.97 * 2^-52 (float64), 16.97 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64) and
+        1e-45 <= tracking_index <= 7.235911e12 (float32).
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.75
+        * 2^-52 (float64), 17.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
+    gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
+        error at most 16.84 * 2^-52 (float64), 16.84 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
+        2.362475e13 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out))
+
+
+def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta, gamma = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    p = np.sqrt(tracking_index, alpha)
+    r = np.sqrt(p, beta)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, gamma)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, gamma)
+    c_scaled = np.sqrt(t9, gamma)
+    t12 = np.multiply(c_scaled, 67108864.0, gamma)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, w1)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w2)
+    t19 = np.multiply(p, r, w3)
+    t22 = np.multiply(t19, 1.5516447222296765, w4)
+    t24 = np.divide(8.0, r, w5)
+    t25 = np.add(t22, t24, w4)
+    t26 = near_cbrt(t25, w4, single)
+    t28 = np.multiply(t14, t26, w5)
+    t29 = np.add(t28, t18, w5)
+    t30 = np.sqrt(t29, w5)
+    t31 = np.multiply(t30, 2.0, w6)
+    t32 = np.add(t31, t16, w6)
+    t33 = np.sqrt(t32, w6)
+    t34 = np.multiply(t14, 0.5, w7)
+    t35 = np.multiply(t30, t33, w5)
+    t36 = np.multiply(t33, t35, w6)
+    t37 = np.multiply(t34, t26, w4)
+    t38 = np.subtract(t36, t37, w6)
+    t39 = np.subtract(t35, t34, w5)
+    t40 = np.divide(t38, t39, w6)
+    t42 = np.multiply(t14, t40, w4)
+    t43 = np.add(t42, t18, w4)
+    t44 = np.sqrt(t43, w4)
+    t45 = np.multiply(t44, 2.0, w5)
+    t46 = np.add(t45, t16, w5)
+    t47 = np.sqrt(t46, w5)
+    t48 = np.multiply(t44, t47, w4)
+    t49 = np.multiply(t47, t48, w5)
+    t50 = np.multiply(t34, t40, w6)
+    t51 = np.subtract(t49, t50, w5)
+    t52 = np.subtract(t48, t34, w4)
+    t53 = np.divide(t51, t52, w5)
+    t55 = np.multiply(t14, t53, w4)
+    t56 = np.add(t55, t18, w4)
+    t57 = np.sqrt(t56, w4)
+    t58 = np.multiply(t57, 2.0, w6)
+    t59 = np.add(t58, t16, w6)
+    t60 = np.sqrt(t59, w6)
+    t61 = np.multiply(t57, t60, w4)
+    t62 = np.multiply(t60, t61, w6)
+    t63 = np.multiply(t34, t53, w5)
+    t64 = np.subtract(t62, t63, w6)
+    t65 = np.subtract(t61, t34, w4)
+    t66 = np.divide(t64, t65, w6)
+    t68 = np.multiply(t14, t66, w4)
+    t69 = np.add(t68, t18, w4)
+    t70 = np.sqrt(t69, w4)
+    t71 = np.multiply(t70, 2.0, w5)
+    t72 = np.add(t71, t16, w5)
+    t73 = np.sqrt(t72, w5)
+    t74 = np.multiply(t70, t73, w4)
+    t75 = np.multiply(t73, t74, w5)
+    t76 = np.multiply(t34, t66, w6)
+    t77 = np.subtract(t75, t76, w5)
+    t78 = np.subtract(t74, t34, w4)
+    t79 = np.divide(t77, t78, w5)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w2)
+    t85 = np.add(t84, t16, w2)
+    x = np.sqrt(t85, w2)
+    t87 = np.square(e, w1)
+    t89 = np.multiply(t87, 0.75, w4)
+    t90 = np.multiply(p, e, w5)
+    t92 = np.multiply(t90, 0.25, w6)
+    t94 = np.multiply(tracking_index, 0.017708333333333333, w7)
+    t95 = np.add(t89, t92, w4)
+    t96 = np.add(t95, t94, w4)
+    t97 = np.multiply(t87, 0.25, w1)
+    t98 = np.multiply(t90, 0.125, w5)
+    t99 = np.add(t97, t98, w1)
+    t100 = np.add(t99, t94, w1)
+    t101 = np.multiply(x, r, w5)
+    t102 = np.divide(t101, t12, w6)
+    t103 = np.multiply(t102, p, w6)
+    t105 = np.multiply(t103, 0.008333333333333333, w6)
+    t106 = np.multiply(p, 0.25, w7)
+    t107 = np.add(e, t106, w7)
+    t108 = np.add(t107, t105, w6)
+    t109 = np.divide(t108, t96, w6)
+    t110 = np.multiply(t101, 0.25, w8)
+    t111 = np.multiply(t109, t110, w6)
+    t112 = np.divide(x, t19, w3)
+    t113 = np.multiply(t107, 0.125, w7)
+    t114 = np.multiply(t101, t113, w7)
+    t115 = np.add(t100, t114, w1)
+    t116 = np.divide(t101, t96, w5)
+    t117 = np.multiply(x, 0.25, w7)
+    t118 = np.multiply(r, 0.5, beta)
+    t119 = np.add(x, t118, w2)
+    t120 = np.multiply(t117, t119, w7)
+    t121 = np.multiply(t116, t120, w5)
+    t122 = np.add(t121, 1.0, w5)
+    t123 = np.divide(t111, tracking_index, w6)
+    t124 = np.multiply(t123, 2.0, w6)
+    t125 = np.divide(t115, t96, w1)
+    t126 = np.divide(t112, t12, w3)
+    t127 = np.multiply(t125, t126, w1)
+    t128 = np.multiply(t127, 2.0, w1)
+    t129 = np.multiply(t12, p, w2)
+    t130 = np.divide(t122, t129, w5)
+    t131 = np.multiply(e, 0.5, w0)
+    t132 = np.add(t12, t131, gamma)
+    t133 = np.multiply(p, 0.125, w0)
+    t134 = np.add(t110, t133, w8)
+    t135 = np.add(t132, t134, gamma)
+    t136 = np.multiply(p, t135, gamma)
+    t137 = np.divide(t124, t136, w6)
+    t139 = np.divide(t128, t136, w1)
+    t141 = np.divide(t130, t136, w5)
+    np.divide(t137, t136, alpha)
+    np.divide(t139, t136, beta)
+    np.divide(t141, t136, gamma)
+
+
+_GAIN_DERIVATIVES = Signature(
+    "gain_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta", "gamma"),
+    9,
+    _gain_derivatives_block,
+)
+
+
+class GainsWithDerivatives(NamedTuple):
+    """Result of `gains_with_derivatives`."""
+
+    alpha: Real
+    """Position gain."""
+    beta: Real
+    """Velocity gain times the sampling interval."""
+    gamma: Real
+    """Acceleration gain times the square of the sampling interval."""
+    d_alpha: Real
+    """Derivative of the position gain."""
+    d_beta: Real
+    """Derivative of the velocity gain times the sampling interval."""
+    d_gamma: Real
+    """Derivative of the acceleration gain times the square of the sampling interval."""
+
+
+def gains_with_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> GainsWithDerivatives:
+    """Filter gain and its first derivatives in one pass.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    alpha: position gain. Relative error at most 6.19 * 2^-52 (float64), 6.19 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
+    beta: velocity gain times the sampling interval. Relative error at most 6.11 * 2^-52 (float64),
+        6.11 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+        (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.55
+        * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
+        3.4028235e38 (float32).
+    d_alpha: derivative of the position gain. Relative error at most 16.97 * 2^-52 (float64), 16.97
+        * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64)
+        and 1e-45 <= tracking_index <= 7.235911e12 (float32).
+    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
+        17.75 * 2^-52 (float64), 17.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
+    d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
+        error at most 16.84 * 2^-52 (float64), 16.84 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
+        2.362475e13 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out))
+
+
+def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta, gamma, d_alpha, d_beta, d_gamma = out
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    p = np.sqrt(tracking_index, gamma)
+    r = np.sqrt(p, alpha)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, beta)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, beta)
+    c_scaled = np.sqrt(t9, d_alpha)
+    t12 = np.multiply(c_scaled, 67108864.0, d_alpha)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, beta)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w1)
+    t19 = np.multiply(p, r, w2)
+    t22 = np.multiply(t19, 1.5516447222296765, w3)
+    t24 = np.divide(8.0, r, d_beta)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, d_beta)
+    t29 = np.add(t28, t18, d_beta)
+    t30 = np.sqrt(t29, d_gamma)
+    t31 = np.multiply(t30, 2.0, d_beta)
+    t32 = np.add(t31, t16, d_beta)
+    t33 = np.sqrt(t32, d_beta)
+    t34 = np.multiply(t14, 0.5, w4)
+    t35 = np.multiply(t30, t33, d_gamma)
+    t36 = np.multiply(t33, t35, d_beta)
+    t37 = np.multiply(t34, t26, w3)
+    t38 = np.subtract(t36, t37, d_beta)
+    t39 = np.subtract(t35, t34, d_gamma)
+    t40 = np.divide(t38, t39, d_beta)
+    t42 = np.multiply(t14, t40, w3)
+    t43 = np.add(t42, t18, w3)
+    t44 = np.sqrt(t43, w3)
+    t45 = np.multiply(t44, 2.0, d_gamma)
+    t46 = np.add(t45, t16, d_gamma)
+    t47 = np.sqrt(t46, d_gamma)
+    t48 = np.multiply(t44, t47, w3)
+    t49 = np.multiply(t47, t48, d_gamma)
+    t50 = np.multiply(t34, t40, d_beta)
+    t51 = np.subtract(t49, t50, d_gamma)
+    t52 = np.subtract(t48, t34, w3)
+    t53 = np.divide(t51, t52, d_gamma)
+    t55 = np.multiply(t14, t53, w3)
+    t56 = np.add(t55, t18, w3)
+    t57 = np.sqrt(t56, w3)
+    t58 = np.multiply(t57, 2.0, d_beta)
+    t59 = np.add(t58, t16, d_beta)
+    t60 = np.sqrt(t59, d_beta)
+    t61 = np.multiply(t57, t60, w3)
+    t62 = np.multiply(t60, t61, d_beta)
+    t63 = np.multiply(t34, t53, d_gamma)
+    t64 = np.subtract(t62, t63, d_beta)
+    t65 = np.subtract(t61, t34, w3)
+    t66 = np.divide(t64, t65, d_beta)
+    t68 = np.multiply(t14, t66, w3)
+    t69 = np.add(t68, t18, w3)
+    t70 = np.sqrt(t69, w3)
+    t71 = np.multiply(t70, 2.0, d_gamma)
+    t72 = np.add(t71, t16, d_gamma)
+    t73 = np.sqrt(t72, d_gamma)
+    t74 = np.multiply(t70, t73, w3)
+    t75 = np.multiply(t73, t74, d_gamma)
+    t76 = np.multiply(t34, t66, d_beta)
+    t77 = np.subtract(t75, t76, d_gamma)
+    t78 = np.subtract(t74, t34, w3)
+    t79 = np.divide(t77, t78, d_gamma)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w1)
+    t85 = np.add(t84, t16, w1)
+    x = np.sqrt(t85, w1)
+    t87 = np.multiply(e, 0.5, w3)
+    t88 = np.add(t12, t87, w3)
+    t89 = np.multiply(x, r, w4)
+    t91 = np.multiply(t89, 0.25, beta)
+    t92 = np.multiply(p, 0.125, d_beta)
+    t93 = np.add(t91, t92, d_beta)
+    t94 = np.add(t88, t93, w3)
+    t95 = np.multiply(p, 0.25, d_beta)
+    t96 = np.add(e, t95, d_beta)
+    t100 = np.square(e, d_gamma)
+    t102 = np.multiply(t100, 0.75, w5)
+    t103 = np.multiply(p, e, w0)
+    t104 = np.multiply(t103, 0.25, w6)
+    t106 = np.multiply(tracking_index, 0.017708333333333333, w7)
+    t107 = np.add(t102, t104, w5)
+    t108 = np.add(t107, t106, w5)
+    t109 = np.multiply(t100, 0.25, d_gamma)
+    t110 = np.multiply(t103, 0.125, w0)
+    t111 = np.add(t109, t110, d_gamma)
+    t112 = np.add(t111, t106, d_gamma)
+    t113 = np.divide(t89, t12, w0)
+    t114 = np.multiply(t113, p, w0)
+    t116 = np.multiply(t114, 0.008333333333333333, w0)
+    t117 = np.add(t96, t116, w0)
+    t118 = np.divide(t117, t108, w0)
+    t119 = np.multiply(t118, t91, w0)
+    t120 = np.divide(x, t19, w2)
+    t121 = np.multiply(t96, 0.125, w6)
+    t122 = np.multiply(t89, t121, w6)
+    t123 = np.add(t112, t122, d_gamma)
+    t124 = np.divide(t89, t108, w6)
+    t125 = np.multiply(x, 0.25, w7)
+    t126 = np.multiply(r, 0.5, alpha)
+    t127 = np.add(x, t126, w1)
+    t128 = np.multiply(t125, t127, w7)
+    t129 = np.multiply(t124, t128, w6)
+    t130 = np.add(t129, 1.0, w6)
+    t131 = np.divide(t119, tracking_index, w0)
+    t132 = np.multiply(t131, 2.0, w0)
+    t133 = np.divide(t123, t108, d_gamma)
+    t134 = np.divide(t120, t12, w2)
+    t135 = np.multiply(t133, t134, d_gamma)
+    t136 = np.multiply(t135, 2.0, d_gamma)
+    t137 = np.multiply(t12, p, d_alpha)
+    t138 = np.divide(t130, t137, w6)
+    t139 = np.multiply(p, t94, w1)
+    t140 = np.divide(t132, t139, w0)
+    t142 = np.divide(t136, t139, d_gamma)
+    t144 = np.divide(t138, t139, w6)
+    np.divide(t96, t94, alpha)
+    np.divide(t89, t94, beta)
+    np.divide(p, t94, gamma)
+    np.divide(t140, t139, d_alpha)
+    np.divide(t142, t139, d_beta)
+    np.divide(t144, t139, d_gamma)
+
+
+_GAINS_WITH_DERIVATIVES = Signature(
+    "gains_with_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta", "gamma", "d_alpha", "d_beta", "d_gamma"),
+    8,
+    _gains_with_derivatives_block,
+)
+
+
+class PredictorGains(NamedTuple):
+    """Result of `predictor_gains`."""
+
+    position: Real
+    """Position entry of F K, alpha + beta + gamma/2."""
+    velocity: Real
+    """Velocity entry of F K times the sampling interval, beta + gamma."""
+    acceleration: Real
+    """Acceleration entry of F K times the square of the sampling interval, gamma."""
+
+
+def predictor_gains(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictorGains:
+    """Steady-state predictor gain F K.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.22 * 2^-52
+        (float64), 6.22 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
+    velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
+        most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
+    acceleration: acceleration entry of F K times the square of the sampling interval, gamma.
+        Relative error at most 4.56 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for
+        2.2250738585072014e-308 <= tracking_index <= 1.7976931348623157e308 (float64) and
+        1.1754945e-38 <= tracking_index <= 3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out))
+
+
+def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    position, velocity, acceleration = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    p = np.sqrt(tracking_index, acceleration)
+    r = np.sqrt(p, position)
+    t5 = np.divide(2.220446049250313e-16, tracking_index, velocity)
+    t7 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t8 = np.add(t5, t7, velocity)
+    c_scaled = np.sqrt(t8, velocity)
+    t11 = np.multiply(c_scaled, 67108864.0, velocity)
+    t12 = np.multiply(t11, r, w0)
+    t13 = np.multiply(t12, 2.0, w0)
+    t15 = np.multiply(p, 0.5, w1)
+    t17 = np.multiply(tracking_index, 0.07083333333333333, w2)
+    t18 = np.multiply(p, r, w3)
+    t21 = np.multiply(t18, 1.5516447222296765, w3)
+    t23 = np.divide(8.0, r, w4)
+    t24 = np.add(t21, t23, w3)
+    t25 = near_cbrt(t24, w3, single)
+    t27 = np.multiply(t13, t25, w4)
+    t28 = np.add(t27, t17, w4)
+    t29 = np.sqrt(t28, w4)
+    t30 = np.multiply(t29, 2.0, w5)
+    t31 = np.add(t30, t15, w5)
+    t32 = np.sqrt(t31, w5)
+    t33 = np.multiply(t13, 0.5, w6)
+    t34 = np.multiply(t29, t32, w4)
+    t35 = np.multiply(t32, t34, w5)
+    t36 = np.multiply(t33, t25, w3)
+    t37 = np.subtract(t35, t36, w5)
+    t38 = np.subtract(t34, t33, w4)
+    t39 = np.divide(t37, t38, w5)
+    t41 = np.multiply(t13, t39, w3)
+    t42 = np.add(t41, t17, w3)
+    t43 = np.sqrt(t42, w3)
+    t44 = np.multiply(t43, 2.0, w4)
+    t45 = np.add(t44, t15, w4)
+    t46 = np.sqrt(t45, w4)
+    t47 = np.multiply(t43, t46, w3)
+    t48 = np.multiply(t46, t47, w4)
+    t49 = np.multiply(t33, t39, w5)
+    t50 = np.subtract(t48, t49, w4)
+    t51 = np.subtract(t47, t33, w3)
+    t52 = np.divide(t50, t51, w4)
+    t54 = np.multiply(t13, t52, w3)
+    t55 = np.add(t54, t17, w3)
+    t56 = np.sqrt(t55, w3)
+    t57 = np.multiply(t56, 2.0, w5)
+    t58 = np.add(t57, t15, w5)
+    t59 = np.sqrt(t58, w5)
+    t60 = np.multiply(t56, t59, w3)
+    t61 = np.multiply(t59, t60, w5)
+    t62 = np.multiply(t33, t52, w4)
+    t63 = np.subtract(t61, t62, w5)
+    t64 = np.subtract(t60, t33, w3)
+    t65 = np.divide(t63, t64, w5)
+    t67 = np.multiply(t13, t65, w3)
+    t68 = np.add(t67, t17, w3)
+    t69 = np.sqrt(t68, w3)
+    t70 = np.multiply(t69, 2.0, w4)
+    t71 = np.add(t70, t15, w4)
+    t72 = np.sqrt(t71, w4)
+    t73 = np.multiply(t69, t72, w3)
+    t74 = np.multiply(t72, t73, w4)
+    t75 = np.multiply(t33, t65, w5)
+    t76 = np.subtract(t74, t75, w4)
+    t77 = np.subtract(t73, t33, w3)
+    t78 = np.divide(t76, t77, w4)
+    t80 = np.multiply(t13, t78, w0)
+    t81 = np.add(t80, t17, w0)
+    e = np.sqrt(t81, w0)
+    t83 = np.multiply(e, 2.0, w2)
+    t84 = np.add(t83, t15, w2)
+    x = np.sqrt(t84, w2)
+    t86 = np.multiply(e, 0.5, w1)
+    t87 = np.add(t11, t86, velocity)
+    t88 = np.multiply(x, r, w2)
+    t90 = np.multiply(t88, 0.25, w1)
+    t91 = np.multiply(p, 0.125, w3)
+    t92 = np.add(t90, t91, w1)
+    t93 = np.add(t87, t92, w1)
+    t95 = np.multiply(p, 0.75, w3)
+    t96 = np.add(t88, t95, w3)
+    t97 = np.add(e, t96, w0)
+    t99 = np.add(t88, p, w2)
+    np.divide(t97, t93, position)
+    np.divide(t99, t93, velocity)
+    np.divide(p, t93, acceleration)
+
+
+_PREDICTOR_GAINS = Signature(
+    "predictor_gains",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("position", "velocity", "acceleration"),
+    7,
+    _predictor_gains_block,
+)
+
+
+class PredictorGainDerivatives(NamedTuple):
+    """Result of `predictor_gain_derivatives`."""
+
+    position: Real
+    """Derivative of the position entry of F K, alpha + beta + gamma/2."""
+    velocity: Real
+    """Derivative of the velocity entry of F K times the sampling interval, beta + gamma."""
+    acceleration: Real
+    """Derivative of the acceleration entry of F K times the square of the sampling interval,
+    gamma."""
+
+
+def predictor_gain_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictorGainDerivatives:
+    """First derivatives of the predictor gain.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
+        most 18.26 * 2^-52 (float64), 18.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        <= 1.990641374279621e103 (float64) and 1e-45 <= tracking_index <= 2.4624511e13 (float32).
+    velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
+        Relative error at most 17.78 * 2^-52 (float64), 17.78 * 2^-23 (float32), proved for 5e-324
+        <= tracking_index <= 2.235446903786528e103 (float64) and 1e-45 <= tracking_index <=
+        2.765279e13 (float32).
+    acceleration: derivative of the acceleration entry of F K times the square of the sampling
+        interval, gamma. Relative error at most 16.83 * 2^-52 (float64), 16.84 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
+        tracking_index <= 2.362475e13 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return PredictorGainDerivatives(*evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out))
+
+
+def _predictor_gain_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    position, velocity, acceleration = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    p = np.sqrt(tracking_index, position)
+    r = np.sqrt(p, velocity)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, acceleration)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, acceleration)
+    c_scaled = np.sqrt(t9, acceleration)
+    t12 = np.multiply(c_scaled, 67108864.0, acceleration)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, w1)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w2)
+    t19 = np.multiply(p, r, w3)
+    t22 = np.multiply(t19, 1.5516447222296765, w4)
+    t24 = np.divide(8.0, r, w5)
+    t25 = np.add(t22, t24, w4)
+    t26 = near_cbrt(t25, w4, single)
+    t28 = np.multiply(t14, t26, w5)
+    t29 = np.add(t28, t18, w5)
+    t30 = np.sqrt(t29, w5)
+    t31 = np.multiply(t30, 2.0, w6)
+    t32 = np.add(t31, t16, w6)
+    t33 = np.sqrt(t32, w6)
+    t34 = np.multiply(t14, 0.5, w7)
+    t35 = np.multiply(t30, t33, w5)
+    t36 = np.multiply(t33, t35, w6)
+    t37 = np.multiply(t34, t26, w4)
+    t38 = np.subtract(t36, t37, w6)
+    t39 = np.subtract(t35, t34, w5)
+    t40 = np.divide(t38, t39, w6)
+    t42 = np.multiply(t14, t40, w4)
+    t43 = np.add(t42, t18, w4)
+    t44 = np.sqrt(t43, w4)
+    t45 = np.multiply(t44, 2.0, w5)
+    t46 = np.add(t45, t16, w5)
+    t47 = np.sqrt(t46, w5)
+    t48 = np.multiply(t44, t47, w4)
+    t49 = np.multiply(t47, t48, w5)
+    t50 = np.multiply(t34, t40, w6)
+    t51 = np.subtract(t49, t50, w5)
+    t52 = np.subtract(t48, t34, w4)
+    t53 = np.divide(t51, t52, w5)
+    t55 = np.multiply(t14, t53, w4)
+    t56 = np.add(t55, t18, w4)
+    t57 = np.sqrt(t56, w4)
+    t58 = np.multiply(t57, 2.0, w6)
+    t59 = np.add(t58, t16, w6)
+    t60 = np.sqrt(t59, w6)
+    t61 = np.multiply(t57, t60, w4)
+    t62 = np.multiply(t60, t61, w6)
+    t63 = np.multiply(t34, t53, w5)
+    t64 = np.subtract(t62, t63, w6)
+    t65 = np.subtract(t61, t34, w4)
+    t66 = np.divide(t64, t65, w6)
+    t68 = np.multiply(t14, t66, w4)
+    t69 = np.add(t68, t18, w4)
+    t70 = np.sqrt(t69, w4)
+    t71 = np.multiply(t70, 2.0, w5)
+    t72 = np.add(t71, t16, w5)
+    t73 = np.sqrt(t72, w5)
+    t74 = np.multiply(t70, t73, w4)
+    t75 = np.multiply(t73, t74, w5)
+    t76 = np.multiply(t34, t66, w6)
+    t77 = np.subtract(t75, t76, w5)
+    t78 = np.subtract(t74, t34, w4)
+    t79 = np.divide(t77, t78, w5)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w2)
+    t85 = np.add(t84, t16, w2)
+    x = np.sqrt(t85, w2)
+    t87 = np.square(e, w1)
+    t89 = np.multiply(t87, 0.75, w4)
+    t90 = np.multiply(p, e, w5)
+    t92 = np.multiply(t90, 0.25, w6)
+    t94 = np.multiply(tracking_index, 0.017708333333333333, w7)
+    t95 = np.add(t89, t92, w4)
+    t96 = np.add(t95, t94, w4)
+    t97 = np.multiply(t87, 0.25, w1)
+    t98 = np.multiply(t90, 0.125, w5)
+    t99 = np.add(t97, t98, w1)
+    t100 = np.add(t99, t94, w1)
+    t101 = np.multiply(x, r, w5)
+    t102 = np.divide(t101, t12, w6)
+    t103 = np.multiply(t102, p, w6)
+    t105 = np.multiply(t103, 0.008333333333333333, w6)
+    t106 = np.multiply(p, 0.25, w7)
+    t107 = np.add(e, t106, w7)
+    t108 = np.add(t107, t105, w6)
+    t109 = np.divide(t108, t96, w6)
+    t110 = np.multiply(t101, 0.25, w8)
+    t111 = np.multiply(t109, t110, w6)
+    t112 = np.divide(x, t19, w3)
+    t113 = np.multiply(t107, 0.125, w7)
+    t114 = np.multiply(t101, t113, w7)
+    t115 = np.add(t100, t114, w1)
+    t116 = np.divide(t101, t96, w5)
+    t117 = np.multiply(x, 0.25, w7)
+    t118 = np.multiply(r, 0.5, velocity)
+    t119 = np.add(x, t118, w2)
+    t120 = np.multiply(t117, t119, w7)
+    t121 = np.multiply(t116, t120, w5)
+    t122 = np.add(t121, 1.0, w5)
+    t123 = np.divide(t111, tracking_index, w6)
+    t124 = np.multiply(t123, 2.0, w6)
+    t125 = np.divide(t115, t96, w1)
+    t126 = np.divide(t112, t12, w3)
+    t127 = np.multiply(t125, t126, w1)
+    t128 = np.multiply(t127, 2.0, w1)
+    t129 = np.multiply(t12, p, w2)
+    t130 = np.divide(t122, t129, w5)
+    t131 = np.multiply(t130, 0.5, w2)
+    t132 = np.add(t128, t131, w2)
+    t133 = np.add(t124, t132, w6)
+    t134 = np.add(t128, t130, w1)
+    t135 = np.multiply(e, 0.5, w0)
+    t136 = np.add(t12, t135, acceleration)
+    t137 = np.multiply(p, 0.125, w0)
+    t138 = np.add(t110, t137, w8)
+    t139 = np.add(t136, t138, acceleration)
+    t140 = np.multiply(p, t139, acceleration)
+    t141 = np.divide(t133, t140, w6)
+    t143 = np.divide(t134, t140, w1)
+    t145 = np.divide(t130, t140, w5)
+    np.divide(t141, t140, position)
+    np.divide(t143, t140, velocity)
+    np.divide(t145, t140, acceleration)
+
+
+_PREDICTOR_GAIN_DERIVATIVES = Signature(
+    "predictor_gain_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("position", "velocity", "acceleration"),
+    9,
+    _predictor_gain_derivatives_block,
+)
+
+
+class PredictedCovariance(NamedTuple):
+    """Result of `predicted_covariance`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Covariance of predicted position and velocity times T/sigma_v^2."""
+    predicted_13: Real
+    """Covariance of predicted position and acceleration times T^2/sigma_v^2."""
+    predicted_22: Real
+    """Variance of the predicted velocity times T^2/sigma_v^2."""
+    predicted_23: Real
+    """Covariance of predicted velocity and acceleration times T^3/sigma_v^2."""
+    predicted_33: Real
+    """Variance of the predicted acceleration times T^4/sigma_v^2."""
+
+
+def predicted_covariance(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> PredictedCovariance:
+    """Predicted covariance in units of sigma_v^2 and T.
+
+        predicted_1j = sigma^2 (alpha, beta, gamma), sigma = Lambda nu/8,
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
+        6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048,
+        in float32 above 0 and at most 9223372036854775808.
+
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.86 *
+        2^-52 (float64), 10.86 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+    predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
+        most 10.35 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        <= 6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+    predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
+        error at most 5.46 * 2^-52 (float64), 5.45 * 2^-23 (float32), proved for
+        2.2250738585072014e-308 <= tracking_index <= 6.703903964971299e153 (float64) and
+        1.1754944e-38 <= tracking_index <= 9.223372e18 (float32).
+    predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
+        13.32 * 2^-52 (float64), 13.36 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
+        9.223372e18 (float32).
+    predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
+        error at most 7.07 * 2^-52 (float64), 7.07 * 2^-23 (float32), proved for
+        1.0832677820940206e-231 <= tracking_index <= 6.703903964971299e153 (float64) and
+        2.122721e-29 <= tracking_index <= 9.223372e18 (float32).
+    predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
+        6.26 * 2^-52 (float64), 6.26 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
+        9.223372e18 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out))
+
+
+def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2, w3, w4 = work
+    p = np.sqrt(tracking_index, predicted_11)
+    r = np.sqrt(p, predicted_12)
+    t5 = np.divide(2.220446049250313e-16, tracking_index, predicted_13)
+    t7 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t8 = np.add(t5, t7, predicted_13)
+    c_scaled = np.sqrt(t8, predicted_22)
+    t11 = np.multiply(c_scaled, 67108864.0, predicted_22)
+    t12 = np.multiply(t11, r, w0)
+    t13 = np.multiply(t12, 2.0, w0)
+    t15 = np.multiply(p, 0.5, predicted_13)
+    t17 = np.multiply(tracking_index, 0.07083333333333333, w1)
+    t18 = np.multiply(p, r, w2)
+    t21 = np.multiply(t18, 1.5516447222296765, w3)
+    t23 = np.divide(8.0, r, predicted_23)
+    t24 = np.add(t21, t23, w3)
+    t25 = near_cbrt(t24, w3, single)
+    t27 = np.multiply(t13, t25, predicted_23)
+    t28 = np.add(t27, t17, predicted_23)
+    t29 = np.sqrt(t28, predicted_33)
+    t30 = np.multiply(t29, 2.0, predicted_23)
+    t31 = np.add(t30, t15, predicted_23)
+    t32 = np.sqrt(t31, predicted_23)
+    t33 = np.multiply(t13, 0.5, w4)
+    t34 = np.multiply(t29, t32, predicted_33)
+    t35 = np.multiply(t32, t34, predicted_23)
+    t36 = np.multiply(t33, t25, w3)
+    t37 = np.subtract(t35, t36, predicted_23)
+    t38 = np.subtract(t34, t33, predicted_33)
+    t39 = np.divide(t37, t38, predicted_23)
+    t41 = np.multiply(t13, t39, w3)
+    t42 = np.add(t41, t17, w3)
+    t43 = np.sqrt(t42, w3)
+    t44 = np.multiply(t43, 2.0, predicted_33)
+    t45 = np.add(t44, t15, predicted_33)
+    t46 = np.sqrt(t45, predicted_33)
+    t47 = np.multiply(t43, t46, w3)
+    t48 = np.multiply(t46, t47, predicted_33)
+    t49 = np.multiply(t33, t39, predicted_23)
+    t50 = np.subtract(t48, t49, predicted_33)
+    t51 = np.subtract(t47, t33, w3)
+    t52 = np.divide(t50, t51, predicted_33)
+    t54 = np.multiply(t13, t52, w3)
+    t55 = np.add(t54, t17, w3)
+    t56 = np.sqrt(t55, w3)
+    t57 = np.multiply(t56, 2.0, predicted_23)
+    t58 = np.add(t57, t15, predicted_23)
+    t59 = np.sqrt(t58, predicted_23)
+    t60 = np.multiply(t56, t59, w3)
+    t61 = np.multiply(t59, t60, predicted_23)
+    t62 = np.multiply(t33, t52, predicted_33)
+    t63 = np.subtract(t61, t62, predicted_23)
+    t64 = np.subtract(t60, t33, w3)
+    t65 = np.divide(t63, t64, predicted_23)
+    t67 = np.multiply(t13, t65, w3)
+    t68 = np.add(t67, t17, w3)
+    t69 = np.sqrt(t68, w3)
+    t70 = np.multiply(t69, 2.0, predicted_33)
+    t71 = np.add(t70, t15, predicted_33)
+    t72 = np.sqrt(t71, predicted_33)
+    t73 = np.multiply(t69, t72, w3)
+    t74 = np.multiply(t72, t73, predicted_33)
+    t75 = np.multiply(t33, t65, predicted_23)
+    t76 = np.subtract(t74, t75, predicted_33)
+    t77 = np.subtract(t73, t33, w3)
+    t78 = np.divide(t76, t77, predicted_33)
+    t80 = np.multiply(t13, t78, w0)
+    t81 = np.add(t80, t17, w0)
+    e = np.sqrt(t81, w0)
+    t83 = np.multiply(e, 2.0, w1)
+    t84 = np.add(t83, t15, w1)
+    x = np.sqrt(t84, w1)
+    t86 = np.multiply(e, 0.5, w3)
+    t87 = np.add(t11, t86, predicted_22)
+    t88 = np.multiply(x, r, w3)
+    t90 = np.multiply(t88, 0.25, w3)
+    t91 = np.multiply(p, 0.125, w4)
+    t92 = np.add(t90, t91, w3)
+    t93 = np.add(t87, t92, predicted_22)
+    t94 = np.multiply(p, t93, predicted_22)
+    t95 = np.multiply(t18, x, w2)
+    t96 = np.multiply(p, e, w3)
+    t97 = np.multiply(p, 0.25, w4)
+    t98 = np.add(e, t97, w4)
+    t99 = np.multiply(t98, p, w4)
+    t103 = np.square(e, w0)
+    t105 = np.multiply(t103, 0.75, w0)
+    t106 = np.multiply(t96, 0.25, predicted_11)
+    t108 = np.multiply(tracking_index, 0.017708333333333333, predicted_13)
+    t109 = np.add(t105, t106, w0)
+    t110 = np.add(t109, t108, w0)
+    t111 = np.divide(t110, x, w0)
+    t112 = np.multiply(r, 2.0, predicted_12)
+    t113 = np.multiply(t111, t112, w0)
+    t114 = np.multiply(t95, 0.25, w1)
+    t115 = np.multiply(tracking_index, 0.25, predicted_11)
+    t116 = np.add(t113, t114, w0)
+    t117 = np.add(t116, t96, w0)
+    t118 = np.add(t117, t115, w0)
+    t120 = np.multiply(t95, 0.5, w1)
+    t122 = np.multiply(tracking_index, 0.3333333333333333, predicted_11)
+    t123 = np.add(t96, t120, w3)
+    t124 = np.add(t123, t122, w3)
+    t126 = np.multiply(tracking_index, 0.5, w1)
+    t127 = np.add(t95, t126, w1)
+    np.multiply(t99, t94, predicted_11)
+    np.multiply(t95, t94, predicted_12)
+    np.multiply(tracking_index, t94, predicted_13)
+    np.multiply(tracking_index, t118, predicted_22)
+    np.multiply(tracking_index, t124, predicted_23)
+    np.multiply(tracking_index, t127, predicted_33)
+
+
+_PREDICTED_COVARIANCE = Signature(
+    "predicted_covariance",
+    (_TRACKING_INDEX_DOMAIN_2,),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+    ),
+    5,
+    _predicted_covariance_block,
+)
+
+
+class PredictedCovarianceDerivatives(NamedTuple):
+    """Result of `predicted_covariance_derivatives`."""
+
+    predicted_11: Real
+    """Derivative of the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Derivative of the covariance of predicted position and velocity times T/sigma_v^2."""
+    predicted_13: Real
+    """Derivative of the covariance of predicted position and acceleration times T^2/sigma_v^2."""
+    predicted_22: Real
+    """Derivative of the variance of the predicted velocity times T^2/sigma_v^2."""
+    predicted_23: Real
+    """Derivative of the covariance of predicted velocity and acceleration times T^3/sigma_v^2."""
+    predicted_33: Real
+    """Derivative of the variance of the predicted acceleration times T^4/sigma_v^2."""
+
+
+def predicted_covariance_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> PredictedCovarianceDerivatives:
+    """First derivatives of the predicted covariance.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
+        10715086071862673209484250490600018105614048117055336074437503883703510511249361224931983788156958581275946729175531468251871452856923140435984577574698574803934567774824230985421074605062371141877954182153046474983581941267398767559165543946077062914571196477686542167660429831652624386837205668069376,
+        in float32 above 0 and at most 1329227995784915872903807060280344576.
+
+    predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
+        error at most 13.68 * 2^-52 (float64), 13.70 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+    predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
+        Relative error at most 12.44 * 2^-52 (float64), 12.44 * 2^-23 (float32), proved for 5e-324
+        <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+    predicted_13: derivative of the covariance of predicted position and acceleration times
+        T^2/sigma_v^2. Relative error at most 7.73 * 2^-52 (float64), 7.79 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
+        <= 1.329228e36 (float32).
+    predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
+        error at most 16.38 * 2^-52 (float64), 16.41 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+    predicted_23: derivative of the covariance of predicted velocity and acceleration times
+        T^3/sigma_v^2. Relative error at most 10.57 * 2^-52 (float64), 10.58 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
+        tracking_index <= 1.329228e36 (float32).
+    predicted_33: derivative of the variance of the predicted acceleration times T^4/sigma_v^2.
+        Relative error at most 8.47 * 2^-52 (float64), 8.46 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return PredictedCovarianceDerivatives(
+        *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_covariance_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    p = np.sqrt(tracking_index, predicted_11)
+    r = np.sqrt(p, predicted_12)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, predicted_13)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, predicted_13)
+    c_scaled = np.sqrt(t9, predicted_22)
+    t12 = np.multiply(c_scaled, 67108864.0, predicted_22)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, predicted_13)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w1)
+    t19 = np.multiply(p, r, w2)
+    t22 = np.multiply(t19, 1.5516447222296765, w3)
+    t24 = np.divide(8.0, r, predicted_23)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, predicted_23)
+    t29 = np.add(t28, t18, predicted_23)
+    t30 = np.sqrt(t29, predicted_33)
+    t31 = np.multiply(t30, 2.0, predicted_23)
+    t32 = np.add(t31, t16, predicted_23)
+    t33 = np.sqrt(t32, predicted_23)
+    t34 = np.multiply(t14, 0.5, w4)
+    t35 = np.multiply(t30, t33, predicted_33)
+    t36 = np.multiply(t33, t35, predicted_23)
+    t37 = np.multiply(t34, t26, w3)
+    t38 = np.subtract(t36, t37, predicted_23)
+    t39 = np.subtract(t35, t34, predicted_33)
+    t40 = np.divide(t38, t39, predicted_23)
+    t42 = np.multiply(t14, t40, w3)
+    t43 = np.add(t42, t18, w3)
+    t44 = np.sqrt(t43, w3)
+    t45 = np.multiply(t44, 2.0, predicted_33)
+    t46 = np.add(t45, t16, predicted_33)
+    t47 = np.sqrt(t46, predicted_33)
+    t48 = np.multiply(t44, t47, w3)
+    t49 = np.multiply(t47, t48, predicted_33)
+    t50 = np.multiply(t34, t40, predicted_23)
+    t51 = np.subtract(t49, t50, predicted_33)
+    t52 = np.subtract(t48, t34, w3)
+    t53 = np.divide(t51, t52, predicted_33)
+    t55 = np.multiply(t14, t53, w3)
+    t56 = np.add(t55, t18, w3)
+    t57 = np.sqrt(t56, w3)
+    t58 = np.multiply(t57, 2.0, predicted_23)
+    t59 = np.add(t58, t16, predicted_23)
+    t60 = np.sqrt(t59, predicted_23)
+    t61 = np.multiply(t57, t60, w3)
+    t62 = np.multiply(t60, t61, predicted_23)
+    t63 = np.multiply(t34, t53, predicted_33)
+    t64 = np.subtract(t62, t63, predicted_23)
+    t65 = np.subtract(t61, t34, w3)
+    t66 = np.divide(t64, t65, predicted_23)
+    t68 = np.multiply(t14, t66, w3)
+    t69 = np.add(t68, t18, w3)
+    t70 = np.sqrt(t69, w3)
+    t71 = np.multiply(t70, 2.0, predicted_33)
+    t72 = np.add(t71, t16, predicted_33)
+    t73 = np.sqrt(t72, predicted_33)
+    t74 = np.multiply(t70, t73, w3)
+    t75 = np.multiply(t73, t74, predicted_33)
+    t76 = np.multiply(t34, t66, predicted_23)
+    t77 = np.subtract(t75, t76, predicted_33)
+    t78 = np.subtract(t74, t34, w3)
+    t79 = np.divide(t77, t78, predicted_33)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w1)
+    t85 = np.add(t84, t16, w1)
+    x = np.sqrt(t85, w1)
+    t87 = np.square(e, w3)
+    t89 = np.multiply(t87, 0.75, w4)
+    t90 = np.multiply(p, e, predicted_13)
+    t92 = np.multiply(t90, 0.25, predicted_23)
+    t94 = np.multiply(tracking_index, 0.017708333333333333, predicted_33)
+    t95 = np.add(t89, t92, w4)
+    t96 = np.add(t95, t94, w4)
+    t97 = np.multiply(t87, 0.25, predicted_23)
+    t98 = np.multiply(t90, 0.125, w5)
+    t99 = np.add(t97, t98, w5)
+    t100 = np.add(t99, t94, w5)
+    t101 = np.multiply(x, r, w6)
+    t102 = np.divide(t101, t12, w7)
+    t103 = np.multiply(t102, p, w8)
+    t105 = np.multiply(t103, 0.008333333333333333, w8)
+    t106 = np.multiply(p, 0.25, w9)
+    t107 = np.add(e, t106, w9)
+    t108 = np.add(t107, t105, w9)
+    t109 = np.divide(tracking_index, t96, w8)
+    t110 = np.multiply(t109, t102, w7)
+    t112 = np.multiply(t110, 0.0010416666666666667, w7)
+    t113 = np.divide(t100, t96, w5)
+    t114 = np.multiply(t113, 2.0, w5)
+    t115 = np.divide(t108, t96, w9)
+    t116 = np.multiply(t101, 0.25, w6)
+    t117 = np.multiply(t115, t116, w9)
+    t118 = np.add(t114, 1.0, w10)
+    t119 = np.multiply(e, 0.5, w11)
+    t120 = np.add(t12, t119, w11)
+    t121 = np.multiply(p, 0.125, w12)
+    t122 = np.add(t116, t121, w6)
+    t123 = np.add(t120, t122, w11)
+    t124 = np.multiply(p, t123, w6)
+    t125 = np.multiply(t19, x, w2)
+    t126 = np.divide(x, r, w12)
+    t127 = np.multiply(t126, 2.0, w13)
+    t128 = np.add(t118, t112, w14)
+    t129 = np.multiply(e, p, w15)
+    t131 = np.multiply(t90, 0.09375, w16)
+    t132 = np.add(t97, t131, predicted_23)
+    t133 = np.add(t132, t94, predicted_23)
+    t134 = np.divide(t133, t96, predicted_23)
+    t136 = np.multiply(t134, 4.0, predicted_23)
+    t137 = np.multiply(t129, t136, predicted_23)
+    t138 = np.multiply(t109, tracking_index, w8)
+    t140 = np.multiply(t138, 0.008854166666666666, w8)
+    t141 = np.add(t137, t140, predicted_23)
+    t142 = np.divide(t117, p, w8)
+    t143 = np.multiply(t142, t123, w8)
+    t144 = np.multiply(t124, 2.0, w11)
+    t146 = np.add(t114, t117, w5)
+    t147 = np.add(t146, t112, w5)
+    t148 = np.multiply(t126, t147, w12)
+    t150 = np.add(t117, 1.0, w9)
+    t153 = np.multiply(t87, 0.5625, w3)
+    t154 = np.multiply(t90, 0.5, predicted_13)
+    t156 = np.multiply(tracking_index, 0.19114583333333332, w5)
+    t157 = np.add(t153, t154, w3)
+    t158 = np.add(t157, t156, w3)
+    t160 = np.multiply(t129, 0.5666666666666667, w15)
+    t162 = np.multiply(tracking_index, 0.04043402777777778, w5)
+    t163 = np.add(t160, t162, w15)
+    t164 = np.divide(t158, t96, w3)
+    t165 = np.multiply(e, t164, w3)
+    t166 = np.divide(e, x, w0)
+    t167 = np.multiply(t165, t166, w3)
+    t168 = np.multiply(r, 2.0, w0)
+    t169 = np.multiply(t167, t168, w3)
+    t170 = np.divide(t163, t96, w15)
+    t171 = np.divide(tracking_index, x, w1)
+    t172 = np.multiply(t170, t171, w15)
+    t173 = np.multiply(r, 0.125, predicted_12)
+    t174 = np.multiply(t172, t173, w15)
+    t175 = np.add(t169, t174, w3)
+    t176 = np.multiply(t125, 0.5, w0)
+    t177 = np.multiply(t118, 0.5, w1)
+    t178 = np.multiply(t176, t177, w1)
+    t179 = np.multiply(t12, p, predicted_22)
+    t180 = np.multiply(t179, 8.0, predicted_22)
+    t181 = np.multiply(t125, 2.0, w4)
+    t182 = np.add(t127, 2.0, w5)
+    t183 = np.multiply(t127, t182, w5)
+    t184 = np.add(t183, 1.0, w5)
+    t185 = np.multiply(t181, t184, w4)
+    t186 = np.add(t180, t185, predicted_22)
+    t187 = np.multiply(t186, 0.125, predicted_22)
+    t188 = np.multiply(t112, t187, predicted_22)
+    t189 = np.multiply(tracking_index, 0.5, w4)
+    t190 = np.add(t175, t178, w3)
+    t191 = np.add(t190, t141, w3)
+    t192 = np.add(t191, t188, w3)
+    t194 = np.add(t127, 1.0, w13)
+    t195 = np.multiply(t112, t194, w7)
+    t196 = np.add(t118, t195, w10)
+    t197 = np.multiply(t176, t196, w0)
+    t199 = np.multiply(tracking_index, 0.6666666666666666, w1)
+    t200 = np.add(t197, t141, w0)
+    t202 = np.multiply(t125, t128, w2)
+    np.multiply(t143, t144, predicted_11)
+    np.multiply(t148, t124, predicted_12)
+    np.multiply(t124, t150, predicted_13)
+    np.add(t192, t189, predicted_22)
+    np.add(t200, t199, predicted_23)
+    np.add(t202, tracking_index, predicted_33)
+
+
+_PREDICTED_COVARIANCE_DERIVATIVES = Signature(
+    "predicted_covariance_derivatives",
+    (_TRACKING_INDEX_DOMAIN_3,),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+    ),
+    17,
+    _predicted_covariance_derivatives_block,
+)
+
+
+class UpdatedCovariance(NamedTuple):
+    """Result of `updated_covariance`."""
+
+    updated_11: Real
+    """Variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Covariance of updated position and velocity times T/sigma_v^2."""
+    updated_13: Real
+    """Covariance of updated position and acceleration times T^2/sigma_v^2."""
+    updated_22: Real
+    """Variance of the updated velocity times T^2/sigma_v^2."""
+    updated_23: Real
+    """Covariance of updated velocity and acceleration times T^3/sigma_v^2."""
+    updated_33: Real
+    """Variance of the updated acceleration times T^4/sigma_v^2."""
+
+
+def updated_covariance(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> UpdatedCovariance:
+    """Updated covariance in units of sigma_v^2 and T.
+
+        updated_1j = (alpha, beta, gamma),
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
+        6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048,
+        in float32 above 0 and at most 9223372036854775808.
+
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 6.19 * 2^-52
+        (float64), 6.20 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+    updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
+        most 6.11 * 2^-52 (float64), 6.12 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+    updated_13: covariance of updated position and acceleration times T^2/sigma_v^2. Relative error
+        at most 4.56 * 2^-52 (float64), 4.57 * 2^-23 (float32), proved for 2.2250738585072014e-308
+        <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
+        9.223372e18 (float32).
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 46.35 *
+        2^-52 (float64), 45.79 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
+        9.223372e18 (float32).
+    updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
+        at most 20.64 * 2^-52 (float64), 20.70 * 2^-23 (float32), proved for 1.0832677820940206e-231
+        <= tracking_index <= 6.703903964971299e153 (float64) and 2.122721e-29 <= tracking_index <=
+        9.223372e18 (float32).
+    updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
+        10.08 * 2^-52 (float64), 10.10 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
+        9.223372e18 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out))
+
+
+def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
+    w0, w1, w2, w3, w4, w5 = work
+    p = np.sqrt(tracking_index, updated_13)
+    r = np.sqrt(p, updated_11)
+    t5 = np.divide(2.220446049250313e-16, tracking_index, updated_12)
+    t7 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t8 = np.add(t5, t7, updated_12)
+    c_scaled = np.sqrt(t8, updated_22)
+    t11 = np.multiply(c_scaled, 67108864.0, updated_22)
+    t12 = np.multiply(t11, r, w0)
+    t13 = np.multiply(t12, 2.0, w0)
+    t15 = np.multiply(p, 0.5, updated_12)
+    t17 = np.multiply(tracking_index, 0.07083333333333333, w1)
+    t18 = np.multiply(p, r, w2)
+    t21 = np.multiply(t18, 1.5516447222296765, w3)
+    t23 = np.divide(8.0, r, updated_23)
+    t24 = np.add(t21, t23, w3)
+    t25 = near_cbrt(t24, w3, single)
+    t27 = np.multiply(t13, t25, updated_23)
+    t28 = np.add(t27, t17, updated_23)
+    t29 = np.sqrt(t28, updated_33)
+    t30 = np.multiply(t29, 2.0, updated_23)
+    t31 = np.add(t30, t15, updated_23)
+    t32 = np.sqrt(t31, updated_23)
+    t33 = np.multiply(t13, 0.5, w4)
+    t34 = np.multiply(t29, t32, updated_33)
+    t35 = np.multiply(t32, t34, updated_23)
+    t36 = np.multiply(t33, t25, w3)
+    t37 = np.subtract(t35, t36, updated_23)
+    t38 = np.subtract(t34, t33, updated_33)
+    t39 = np.divide(t37, t38, updated_23)
+    t41 = np.multiply(t13, t39, w3)
+    t42 = np.add(t41, t17, w3)
+    t43 = np.sqrt(t42, w3)
+    t44 = np.multiply(t43, 2.0, updated_33)
+    t45 = np.add(t44, t15, updated_33)
+    t46 = np.sqrt(t45, updated_33)
+    t47 = np.multiply(t43, t46, w3)
+    t48 = np.multiply(t46, t47, updated_33)
+    t49 = np.multiply(t33, t39, updated_23)
+    t50 = np.subtract(t48, t49, updated_33)
+    t51 = np.subtract(t47, t33, w3)
+    t52 = np.divide(t50, t51, updated_33)
+    t54 = np.multiply(t13, t52, w3)
+    t55 = np.add(t54, t17, w3)
+    t56 = np.sqrt(t55, w3)
+    t57 = np.multiply(t56, 2.0, updated_23)
+    t58 = np.add(t57, t15, updated_23)
+    t59 = np.sqrt(t58, updated_23)
+    t60 = np.multiply(t56, t59, w3)
+    t61 = np.multiply(t59, t60, updated_23)
+    t62 = np.multiply(t33, t52, updated_33)
+    t63 = np.subtract(t61, t62, updated_23)
+    t64 = np.subtract(t60, t33, w3)
+    t65 = np.divide(t63, t64, updated_23)
+    t67 = np.multiply(t13, t65, w3)
+    t68 = np.add(t67, t17, w3)
+    t69 = np.sqrt(t68, w3)
+    t70 = np.multiply(t69, 2.0, updated_33)
+    t71 = np.add(t70, t15, updated_33)
+    t72 = np.sqrt(t71, updated_33)
+    t73 = np.multiply(t69, t72, w3)
+    t74 = np.multiply(t72, t73, updated_33)
+    t75 = np.multiply(t33, t65, updated_23)
+    t76 = np.subtract(t74, t75, updated_33)
+    t77 = np.subtract(t73, t33, w3)
+    t78 = np.divide(t76, t77, updated_33)
+    t80 = np.multiply(t13, t78, w0)
+    t81 = np.add(t80, t17, w0)
+    e = np.sqrt(t81, w0)
+    t83 = np.multiply(e, 2.0, w1)
+    t84 = np.add(t83, t15, w1)
+    x = np.sqrt(t84, w1)
+    t86 = np.multiply(e, x, w3)
+    t87 = np.multiply(x, p, w4)
+    t90 = np.multiply(t87, 0.4201389538804297, w4)
+    t91 = np.multiply(e, r, updated_12)
+    t93 = np.multiply(t91, 1.157703721925804, updated_12)
+    t95 = np.multiply(t18, 0.3038222447983318, w2)
+    t96 = np.add(t86, t90, w3)
+    t97 = np.add(t96, t93, w3)
+    t98 = np.add(t97, t95, w3)
+    t100 = np.multiply(p, 0.04564354645876384, w2)
+    t101 = np.add(t11, t100, w2)
+    t102 = np.multiply(x, 8.0, w4)
+    t103 = np.divide(t102, t101, w4)
+    t104 = np.divide(t103, t98, w4)
+    t105 = np.divide(t104, tracking_index, w2)
+    t106 = np.multiply(t104, 0.5, w3)
+    t108 = np.multiply(tracking_index, 0.6577037219258041, updated_12)
+    t109 = np.add(t106, t108, w3)
+    t111 = np.multiply(t105, 0.125, updated_12)
+    t113 = np.add(t111, 0.32885186096290203, updated_12)
+    t114 = np.multiply(t104, t113, updated_12)
+    t115 = np.multiply(tracking_index, 0.17462042625086102, updated_23)
+    t116 = np.add(t114, t115, updated_23)
+    t117 = np.multiply(e, 0.5, updated_12)
+    t118 = np.add(t11, t117, updated_22)
+    t119 = np.multiply(x, r, updated_12)
+    t120 = np.multiply(t119, 0.25, updated_33)
+    t121 = np.multiply(p, 0.125, w5)
+    t122 = np.add(t120, t121, updated_33)
+    t123 = np.add(t118, t122, updated_22)
+    t124 = np.multiply(p, 0.25, w5)
+    t125 = np.add(e, t124, w0)
+    t134 = np.multiply(t105, 0.046875, w5)
+    t135 = np.add(t134, 0.3091388957221765, w5)
+    t136 = np.multiply(t105, t135, w2)
+    t137 = np.add(t136, 0.7020348547866138, w2)
+    t138 = np.multiply(r, 0.5, updated_11)
+    t139 = np.divide(t138, x, updated_11)
+    t140 = np.multiply(t104, t139, w1)
+    t141 = np.multiply(t104, t137, w4)
+    t142 = np.multiply(tracking_index, 0.6064761521846765, w2)
+    t143 = np.add(t141, t142, w4)
+    t144 = np.multiply(t140, t143, w1)
+    t145 = np.multiply(tracking_index, t139, updated_11)
+    t146 = np.multiply(tracking_index, t145, updated_11)
+    t147 = np.multiply(t146, 0.13901674056774185, w2)
+    np.divide(t125, t123, updated_11)
+    np.divide(t119, t123, updated_12)
+    np.divide(p, t123, updated_13)
+    np.add(t144, t147, updated_22)
+    np.multiply(tracking_index, t116, updated_23)
+    np.multiply(tracking_index, t109, updated_33)
+
+
+_UPDATED_COVARIANCE = Signature(
+    "updated_covariance",
+    (_TRACKING_INDEX_DOMAIN_2,),
+    ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
+    6,
+    _updated_covariance_block,
+)
