@@ -21,7 +21,6 @@ from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model, ModelError
 from gainproof.derive.relation import Relation, described
-from gainproof.derive.source import RICCATI, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
 DEGREES = {"gain_derivatives": 1, "gain_second_derivatives": 2}
@@ -57,7 +56,7 @@ def derive_any_two_state(model: Model) -> Subject:
         name=model.name,
         title=model.title,
         model=c.model,
-        derivation=Derivation(OPENING, steps, (SPECTRAL.key, RICCATI.key), {**LATEX, **c.latex()}),
+        derivation=Derivation(OPENING, steps, (), {**LATEX, **c.latex()}),
         towers={"main": c.tower},
         programs={
             name: Program({entry.name: entry.name for entry in kernel.inputs}, kernel.graph)

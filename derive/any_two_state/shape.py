@@ -104,12 +104,19 @@ class Shape:
 
 def shape_of(model: Model, scaled: ScaledModel) -> Shape:
     """The shape. Raises ModelError unless the first state is measured, with unit gain and noise."""
-    wanted = sp.ImmutableDenseMatrix([[1, 0]]), sp.ImmutableDenseMatrix([[1]])
+    require_first_measured(model, scaled)
+    return Shape(scaled, FreeNumbers(model.parameters))
+
+
+def require_first_measured(model: Model, scaled: ScaledModel) -> None:
+    """H is [1, 0, ...] and R is 1; raises ModelError otherwise."""
+    first = sp.zeros(1, scaled.transition.rows)
+    first[0, 0] = 1
+    wanted = sp.ImmutableDenseMatrix(first), sp.ImmutableDenseMatrix([[1]])
     if (scaled.measurement, scaled.measurement_noise) != wanted:
         raise ModelError(
             f"model {model.name}: the first state is to be measured: in units T = 1 and sigma_v = "
-            "1 H = [[1, 0]] and R = [[1]] are wanted, they are "
+            f"1 H = {first.tolist()} and R = [[1]] are wanted, they are "
             f"{scaled.measurement.tolist()} and {scaled.measurement_noise.tolist()}; take what is "
             "measured as the first state"
         )
-    return Shape(scaled, FreeNumbers(model.parameters))

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+
 import sympy as sp
 
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
 from gainproof.derive.any_two_state.scaling import scale_free
-from gainproof.derive.any_two_state.shape import shape_of
+from gainproof.derive.any_two_state.shape import require_first_measured
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
 from gainproof.derive.steady_state.two_state import derive_two_state
 from gainproof.derive.subject import Subject
 from gainproof.derive.vector_measurement.position_velocity import derive_position_velocity
 
+THREE_STATES = "gainproof.derive.three_state.three_state"
+KINEMATIC_3 = sp.ImmutableDenseMatrix([[1, 1, sp.Rational(1, 2)], [0, 1, 1], [0, 0, 1]])
 KINEMATIC = sp.ImmutableDenseMatrix([[1, 1], [0, 1]])
 
 
@@ -33,12 +37,12 @@ def derive_own_model(model: Model) -> Subject:
             f"model {model.name}: two or three states with one measured, or two with both "
             f"measured, are wanted; {states} states and {measured} measurements came"
         )
-    return _two_states(model, scaled) if states == 2 else _three_states(model)
+    return _two_states(model, scaled) if states == 2 else _three_states(model, scaled)
 
 
 def _two_states(model: Model, scaled: ScaledModel) -> Subject:
     """Kinematic ones by the method of the catalogue where that reaches."""
-    shape_of(model, scaled)
+    require_first_measured(model, scaled)
     if scaled.transition == KINEMATIC and not model.parameters:
         try:
             return derive_two_state(model, ())
@@ -47,7 +51,26 @@ def _two_states(model: Model, scaled: ScaledModel) -> Subject:
     return derive_any_two_state(model)
 
 
-def _three_states(model: Model) -> Subject:
-    raise ModelError(
-        f"model {model.name}: a model of three states is out of reach: no method for it is there"
-    )
+def _three_states(model: Model, scaled: ScaledModel) -> Subject:
+    """Kinematic ones; d(s) of three states has no radicals in general."""
+    require_first_measured(model, scaled)
+    if scaled.transition != KINEMATIC_3 or model.parameters:
+        raise ModelError(
+            f"model {model.name}: of three states a position, its rate and the rate of that are in "
+            f"reach, F = {KINEMATIC_3.tolist()} in units T = 1 without free numbers; it is "
+            f"{scaled.transition.tolist()}, whose spectrum is a cubic without a tower here"
+        )
+    try:
+        method = import_module(THREE_STATES)
+    except ModuleNotFoundError:
+        raise ModelError(f"model {model.name}: no method for three states is there") from None
+    try:
+        found: Subject = method.derive_three_state(model, ())
+    except ModelError:
+        raise
+    except (ValueError, ArithmeticError) as error:
+        raise ModelError(
+            f"model {model.name}: the process noise {scaled.process_noise.tolist()} is outside the "
+            f"reach of the method for three states: {error}"
+        ) from error
+    return found

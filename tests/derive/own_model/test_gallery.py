@@ -169,3 +169,9 @@ def test_the_gallery_holds_five_kinds_of_model() -> None:
         "heaving_buoy",
         "held_pointer",
     ]
+
+
+def test_the_page_names_each_file_and_says_that_it_is_executed() -> None:
+    page = (FOLDER.parent / "own-models.md").read_text(encoding="utf-8")
+    assert [name for name in MODELS if f"`{name}.py`" not in page] == []
+    assert "It is Python that its owner chose to run" in page

@@ -58,8 +58,8 @@ REFUSED: list[tuple[Model, str]] = [
     (
         own_model(KINEMATIC, [[1, 0], [0, 0]]),
         (
-            "the process noise should drive every state, the process noise never drives the mode 1 of "
-            "F, which lies on the unit circle: the Riccati equation has no stabilising solution"
+            "the process noise should drive every state, the process noise never drives the mode 1 "
+            "of F, which lies on the unit circle: the Riccati equation has no stabilising solution"
         ),
     ),
     (
@@ -77,8 +77,8 @@ REFUSED: list[tuple[Model, str]] = [
     (
         own_model(KINEMATIC, [[R, 1], [1, 1]], parameters=(free_number("r"),)),
         (
-            "process_noise should be positive semidefinite for all parameters, the sign of its minor "
-            "of rows 1, 2, r - 1, is not shown"
+            "process_noise should be positive semidefinite for all parameters, the sign of its "
+            "minor of rows 1, 2, r - 1, is not shown"
         ),
     ),
     (
@@ -110,6 +110,10 @@ REFUSED: list[tuple[Model, str]] = [
     (
         own_model(KINEMATIC, LAST, state_units=(METRE,)),
         "a unit for each of 2 entries of the state is wanted, there are 1",
+    ),
+    (
+        own_model([[1, 1, HALF], [0, 1, 1], [0, 0, HALF]], sp.diag(0, 0, 1).tolist()),
+        "of three states a position, its rate and the rate of that are in reach",
     ),
     (
         own_model(
