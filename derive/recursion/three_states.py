@@ -9,7 +9,8 @@ from gainproof.derive.recursion.triple_kernels import graphs
 from gainproof.derive.recursion.triple_module import kernel_module
 from gainproof.derive.recursion.triple_names import FACTORS, PARAMETERS, latex, predicted_names
 from gainproof.derive.recursion.triple_noise import TripleNoise, triple_noises
-from gainproof.derive.recursion.triple_steps import difference_steps, model_steps, update_steps
+from gainproof.derive.recursion.triple_steps import model_steps, update_steps
+from gainproof.derive.recursion.triple_steps_difference import difference_steps
 from gainproof.derive.recursion.triple_steps_predict import predict_steps
 from gainproof.derive.recursion.triple_towers import (
     intervals_tower,

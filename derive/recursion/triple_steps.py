@@ -1,4 +1,4 @@
-"""Steps on three states: factors, update, and how a start is forgotten."""
+"""Steps on three states: the factored covariance and its update."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from gainproof.derive.recursion.triple_names import (
     D1,
     D2,
     D3,
-    ENTRIES,
     FACTORS,
     GAINS,
     A,
@@ -18,7 +17,6 @@ from gainproof.derive.recursion.triple_names import (
     C,
     R,
     T,
-    filled,
     first_shear,
     rows,
     second_shear,
@@ -187,75 +185,3 @@ def update_steps() -> list[Step]:
 
 def _row(*entries: sp.Expr) -> sp.ImmutableDenseMatrix:
     return sp.ImmutableDenseMatrix([entries])
-
-
-def difference_steps() -> list[Step]:
-    """From one sample to the next the difference is multiplied from both sides."""
-    names = [[f"{letter}{ij}" for ij in ENTRIES] for letter in ("p", "b", "g")]
-    p, b, g = (filled([real(name) for name in each]) for each in names)
-    free = (*names[0], *names[1])
-    taken = _updated(p) - _updated(b)
-    gap = sp.ImmutableDenseMatrix(p - b)
-    share = sp.ImmutableDenseMatrix(g[:, 0] / (g[0, 0] + R))
-    left = rest(tuple(share))
-    return [
-        Step(
-            "difference",
-            "Two covariances `P` and `B` under the same measurement, with gains `K` and `C`: their "
-            "updates differ by `(I - K H) (P - B) (I - C H)'`. A motion `F` on both sides makes "
-            "closed loops of both matrices, and the process noise drops out.",
-            equal(
-                sp.ImmutableDenseMatrix(taken),
-                sp.MatMul(_loop(p), gap, _loop(b).T, evaluate=False),
-                free=free,
-            ),
-            "Insert `X = P - P H' H P/(P11 + r)` for both; multiply out.",
-            tower="pair",
-            heading="How fast a start is forgotten",
-        ),
-        Step(
-            "difference-left",
-            "With the matrix of `B` on both sides a square is left over.",
-            equal(
-                sp.ImmutableDenseMatrix(taken),
-                sp.MatMul(
-                    _loop(b),
-                    gap - gap[:, 0] * gap[:, 0].T / (p[0, 0] + R),
-                    _loop(b).T,
-                    evaluate=False,
-                ),
-                free=free,
-            ),
-            "Insert both updates.",
-            tower="pair",
-        ),
-        Step(
-            "difference-one-sided",
-            "What is left of a matrix `G`, here `P - B`, after this square is taken away is not "
-            "below zero where `G` is not, and never above `G`. So a start above the steady state "
-            "stays above it, and after `k` samples its distance is at most `A^k (P - B) (A^k)'` "
-            "with the steady closed loop `A`: it falls like `|z|^(2 k)` at least, where `z` is the "
-            "largest pole of `A`. (So does that of any other start, which is not proved here.)",
-            equal(
-                sp.ImmutableDenseMatrix(g - g[:, 0] * g[:, 0].T / (g[0, 0] + R)),
-                sp.MatAdd(
-                    sp.MatMul(left, g, left.T, evaluate=False),
-                    sp.MatMul(R, share, share.T, evaluate=False),
-                    evaluate=False,
-                ),
-                free=tuple(names[2]),
-            ),
-            "It is the update of `G` by a measurement with the variance of `B`'s innovation, in "
-            "Joseph's form a sum of two squares; here that variance is written `r`. (`P11 + r` is "
-            "`P11 - B11` and the variance of `B`'s innovation.)",
-            tower="pair",
-        ),
-    ]
-
-
-def _updated(p: sp.ImmutableDenseMatrix) -> sp.ImmutableDenseMatrix:
-    return sp.ImmutableDenseMatrix(p - p[:, 0] * p[:, 0].T / (p[0, 0] + R))
-
-
-def _loop(p: sp.ImmutableDenseMatrix) -> sp.ImmutableDenseMatrix:
-    return rest(tuple(p[i, 0] / (p[0, 0] + R) for i in range(3)))
