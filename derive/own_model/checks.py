@@ -10,7 +10,7 @@ import re
 import sympy as sp
 
 from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign
-from gainproof.derive.model import Model, ModelError, ScaledModel
+from gainproof.derive.model import Model, ModelError, Parameter, ScaledModel
 from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
 
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
@@ -98,7 +98,8 @@ def _require_domains(model: Model) -> None:
 
 def require_steady_state(model: Model, scaled: ScaledModel) -> None:
     """Definite noises, an observable pair, and noise that reaches every state."""
-    numbers = FreeNumbers(model.parameters)
+    ratios = tuple(Parameter(entry.name) for entry in model.ratios)
+    numbers = FreeNumbers((*model.parameters, *ratios))
     size = scaled.transition.rows
     _require_definite(model, numbers, "process_noise", scaled.process_noise, strictly=False)
     _require_definite(model, numbers, "measurement_noise", scaled.measurement_noise, strictly=True)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from gainproof import atomic_file, derivations, workers
+from gainproof.bad_input import BadInputError
 from gainproof.derive.printer.package import shared_files
 from gainproof.drift import Difference
 from gainproof.workshop import Workshop
@@ -21,6 +22,7 @@ def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
     if derivations.is_file(name_or_file):
         path = Path(name_or_file)
         depends = [derivations.model_text(path)]
+        _require_accepted(path, shop)
         job = workers.Job(name_or_file, "print_file", {"path": str(path.resolve())})
     else:
         derivations.require_names([name_or_file], shop)
@@ -29,6 +31,15 @@ def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
     # what modules share is left out: kernels import it from the installed package
     texts = found["files"].items()
     return {name: text.encode("utf-8") for name, text in texts if not name.startswith("_")}
+
+
+def _require_accepted(path: Path, shop: Workshop) -> None:
+    """Nobody else has checked a user's model: BadInputError unless every step of it is proved."""
+    report = derivations.own_report(derivations.derive_file(path, shop), shop)
+    if not report["accepted"]:
+        raise BadInputError(
+            f"{path}: the checker rejects the derivation, no kernel is written: {report['reason']}"
+        )
 
 
 def together(parts: Sequence[Mapping[str, Any]]) -> dict[str, bytes]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import cli
+from gainproof import cli, derivations
 
 Capture = pytest.CaptureFixture[str]
 
@@ -108,3 +108,13 @@ def test_kernels_of_an_own_model_are_written_and_run(
     assert 0 < alpha < 1
     assert 0 < beta < 2
     assert cli.main(["generate", str(file), "--out", str(out), "--check"]) == 0
+
+
+def test_no_kernel_is_written_of_what_the_checker_rejects(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    rejected = {"accepted": False, "reason": "riccati: not the stated combination"}
+    monkeypatch.setattr(derivations, "own_report", lambda *_: rejected)
+    assert cli.main(["generate", str(file), "--out", str(tmp_path / "kernels")]) == 2
+    assert "the checker rejects the derivation" in capsys.readouterr().err
+    assert not (tmp_path / "kernels").exists()

@@ -1,0 +1,69 @@
+"""Which method a model goes to."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+from own_models import T, free_number, own_model
+
+from gainproof.derive.any_two_state import module
+from gainproof.derive.expression import real
+from gainproof.derive.families.random_acceleration import STRENGTH
+from gainproof.derive.model import Model, ModelError
+from gainproof.derive.own_model.choice import derive_own_model
+from gainproof.derive.subject import Subject
+from gainproof.derive.vector_measurement.model import measured_model
+
+KINEMATIC = [[1, 1], [0, 1]]
+HALF = sp.Rational(1, 2)
+
+
+def kernels(subject: Subject) -> set[str]:
+    return {kernel.name for kernel in subject.module.kernels}
+
+
+def both_measured() -> Model:
+    """Acceleration constant over each half of an interval, position and velocity measured."""
+    shape = sp.ImmutableDenseMatrix([[5 * T**4 / 32, T**3 / 4], [T**3 / 4, T**2 / 2]])
+    noise = sp.ImmutableDenseMatrix(STRENGTH.symbol**2 * shape)
+    return measured_model("both", "Both measured", noise, STRENGTH)
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Bounds of kernels are not looked at here."""
+    monkeypatch.setattr(module, "prove", lambda _kernel, _form: None)
+
+
+def test_kinematic_models_keep_poles_and_inverses() -> None:
+    found = kernels(derive_own_model(own_model(KINEMATIC, [[HALF / 2, HALF], [HALF, 1]])))
+    assert {"closed_loop_poles", "index_from_alpha", "gains"} <= found
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize(
+    "model",
+    [
+        own_model(KINEMATIC, [[3, HALF], [HALF, 1]]),
+        own_model([[1, 2], [0, 1]], [[0, 0], [0, 1]]),
+        own_model(KINEMATIC, [[real("r"), 0], [0, 1]], parameters=(free_number("r"),)),
+    ],
+    ids=["much position noise", "two intervals", "a free ratio"],
+)
+def test_what_that_method_does_not_reach_goes_to_the_other(model: Model) -> None:
+    found = kernels(derive_own_model(model))
+    assert {"gains", "gain_second_derivatives"} <= found
+    assert "index_from_alpha" not in found
+
+
+def test_both_measured() -> None:
+    found = kernels(derive_own_model(both_measured()))
+    assert "known_velocity" in found
+
+
+def test_both_measured_and_not_kinematic_is_refused() -> None:
+    fading = sp.ImmutableDenseMatrix([[1, T], [0, HALF]])
+    with pytest.raises(ModelError, match="a position and its rate, both measured, are wanted"):
+        derive_own_model(replace(both_measured(), transition=fading))
