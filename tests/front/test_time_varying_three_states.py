@@ -92,7 +92,8 @@ def test_equal_intervals_come_to_the_steady_state(name: str, strength: float) ->
     noisy = scale(Fraction(strength), matrix(unit, Fraction))
     system = StateSpace(move, noisy, matrix([[1, 0, 0]], Fraction), ((Fraction(1),),))
     known = steady_state(system, 40).state
-    f = uncorrelated(10.0, 20.0, 5.0)
+    found = step(uncorrelated(10.0, 20.0, 5.0), 1.0, strength, 1.0, process_noise=name)
+    f = found.factors
     for _ in range(300):
         found = step(f, 1.0, strength, 1.0, process_noise=name)
         f = found.factors

@@ -81,7 +81,8 @@ def test_equal_intervals_come_to_the_steady_state(name: str, index: float, inter
     r = 3.0
     q = index**2 * r / interval ** (2 + noise.power)
     assert noise.tracking_index(interval, q, r) == pytest.approx(index, rel=1e-15)
-    f = Factors(50.0, 0.0, 20.0)
+    found = step(Factors(50.0, 0.0, 20.0), interval, q, r, process_noise=name)
+    f = found.factors
     for _ in range(600):
         found = step(f, interval, q, r, process_noise=name)
         f = found.factors

@@ -43,7 +43,7 @@ def hand_over_sample(tracking_index: ArrayLike, process_noise: str = DEFAULT) ->
 
 
 def _gain(sample: Reals) -> Reals:
-    return np.asarray(least_squares_line.gains(sample).alpha)
+    return np.asarray(least_squares_line.gains(sample).alpha, np.float64)
 
 
 def gain_schedule(

@@ -49,7 +49,7 @@ def schedule_variance(
 
 
 def _position(factors: Factors) -> Reals:
-    return np.asarray(covariance_of(factors)[..., 0, 0])
+    return np.asarray(covariance_of(factors)[..., 0, 0], np.float64)
 
 
 def _joseph(predicted: Factors, alpha: Reals, beta: Reals) -> Factors:
