@@ -58,9 +58,9 @@ _TRACKING_INDEX_DOMAIN_3 = Domain(
 )
 _ALPHA_DOMAIN = Domain(
     "alpha",
-    "a number above 0 and below 1",
-    (5e-324, 0.9999999999999999),
-    (1.401298464324817e-45, 0.9999999403953552),
+    "a number at least 1/2187250724783011924372502227117621365353169430893212436425770606409952999199375923223513177023053824 and below 1, in float32 at least 1/1099511627776 and below 1",
+    (4.5719495651291e-100, 0.9999999999999999),
+    (9.094947017729282e-13, 0.9999999403953552),
 )
 
 
@@ -1538,11 +1538,13 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
         beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w),
         Lambda = gamma/w, w = sqrt(1 - alpha)
 
-    alpha: position gain; a number above 0 and below 1.
+    alpha: position gain; a number at least
+        1/2187250724783011924372502227117621365353169430893212436425770606409952999199375923223513177023053824
+        and below 1, in float32 at least 1/1099511627776 and below 1.
 
     tracking_index: tracking index Lambda. Relative error at most 7.76 * 2^-52 (float64), 7.76 *
-        2^-23 (float32), proved for 5.625288570472524e-103 <= alpha <= 0.9999999999999999 (float64)
-        and 4.5474735e-13 <= alpha <= 0.99999994 (float32).
+        2^-23 (float32), proved for 4.5719495651291e-100 <= alpha <= 0.9999999999999999 (float64)
+        and 9.094947e-13 <= alpha <= 0.99999994 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1596,14 +1598,16 @@ def gains_from_alpha(alpha: ArrayLike, *, out: tuple[Real, Real] | None = None) 
         beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w),
         Lambda = gamma/w, w = sqrt(1 - alpha)
 
-    alpha: position gain; a number above 0 and below 1.
+    alpha: position gain; a number at least
+        1/2187250724783011924372502227117621365353169430893212436425770606409952999199375923223513177023053824
+        and below 1, in float32 at least 1/1099511627776 and below 1.
 
-    beta: velocity gain times the sampling interval. Relative error at most 4.26 * 2^-52 (float64),
-        4.26 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
-        (float64) and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
+    beta: velocity gain times the sampling interval. Relative error at most 3.26 * 2^-52 (float64),
+        3.26 * 2^-23 (float32), proved for 4.5719495651291e-100 <= alpha <= 0.9999999999999999
+        (float64) and 9.094947e-13 <= alpha <= 0.99999994 (float32).
     gamma: acceleration gain times the square of the sampling interval. Relative error at most 6.51
-        * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for 5.625288570472524e-103 <= alpha <=
-        0.9999999999999999 (float64) and 4.5474735e-13 <= alpha <= 0.99999994 (float32).
+        * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for 4.5719495651291e-100 <= alpha <=
+        0.9999999999999999 (float64) and 9.094947e-13 <= alpha <= 0.99999994 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 import sympy
 
@@ -35,6 +36,8 @@ MEANINGS = {
     "tracking_index": "tracking index Lambda",
 }
 # Squares of larger indices, and for derivatives their multiples, leave the range of the format.
+# The cube of a smaller position gain, an index, leaves it at the other end.
+LEAST_ALPHA = (Fraction(1, 2**330), Fraction(1, 2**40))
 SQUARES, MULTIPLES = (2**511, 2**63), (2**1000, 2**120)
 
 
@@ -64,7 +67,8 @@ def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
 
 def _input(c: Context, name: str) -> Input:
     if name.endswith("from_alpha"):
-        return Input("alpha", "position gain", "0", "1")
+        least, small = LEAST_ALPHA
+        return Input("alpha", "position gain", least, "1", False, single=(small, "1"))
     meaning = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
     if "covariance" not in name:
         return Input("tracking_index", meaning)

@@ -78,8 +78,8 @@ def _scaling(c: Context) -> list[Step]:
                 sp.MatMul(*noise, evaluate=False),
                 _free(c, (*noise, c.original.process_noise)),
             ),
-            "A covariance `Q` becomes `D^-1 Q D^-1`, so that `Q = D (Lambda^2 Q0) D`, where "
-            "`Lambda^2` stands for the ratio; here it stands with the first `D`. `R` becomes 1.",
+            "A covariance `Q` becomes `D^-1 Q D^-1`, so that `Q` is `D` times the new matrix times "
+            "`D`; the ratio stands with the first `D` here. `R` becomes 1.",
         ),
         Step(
             "index",

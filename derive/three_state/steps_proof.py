@@ -50,7 +50,8 @@ def covariance_steps(c: Context) -> list[Step]:
         Step(
             "predicted-covariance",
             "The covariance of the predicted state's error is `M`, that of the updated state's "
-            "error `X`. The gains give the first row of both.",
+            "error `X`; their entries are `M11`, `M12`, `M13`, `M22`, `M23`, `M33` and `X11`, "
+            "`X12`, `X13`, `X22`, `X23`, `X33`. The gains give the first row of both.",
             equal(
                 sp.ImmutableDenseMatrix([first]),
                 sp.ImmutableDenseMatrix([[ALPHA * variance, BETA * variance, GAMMA * variance]]),

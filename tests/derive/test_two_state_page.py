@@ -25,6 +25,10 @@ FAMILIES = (
     "position-velocity-random-velocity",
     "position-velocity-random-acceleration",
     "position-velocity",
+    "acceleration-increments",
+    "wiener-acceleration",
+    "random-jerk",
+    "continuous-white-jerk",
 )
 REFERENCE = re.compile(r"@([a-z0-9-]*[a-z0-9])")
 
@@ -56,7 +60,7 @@ def _words(text: str) -> set[str]:
     """Names in the formulas of a sentence."""
     formulas = " ".join(re.findall(r"`([^`]*)`", text))
     # P11^o is a name, z^2 a power
-    return set(re.findall(r"\(FK\)1|[A-Za-z]\w*(?:\^[od]\b)?", formulas))
+    return set(re.findall(r"\(FK\)[12]|[A-Za-z]\w*(?:\^[od]\b)?", formulas))
 
 
 def _used(item: Item, derived: Derived) -> set[str]:

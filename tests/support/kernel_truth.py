@@ -107,6 +107,8 @@ def truth_of(family: str) -> SteadyStateTruth | FitTruth | BothMeasuredTruth | H
     """The truth about a family; LookupError for one without an oracle."""
     if family in STEADY_STATES:
         return steady_state_truth(STEADY_STATES[family])
+    if family in THREE_STATES:
+        return steady_state_truth(THREE_STATES[family])
     if family in BOTH_MEASURED:
         return both_measured(STEADY_STATES[BOTH_MEASURED[family]]["process_noise"])
     if family in FITS:
