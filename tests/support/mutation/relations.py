@@ -24,7 +24,7 @@ from mutation.evaluator import Subject, memory_subject, steady_subject
 from mutation.tree import Tree, number, symbols, to_graph, to_tree
 
 DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}
-SHORT = ("kappa", "rho")
+SHORT = ("kappa", "rho", "psi", "chi")
 """Names of the derivations that no oracle gives a value."""
 UNKNOWN_TO_ORACLES = ("information_", "pole", "program")
 CLAIMS = Path(__file__).parents[3] / "verify" / "claims"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from gainproof.verify.judge.derivations.fixed_point import with_known_roots, without_fixed_points
 from gainproof.verify.judge.derivations.surroundings import Surroundings
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, walk
@@ -31,7 +32,8 @@ def judge_program(
         made = outputs.get(name)
         if not isinstance(made, Expr):
             raise Malformed(f"the program has no output {name}")
-        computed = without_branches(where, substituted(made, inputs))
+        computed = with_known_roots(where, substituted(made, inputs))
+        computed = without_branches(where, without_fixed_points(where, computed))
         wanted, needed = where.resolved(read_graph(formula))
         statement = Statement((Rel("=", computed, wanted),), needed=tuple(needed))
         finding = finding_of(settle(statement, where.boxes, where.parameter, {}))

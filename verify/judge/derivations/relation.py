@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
+from gainproof.verify.judge.derivations.along import (
+    judge_increasing,
+    judge_limit,
+    judge_monotone,
+    settled,
+)
 from gainproof.verify.judge.derivations.program import judge_program
 from gainproof.verify.judge.derivations.steady_statements import (
     definite_statement,
@@ -15,17 +19,14 @@ from gainproof.verify.judge.derivations.steady_statements import (
 )
 from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import differentiated, substituted
+from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
-from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.graph import read_graph, read_values
 from gainproof.verify.judge.exact.grid import Grid
-from gainproof.verify.judge.exact.limit import decide_limit
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.verdict import Finding, finding_of
 
@@ -90,17 +91,19 @@ def _judged(
         case "same_sign":
             return _same_sign(where, claim["left"], claim["right"])
         case "limit":
-            return _limit(where, claim)
+            return judge_limit(where, claim)
         case "increasing_onto":
-            return _increasing(where, claim)
+            return judge_increasing(where, claim)
+        case "monotone":
+            return judge_monotone(where, claim)
         case "sum":
             return _sum(claim)
         case "riccati":
-            return _settled(where, riccati_statement(where, claim), ())
+            return settled(where, riccati_statement(where, claim))
         case "stable":
-            return _settled(where, stable_statement(where, claim), ())
+            return settled(where, stable_statement(where, claim))
         case "positive_definite":
-            return _settled(where, definite_statement(where, claim), ())
+            return settled(where, definite_statement(where, claim))
         case "program":
             return judge_program(where, claim, programs)
         case "definition":
@@ -116,11 +119,6 @@ def _entries(graph: Graph) -> list[Expr]:
     return [value] if isinstance(value, Expr) else [entry for row in value for entry in row]
 
 
-def _settled(where: Surroundings, statement: Statement, free: Sequence[str]) -> Finding:
-    boxes = {**where.boxes, **{free_name(name): Box(stated=False) for name in free}}
-    return finding_of(settle(statement, boxes, where.parameter, {}))
-
-
 def _related(
     where: Surroundings, left: Graph, right: Graph, operator: str, free: Sequence[str]
 ) -> Finding:
@@ -133,7 +131,7 @@ def _related(
     for a, b in zip(*sides, strict=True):
         (a, more), (b, others) = where.resolved(a, free), where.resolved(b, free)
         statement = Statement((Rel(operator, a, b),), needed=(*more, *others))
-        finding = _settled(where, statement, free)
+        finding = settled(where, statement, free)
         if finding.verdict != "proved":
             return finding
     if finding is None:
@@ -147,68 +145,11 @@ def _same_sign(where: Surroundings, left: Graph, right: Graph) -> Finding:
     finding: Finding | None = None
     for operator in (">", "="):
         first, second = (Rel(operator, side, number(0)) for side in (a, b))
-        finding = _settled(where, Statement((first,), (second,), "iff", (*more, *others)), ())
+        finding = settled(where, Statement((first,), (second,), "iff", (*more, *others)))
         if finding.verdict != "proved":
             return finding
     assert finding is not None
     return finding
-
-
-def _target(value: Any) -> Expr | str:
-    return value if isinstance(value, str) else read_graph(value)
-
-
-def _limit(where: Surroundings, claim: Mapping[str, Any]) -> Finding:
-    expr, _ = where.resolved(read_graph(claim["expression"]))
-    point = "infinity" if claim["point"] == "infinity" else Fraction(0)
-    return _tends(where, expr, claim["variable"], point, _target(claim["value"]))
-
-
-def _tends(
-    where: Surroundings, expr: Expr, variable: str, point: Fraction | str, value: Expr | str
-) -> Finding:
-    name = where.parameter
-    if name is None:
-        raise Undecided("a limit without a parameter")
-    along = where.value(variable)
-    if along != symbol(name):
-        # the variable tends to the point together with the parameter
-        both = decide_limit(
-            along,
-            name,
-            where.boxes[name],
-            point,
-            point if isinstance(point, str) else number(point),
-            name,
-        )
-        if both.verdict != "proved":
-            raise Undecided(f"{variable} does not tend to {point} with {name}")
-    if symbols_of(expr) - {name}:
-        raise Undecided("a limit of an expression with several variables")
-    return finding_of(decide_limit(expr, name, where.boxes[name], point, value, variable))
-
-
-def _increasing(where: Surroundings, claim: Mapping[str, Any]) -> Finding:
-    expr, _ = where.resolved(read_graph(claim["expression"]))
-    name, variable = where.parameter, claim["variable"]
-    if name is None:
-        raise Undecided("monotone in no parameter")
-    slope = differentiated(expr, name)
-    along = where.value(variable)
-    if along != symbol(name):
-        slope = slope / differentiated(along, name)
-    # where the domain begins the slope may vanish: rising inside and continuous is enough
-    inside = {key: replace(box, lower_open=True) for key, box in where.boxes.items()}
-    rising = _settled(
-        replace(where, boxes=inside), Statement((Rel(">", slope, number(0)),), needed=(expr,)), ()
-    )
-    if rising.verdict != "proved":
-        return rising
-    for point, value in ((Fraction(0), claim["from"]), ("infinity", claim["to"])):
-        finding = _tends(where, expr, variable, point, _target(value))
-        if finding.verdict != "proved":
-            return finding
-    return rising
 
 
 def _sum(claim: Mapping[str, Any]) -> Finding:

@@ -9,8 +9,8 @@ from typing import Any
 
 from gainproof.verify.judge.derivations.surroundings import Surroundings
 from gainproof.verify.judge.exact.expression import Expr, number, power
-from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.setting.established import characteristic
 from gainproof.verify.judge.setting.matrix import (
     Exprs,
     exprs,
@@ -21,6 +21,7 @@ from gainproof.verify.judge.setting.matrix import (
     times,
     transposed,
 )
+from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
 
 
 def _named(where: Surroundings, names: Sequence[Sequence[str]]) -> Exprs:
@@ -46,12 +47,14 @@ def riccati_statement(where: Surroundings, claim: Mapping[str, Any]) -> Statemen
 
 
 def stable_statement(where: Surroundings, claim: Mapping[str, Any]) -> Statement:
-    """Jury's conditions for the characteristic polynomial of F (I - K H), two states."""
+    """Jury's conditions for the characteristic polynomial of F (I - K H) of two states; Hurwitz's
+    for other numbers of them, the unit circle mapped to a half plane.
+    """
     f, _, h, _ = (exprs(m) for m in model_matrices(claim["model"]))
-    if len(f) != 2:
-        raise Undecided("stability for other than two states is not covered")
     gain = tuple((where.value(name),) for name in claim["gain"])
     loop = minus(f, times(times(f, gain), h))
+    if len(f) != 2:
+        return Statement(tuple(left_half_plane(circle_moved([*characteristic(loop), number(1)]))))
     c1 = -(loop[0][0] + loop[1][1])
     c0 = loop[0][0] * loop[1][1] - loop[0][1] * loop[1][0]
     one = number(1)

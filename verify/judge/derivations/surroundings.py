@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gainproof.verify.judge.derivations.third_state import in_tower
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, rebuilt, substituted
 from gainproof.verify.judge.exact.decision import decide
@@ -56,7 +57,10 @@ QUANTITIES: Mapping[str, str] = {
     **{f"information_{i}{j}": f"information.{i}.{j}" for i in (1, 2, 3) for j in (1, 2, 3)},
 }
 """Names in derivations -> quantities of the judge."""
-ABBREVIATIONS = ("kappa", "rho")
+ABBREVIATIONS = (
+    *("kappa", "rho", "psi", "chi"),
+    *("xi", "eta", "delta", "nu", "tau", "w"),
+)
 """Names that derivations give to parts of formulas: no quantities, so each is as defined."""
 
 
@@ -127,24 +131,29 @@ def surroundings(
     name, box = _parameter(tower, environment)
     values: dict[str, Expr] = {} if name is None else {name: symbol(name)}
     _add_roots(values, tower)
-    index = _index(values, tower, name) if base == INDEX else None
-    put_in: dict[str, Expr] = {INTERVAL: number(1), DEVIATION: number(1)}
-    if index is not None:
-        values[INDEX] = index
-        put_in[INDEX] = index
-    if base == SAMPLE and name is not None:
-        put_in[SAMPLE] = symbol(name)
-    known = {**environment.quantities, **environment.continued}
-    for short, long in QUANTITIES.items():
-        if long in known:
-            values[short] = substituted(known[long], put_in)
-    _add_derived(values, environment, put_in)
     for short in ABBREVIATIONS:
         if tower is not None and short in tower.get("elements", {}):
             values[short] = _element(tower, short, values)
     boxes = {} if name is None or box is None else {name: box}
-    if index is not None and name is not None:
-        _check_index(index, name, boxes)
+    index = None if base in (None, SAMPLE) else _index(values, tower, environment)
+    put_in: dict[str, Expr] = {INTERVAL: number(1), DEVIATION: number(1)}
+    if base == INDEX and index is not None:
+        put_in[INDEX] = index
+    if base == SAMPLE and name is not None:
+        put_in[SAMPLE] = symbol(name)
+    known = {**environment.quantities, **environment.continued}
+    if index is not None:
+        values[INDEX] = index
+        if name is not None:
+            _check_index(index, name, boxes)
+        if base != INDEX:
+            gains = ("alpha", "beta", "gamma") if tower is not None else ()
+            told = {g: _element(tower or {}, g, values) for g in gains} | values
+            known = in_tower(known, base or "", told, name, boxes)
+    for short, long in QUANTITIES.items():
+        if long in known:
+            values[short] = substituted(known[long], put_in)
+    _add_derived(values, known, put_in)
     return Surroundings(values, boxes, name, index)
 
 
@@ -189,8 +198,12 @@ def _polynomial(entries: Any, names: Sequence[str], values: Mapping[str, Expr]) 
     return add(*terms) if terms else number(0)
 
 
-def _index(values: Mapping[str, Expr], tower: Mapping[str, Any] | None, name: str | None) -> Expr:
-    if tower is None or name == INDEX:
+def _index(
+    values: Mapping[str, Expr], tower: Mapping[str, Any] | None, environment: Environment
+) -> Expr:
+    if tower is None:
+        return environment.quantities[INDEX]
+    if INDEX in values:
         return symbol(INDEX)
     return _element(tower, INDEX, values)
 
@@ -212,15 +225,15 @@ def _check_index(index: Expr, name: str, boxes: Mapping[str, Box]) -> None:
 
 
 def _add_derived(
-    values: dict[str, Expr], environment: Environment, put_in: Mapping[str, Expr]
+    values: dict[str, Expr], known: Mapping[str, Expr], put_in: Mapping[str, Expr]
 ) -> None:
     """Quantities that are named after others: deviation of the innovation, poles, 1 - alpha."""
     if "alpha" in values:
         values["rest"] = 1 - values["alpha"]
     if "innovation_variance" in values:
         values["innovation_deviation"] = sqrt(values["innovation_variance"])
-    known = environment.quantities
-    if "filter_gain.2" in known and "closed_loop.trace" in known:
+    two = "filter_gain.2" in known and "filter_gain.3" not in known
+    if two and "closed_loop.trace" in known:
         trace = substituted(known["closed_loop.trace"], put_in)
         product = substituted(known["closed_loop.determinant"], put_in)
         half, spread = trace / 2, power(trace, 2) - 4 * product

@@ -58,7 +58,7 @@ def established(
     ]
     # the closed loop of the gains themselves, not of the factor they came from
     loop = minus(f, times(tuple((g,) for g in predictor), h))
-    residuals += [a - b for a, b in zip(_characteristic(loop), factor.coefficients, strict=True)]
+    residuals += [a - b for a, b in zip(characteristic(loop), factor.coefficients, strict=True)]
     positive = left_half_plane(circle_moved([*factor.coefficients, number(1)]))
     minors = [determinant(tuple(row[:n] for row in m[:n])) for n in range(1, size + 1)]
     facts = [
@@ -85,7 +85,7 @@ def established(
     return tuple(facts)
 
 
-def _characteristic(matrix: Exprs) -> list[Expr]:
+def characteristic(matrix: Exprs) -> list[Expr]:
     """Coefficients of det(zI - A) from power 0 up, without the leading 1: Faddeev, LeVerrier."""
     size = len(matrix)
     found: list[Expr] = []

@@ -44,7 +44,7 @@ def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environ
     state = solve(model)
     factor, size = state.factor, len(state.filter_gain)
     named = {"filter": state.filter_gain, "predictor": state.predictor_gain}
-    quantities = {**_common(), INDEX: factor.index}
+    quantities = {**_common(), **state.put_in, INDEX: factor.index}
     for i in range(size):
         quantities[f"gain.{i + 1}"] = named[gain_form][i]
         quantities[f"filter_gain.{i + 1}"] = state.filter_gain[i]

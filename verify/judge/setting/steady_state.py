@@ -12,7 +12,7 @@ and, where the parameter is not the tracking index, that it runs through all pos
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -37,7 +37,8 @@ from gainproof.verify.judge.setting.stable_factor import stable_factor
 @dataclass(frozen=True)
 class SteadyState:
     """All in units T = 1, measurement noise variance of the model; expressions of the parameter of
-    `factor`, which for one and two states is the tracking index, and for three is none.
+    `factor`, which for one and two states is the tracking index, and for three is none. `put_in` is
+    what they were solved in.
     """
 
     transition: Exprs
@@ -48,6 +49,7 @@ class SteadyState:
     updated: Exprs
     factor: Factor
     facts: tuple[Fact, ...]
+    put_in: Mapping[str, Expr] = field(default_factory=dict)
 
     @property
     def innovation(self) -> Expr:
@@ -79,6 +81,7 @@ def solve(model: Mapping[str, Any]) -> SteadyState:
         tuple(tuple(factor.placed(e) for e in row) for row in updated),
         factor.in_parameter(),
         facts,
+        dict(factor.put_in),
     )
 
 
