@@ -82,8 +82,10 @@ def enclosed(forward: Forward, image: Chain, slope: float, start: Value) -> tupl
     power = np.full(forward.grid.count, 1.0 / (1.0 - slope) * UP)
     factor = _powers(ratio(value, start, forward.grid.width), power)
     size = interval.multiply(start.size, factor)
+    # held: the same range at every corner, or slopes would be read from a number that moves
+    held = np.broadcast_to(size[0][0], size[0].shape), np.broadcast_to(size[1][0], size[1].shape)
     still = start.slope[0] * 0.0, start.slope[1] * 0.0
-    low, high = image.followed(forward, Value(size, still, start.sign))[0].slope
+    low, high = image.followed(forward, Value(held, still, start.sign))[0].slope
     root = Value(size, (np.fmin(low, low * power[0]), np.fmax(high, high * power[0])), start.sign)
     for _ in range(NARROWINGS):
         value, again = image.followed(forward, root)

@@ -16,11 +16,13 @@ from three_state_gains import FACTORS, Factor, gains_graph, gains_kernel
 
 from gainproof.bench.accuracy import ball_outputs
 from gainproof.bench.compiler import compiled, compiler
+from gainproof.derive.printer import boxes
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.c_source import c_source
 from gainproof.derive.printer.exact import enclosures
 from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
+from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.newton import Convergence, slopes
 from gainproof.derive.printer.program import program
@@ -250,3 +252,24 @@ def test_slopes_of_the_factor() -> None:
     assert (found.least, found.most) == (Fraction(0), Fraction(1, 4))
     assert (found.turn_least, found.turn_most) == (Fraction(0), Fraction(3, 32))
     assert found.curvature == Fraction(3, 16)
+
+
+@pytest.mark.parametrize("width", [1e-3, 0.3, 20.0, 1e6])
+def test_the_fixed_point_and_its_slope_are_enclosed(width: float) -> None:
+    """Over boxes narrow and wide: both ends, and the mean slope between them."""
+    steps = program(gains_graph(FACTORS["white"], "1/2"))
+    (cycle,) = steps.cycles
+    root = cycle.iterates[-1]
+    low = 10.0 ** np.random.default_rng(6).uniform(-20, 14, 40)
+    grid = boxes.grid(low[None, :], (low * (1 + width))[None, :])
+    with np.errstate(all="ignore"):
+        found = Forward(steps, grid, FLOAT64).values[root]
+    for box, (least, most) in enumerate(zip(grid.low[0], grid.high[0], strict=True)):
+        ends = [enclosures(steps, float(x), FLOAT64, 300)[root] for x in (least, most)]
+        logs = [float(end.log().mid()) for end in ends]
+        mean = (logs[1] - logs[0]) / np.log(most / least)
+        assert found.slope[0][0][box] - 1e-9 <= mean <= found.slope[1][0][box] + 1e-9
+        for corner, end in enumerate(ends, 1):
+            for row in (0, corner):
+                size = [flint.arb(float(side[row][box])) for side in found.size]
+                assert size[0] <= end <= size[1]
