@@ -65,11 +65,11 @@ def _strength(model: Model, scaled: sp.MatrixBase) -> tuple[sp.Expr, sp.Immutabl
         raise ModelError(f"model {model.name}: a process noise is wanted, all its entries are 0")
     names = _names(model)
     factors = sp.Mul.make_args(first)
-    strength = sp.Mul(*(entry for entry in factors if entry.free_symbols - names))
+    strength: sp.Expr = sp.Mul(*(entry for entry in factors if entry.free_symbols - names))
     noise = sp.ImmutableDenseMatrix((scaled / strength).applyfunc(sp.cancel))
     left = noise.free_symbols - names
     powers = all(entry.as_base_exp()[0].is_Symbol for entry in sp.Mul.make_args(strength))
-    if left or (strength != 1 and not powers):
+    if left or not (powers or strength.is_Number):
         raise ModelError(
             f"model {model.name}: the process noise should be one strength times a matrix of "
             f"numbers and of the model's parameters, the scaled noise is {scaled.tolist()}"
