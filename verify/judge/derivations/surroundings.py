@@ -10,17 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 from gainproof.verify.judge.derivations.third_state import in_tower
+from gainproof.verify.judge.derivations.tower_elements import add_roots, element_of
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, rebuilt, substituted
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import (
     Expr,
-    add,
-    mul,
     number,
     power,
     sqrt,
@@ -29,7 +27,7 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.graph import rational
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.setting.environment import (
     DEVIATION,
@@ -130,10 +128,10 @@ def surroundings(
     base = environment.parameter
     name, box = _parameter(tower, environment)
     values: dict[str, Expr] = {} if name is None else {name: symbol(name)}
-    _add_roots(values, tower)
+    add_roots(values, tower)
     for short in ABBREVIATIONS:
         if tower is not None and short in tower.get("elements", {}):
-            values[short] = _element(tower, short, values)
+            values[short] = element_of(tower, short, values)
     boxes = {} if name is None or box is None else {name: box}
     index = None if base in (None, SAMPLE) else _index(values, tower, environment)
     put_in: dict[str, Expr] = {INTERVAL: number(1), DEVIATION: number(1)}
@@ -148,7 +146,7 @@ def surroundings(
             _check_index(index, name, boxes)
         if base != INDEX:
             gains = ("alpha", "beta", "gamma") if tower is not None else ()
-            told = {g: _element(tower or {}, g, values) for g in gains} | values
+            told = {g: element_of(tower or {}, g, values) for g in gains} | values
             known = in_tower(known, base or "", told, name, boxes)
     for short, long in QUANTITIES.items():
         if long in known:
@@ -175,29 +173,6 @@ def _parameter(
     return entry["symbol"], Box(lower=rational(entry["from"]), lower_open=False, integer=whole)
 
 
-def _add_roots(values: dict[str, Expr], tower: Mapping[str, Any] | None) -> None:
-    """Every root of the tower is the positive root of its radicand: a definition, not a claim."""
-    if tower is None:
-        return
-    names = [p["symbol"] for p in tower["parameters"]] + [g["symbol"] for g in tower["generators"]]
-    for generator in tower["generators"]:
-        radicand = _polynomial(generator["radicand"], names, values)
-        values[generator["symbol"]] = power(radicand, Fraction(1, generator["power"]))
-
-
-def _polynomial(entries: Any, names: Sequence[str], values: Mapping[str, Expr]) -> Expr:
-    terms = []
-    for coefficient, exponents in entries:
-        factors = [number(rational(coefficient))]
-        for name, exponent in zip(names, exponents, strict=True):
-            if exponent:
-                if name not in values:
-                    raise Malformed(f"{name} is used before it is defined")
-                factors.append(power(values[name], exponent))
-        terms.append(mul(*factors))
-    return add(*terms) if terms else number(0)
-
-
 def _index(
     values: Mapping[str, Expr], tower: Mapping[str, Any] | None, environment: Environment
 ) -> Expr:
@@ -205,16 +180,7 @@ def _index(
         return environment.quantities[INDEX]
     if INDEX in values:
         return symbol(INDEX)
-    return _element(tower, INDEX, values)
-
-
-def _element(tower: Mapping[str, Any], name: str, values: Mapping[str, Expr]) -> Expr:
-    """A named element of a tower in terms of its parameter and roots."""
-    element = tower["elements"][name]
-    names = [p["symbol"] for p in tower["parameters"]] + [g["symbol"] for g in tower["generators"]]
-    top = _polynomial(element["num"], names, values)
-    bottom = _polynomial(element["den"], names, values)
-    return top / bottom
+    return element_of(tower, INDEX, values)
 
 
 def _check_index(index: Expr, name: str, boxes: Mapping[str, Box]) -> None:
