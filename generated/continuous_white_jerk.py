@@ -19,6 +19,7 @@ __all__ = [
     "GainDerivatives",
     "Gains",
     "GainsWithDerivatives",
+    "InnovationDeviation",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
     "PredictorGainDerivatives",
@@ -27,6 +28,7 @@ __all__ = [
     "gain_derivatives",
     "gains",
     "gains_with_derivatives",
+    "innovation_deviation",
     "predicted_covariance",
     "predicted_covariance_derivatives",
     "predictor_gain_derivatives",
@@ -919,6 +921,136 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     9,
     _predictor_gain_derivatives_block,
+)
+
+
+class InnovationDeviation(NamedTuple):
+    """Result of `innovation_deviation`."""
+
+    innovation_deviation: Real
+    """Standard deviation of an innovation over sigma_v."""
+
+
+def innovation_deviation(
+    tracking_index: ArrayLike, *, out: tuple[Real] | None = None
+) -> InnovationDeviation:
+    """Standard deviation of an innovation in units of sigma_v.
+
+        sigma = Lambda nu/8,
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
+        4.95 * 2^-52 (float64), 4.95 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out))
+
+
+def _innovation_deviation_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    (innovation_deviation,) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    p = np.sqrt(tracking_index, innovation_deviation)
+    r = np.sqrt(p, w0)
+    t5 = np.divide(2.220446049250313e-16, tracking_index, w1)
+    t7 = np.multiply(tracking_index, 4.625929269271486e-19, w2)
+    t8 = np.add(t5, t7, w1)
+    c_scaled = np.sqrt(t8, w1)
+    t11 = np.multiply(c_scaled, 67108864.0, w1)
+    t12 = np.multiply(t11, r, w2)
+    t13 = np.multiply(t12, 2.0, w2)
+    t15 = np.multiply(p, 0.5, w3)
+    t17 = np.multiply(tracking_index, 0.07083333333333333, w4)
+    t18 = np.multiply(p, r, w5)
+    t21 = np.multiply(t18, 1.5516447222296765, w5)
+    t23 = np.divide(8.0, r, w6)
+    t24 = np.add(t21, t23, w5)
+    t25 = near_cbrt(t24, w5, single)
+    t27 = np.multiply(t13, t25, w6)
+    t28 = np.add(t27, t17, w6)
+    t29 = np.sqrt(t28, w6)
+    t30 = np.multiply(t29, 2.0, w7)
+    t31 = np.add(t30, t15, w7)
+    t32 = np.sqrt(t31, w7)
+    t33 = np.multiply(t13, 0.5, w8)
+    t34 = np.multiply(t29, t32, w6)
+    t35 = np.multiply(t32, t34, w7)
+    t36 = np.multiply(t33, t25, w5)
+    t37 = np.subtract(t35, t36, w7)
+    t38 = np.subtract(t34, t33, w6)
+    t39 = np.divide(t37, t38, w7)
+    t41 = np.multiply(t13, t39, w5)
+    t42 = np.add(t41, t17, w5)
+    t43 = np.sqrt(t42, w5)
+    t44 = np.multiply(t43, 2.0, w6)
+    t45 = np.add(t44, t15, w6)
+    t46 = np.sqrt(t45, w6)
+    t47 = np.multiply(t43, t46, w5)
+    t48 = np.multiply(t46, t47, w6)
+    t49 = np.multiply(t33, t39, w7)
+    t50 = np.subtract(t48, t49, w6)
+    t51 = np.subtract(t47, t33, w5)
+    t52 = np.divide(t50, t51, w6)
+    t54 = np.multiply(t13, t52, w5)
+    t55 = np.add(t54, t17, w5)
+    t56 = np.sqrt(t55, w5)
+    t57 = np.multiply(t56, 2.0, w7)
+    t58 = np.add(t57, t15, w7)
+    t59 = np.sqrt(t58, w7)
+    t60 = np.multiply(t56, t59, w5)
+    t61 = np.multiply(t59, t60, w7)
+    t62 = np.multiply(t33, t52, w6)
+    t63 = np.subtract(t61, t62, w7)
+    t64 = np.subtract(t60, t33, w5)
+    t65 = np.divide(t63, t64, w7)
+    t67 = np.multiply(t13, t65, w5)
+    t68 = np.add(t67, t17, w5)
+    t69 = np.sqrt(t68, w5)
+    t70 = np.multiply(t69, 2.0, w6)
+    t71 = np.add(t70, t15, w6)
+    t72 = np.sqrt(t71, w6)
+    t73 = np.multiply(t69, t72, w5)
+    t74 = np.multiply(t72, t73, w6)
+    t75 = np.multiply(t33, t65, w7)
+    t76 = np.subtract(t74, t75, w6)
+    t77 = np.subtract(t73, t33, w5)
+    t78 = np.divide(t76, t77, w6)
+    t80 = np.multiply(t13, t78, w2)
+    t81 = np.add(t80, t17, w2)
+    e = np.sqrt(t81, w2)
+    t83 = np.multiply(e, 2.0, w4)
+    t84 = np.add(t83, t15, w4)
+    x = np.sqrt(t84, w4)
+    t86 = np.multiply(e, 0.5, w2)
+    t87 = np.add(t11, t86, w1)
+    t88 = np.multiply(x, r, w4)
+    t90 = np.multiply(t88, 0.25, w4)
+    t91 = np.multiply(p, 0.125, w0)
+    t92 = np.add(t90, t91, w4)
+    t93 = np.add(t87, t92, w1)
+    np.multiply(p, t93, innovation_deviation)
+
+
+_INNOVATION_DEVIATION = Signature(
+    "innovation_deviation",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("innovation_deviation",),
+    9,
+    _innovation_deviation_block,
 )
 
 

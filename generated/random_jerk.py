@@ -19,6 +19,7 @@ __all__ = [
     "GainDerivatives",
     "Gains",
     "GainsWithDerivatives",
+    "InnovationDeviation",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
     "PredictorGainDerivatives",
@@ -27,6 +28,7 @@ __all__ = [
     "gain_derivatives",
     "gains",
     "gains_with_derivatives",
+    "innovation_deviation",
     "predicted_covariance",
     "predicted_covariance_derivatives",
     "predictor_gain_derivatives",
@@ -926,6 +928,137 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
     ("position", "velocity", "acceleration"),
     9,
     _predictor_gain_derivatives_block,
+)
+
+
+class InnovationDeviation(NamedTuple):
+    """Result of `innovation_deviation`."""
+
+    innovation_deviation: Real
+    """Standard deviation of an innovation over sigma_v."""
+
+
+def innovation_deviation(
+    tracking_index: ArrayLike, *, out: tuple[Real] | None = None
+) -> InnovationDeviation:
+    """Standard deviation of an innovation in units of sigma_v.
+
+        sigma = Lambda nu/8,
+        delta = sqrt(64/Lambda^2 + 1/9),
+        xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
+        finite.
+
+    innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
+        5.01 * 2^-52 (float64), 5.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-jerk
+    """
+    return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out))
+
+
+def _innovation_deviation_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    (innovation_deviation,) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    p = np.sqrt(tracking_index, innovation_deviation)
+    r = np.sqrt(p, w0)
+    t4 = np.divide(2.220446049250313e-16, tracking_index, w1)
+    t6 = np.multiply(tracking_index, 3.854941057726238e-19, w2)
+    t7 = np.add(t4, t6, w1)
+    c_scaled = np.sqrt(t7, w1)
+    t10 = np.multiply(c_scaled, 67108864.0, w1)
+    t11 = np.multiply(t10, r, w2)
+    t13 = np.multiply(t11, 2.0, w2)
+    t15 = np.multiply(p, 0.4166666666666667, w3)
+    t17 = np.multiply(tracking_index, 0.04861111111111111, w4)
+    t18 = np.multiply(p, r, w5)
+    t21 = np.multiply(t18, 1.2504627916220945, w5)
+    t23 = np.divide(8.0, r, w6)
+    t24 = np.add(t21, t23, w5)
+    t25 = near_cbrt(t24, w5, single)
+    t27 = np.multiply(t13, t25, w6)
+    t28 = np.add(t27, t17, w6)
+    t29 = np.sqrt(t28, w6)
+    t30 = np.multiply(t29, 2.0, w7)
+    t31 = np.add(t30, t15, w7)
+    t32 = np.sqrt(t31, w7)
+    t34 = np.multiply(t13, 0.5, w8)
+    t35 = np.multiply(t29, t32, w6)
+    t36 = np.multiply(t32, t35, w7)
+    t37 = np.multiply(t34, t25, w5)
+    t38 = np.subtract(t36, t37, w7)
+    t39 = np.subtract(t35, t34, w6)
+    t40 = np.divide(t38, t39, w7)
+    t42 = np.multiply(t13, t40, w5)
+    t43 = np.add(t42, t17, w5)
+    t44 = np.sqrt(t43, w5)
+    t45 = np.multiply(t44, 2.0, w6)
+    t46 = np.add(t45, t15, w6)
+    t47 = np.sqrt(t46, w6)
+    t48 = np.multiply(t44, t47, w5)
+    t49 = np.multiply(t47, t48, w6)
+    t50 = np.multiply(t34, t40, w7)
+    t51 = np.subtract(t49, t50, w6)
+    t52 = np.subtract(t48, t34, w5)
+    t53 = np.divide(t51, t52, w6)
+    t55 = np.multiply(t13, t53, w5)
+    t56 = np.add(t55, t17, w5)
+    t57 = np.sqrt(t56, w5)
+    t58 = np.multiply(t57, 2.0, w7)
+    t59 = np.add(t58, t15, w7)
+    t60 = np.sqrt(t59, w7)
+    t61 = np.multiply(t57, t60, w5)
+    t62 = np.multiply(t60, t61, w7)
+    t63 = np.multiply(t34, t53, w6)
+    t64 = np.subtract(t62, t63, w7)
+    t65 = np.subtract(t61, t34, w5)
+    t66 = np.divide(t64, t65, w7)
+    t68 = np.multiply(t13, t66, w5)
+    t69 = np.add(t68, t17, w5)
+    t70 = np.sqrt(t69, w5)
+    t71 = np.multiply(t70, 2.0, w6)
+    t72 = np.add(t71, t15, w6)
+    t73 = np.sqrt(t72, w6)
+    t74 = np.multiply(t70, t73, w5)
+    t75 = np.multiply(t73, t74, w6)
+    t76 = np.multiply(t34, t66, w7)
+    t77 = np.subtract(t75, t76, w6)
+    t78 = np.subtract(t74, t34, w5)
+    t79 = np.divide(t77, t78, w6)
+    t81 = np.multiply(t13, t79, w2)
+    t82 = np.add(t81, t17, w2)
+    e = np.sqrt(t82, w2)
+    t84 = np.multiply(e, 2.0, w4)
+    t85 = np.add(t84, t15, w4)
+    x = np.sqrt(t85, w4)
+    t87 = np.multiply(e, 0.5, w2)
+    t88 = np.add(t10, t87, w1)
+    t89 = np.multiply(x, r, w4)
+    t91 = np.multiply(t89, 0.25, w4)
+    t92 = np.multiply(p, 0.125, w0)
+    t93 = np.add(t91, t92, w4)
+    t94 = np.add(t88, t93, w1)
+    np.multiply(p, t94, innovation_deviation)
+
+
+_INNOVATION_DEVIATION = Signature(
+    "innovation_deviation",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("innovation_deviation",),
+    9,
+    _innovation_deviation_block,
 )
 
 

@@ -25,6 +25,7 @@ INDEX_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
     "gains_with_derivatives": (kernel_forms.gains, kernel_derivatives.gain_derivatives),
     "predictor_gains": (kernel_forms.predictor_gains,),
     "predictor_gain_derivatives": (kernel_derivatives.predictor_gain_derivatives,),
+    "innovation_deviation": (kernel_forms.innovation,),
     "predicted_covariance": (kernel_forms.predicted_covariance,),
     "predicted_covariance_derivatives": (kernel_derivatives.predicted_covariance_derivatives,),
     "updated_covariance": (kernel_forms.updated_covariance,),

@@ -17,6 +17,7 @@ SUMMARIES = {
     "gains_with_derivatives": "Filter gain and its first derivatives in one pass.",
     "predictor_gains": "Steady-state predictor gain F K.",
     "predictor_gain_derivatives": "First derivatives of the predictor gain.",
+    "innovation_deviation": "Standard deviation of an innovation in units of sigma_v.",
     "predicted_covariance": "Predicted covariance in units of sigma_v^2 and T.",
     "predicted_covariance_derivatives": "First derivatives of the predicted covariance.",
     "updated_covariance": "Updated covariance in units of sigma_v^2 and T.",
@@ -34,6 +35,7 @@ MEANINGS = {
     "velocity": "velocity entry of F K times the sampling interval, beta + gamma",
     "acceleration": "acceleration entry of F K times the square of the sampling interval, gamma",
     "tracking_index": "tracking index Lambda",
+    "innovation_deviation": "standard deviation of an innovation over sigma_v",
 }
 # Squares of larger indices, and for derivatives their multiples, leave the range of the format.
 # The cube of a smaller position gain, an index, leaves it at the other end.
@@ -104,6 +106,7 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
         )
     own = {
         "gains": ("alpha = 2 (1 + eta)/nu, beta = 4 xi/nu, gamma = 8/nu,",),
+        "innovation_deviation": ("sigma = Lambda nu/8,",),
         "predicted_covariance": (
             "predicted_1j = sigma^2 (alpha, beta, gamma), sigma = Lambda nu/8,",
         ),

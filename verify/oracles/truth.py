@@ -4,7 +4,8 @@ Puts names to what the other oracles return, so that a computed number can be co
 Arguments: ``tracking_index``, or a gain (``alpha``, ``beta``) from which the index is found by
 bracketing; for growing-memory fits ``sample_number``. Quantities: gains, predictor gains
 (``position``, ...), ``predicted_ij``, ``updated_ij``; their derivatives with respect to the index
-under ``d_`` and the name, the second ones under ``dd_``; real and imaginary parts of the poles,
+under ``d_`` and the name, the second ones under ``dd_``; ``innovation_deviation``, the square root
+of the innovation variance; real and imaginary parts of the poles,
 ``first_real`` and so on.
 """
 
@@ -113,6 +114,8 @@ class FitTruth:
 def _everything(found: Enclosure) -> dict[str, Truth]:
     named = {name: _plain(ball) for name, ball in quantities.values(found).items()}
     named |= {f"d_{name}": _plain(ball) for name, ball in quantities.slopes(found).items()}
+    with flint.ctx.workprec(found.bits):
+        named["innovation_deviation"] = _plain(found.state.innovation[0][0].sqrt())
     for ordinal, pole in zip(ORDINALS, quantities.poles(found), strict=False):
         named[f"{ordinal}_real"] = Truth(pole.real, pole.modulus)
         named[f"{ordinal}_imaginary"] = Truth(pole.imaginary, pole.modulus)

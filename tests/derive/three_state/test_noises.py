@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
+from catalogue_subjects import subject
 
 from gainproof.derive.families.kinematic_acceleration import position_velocity_acceleration_model
 from gainproof.derive.model import Model, ModelError
 from gainproof.derive.quantity import METRE, SAMPLING_INTERVAL, SECOND, Quantity
+from gainproof.derive.steady_state.spectrum import V
 from gainproof.derive.three_state.context import context
+from gainproof.derive.three_state.spectrum import factorise
 from gainproof.derive.three_state.three_state import derive_three_state
 from gainproof.verify.certificate import check
 
@@ -25,12 +28,12 @@ def model(*column: sp.Rational) -> Model:
 
 
 def test_a_fifth_noise_needs_its_process_noise_only() -> None:
-    subject = derive_three_state(model(sp.Rational(1, 4), sp.Rational(3, 4), sp.Integer(1)), ())
+    fifth = derive_three_state(model(sp.Rational(1, 4), sp.Rational(3, 4), sp.Integer(1)), ())
     report = check(
-        subject.certificate(),
-        claims=subject.claims(),
-        model=subject.model_data,
-        domain=subject.domains(),
+        fifth.certificate(),
+        claims=fifth.claims(),
+        model=fifth.model_data,
+        domain=fifth.domains(),
     )
     assert report.accepted, report.reason
     assert len(report.statements) > 120
@@ -44,6 +47,21 @@ def test_numbers_of_the_spectrum_come_out_of_the_model() -> None:
         sp.Rational(7, 9),
         sp.Rational(1, 9),
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "noise"),
+    [
+        ("acceleration-increments", (4 - V) / 4),
+        ("wiener-acceleration", (4 - V) / 4),
+        ("random-jerk", (6 - V) ** 2 / 36),
+        ("continuous-white-jerk", (V**2 - 30 * V + 120) / 120),
+    ],
+)
+def test_noise_polynomial_is_that_of_the_literature(name: str, noise: sp.Expr) -> None:
+    found = subject(name).model
+    assert found is not None
+    assert sp.expand(factorise(found).noise - noise) == 0
 
 
 def test_a_noise_with_a_negative_coefficient_is_refused() -> None:

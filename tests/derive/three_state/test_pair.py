@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sympy as sp
 from catalogue_subjects import subject
 
 from gainproof.derive.algebra.tower import Tower
@@ -37,6 +38,14 @@ def test_the_page_of_the_second_says_so_and_proves_it() -> None:
     ids = {step.id for step in subject(SECOND).derivation.steps}
     assert {"twin-spectrum", "twin-covariance"} <= ids
     assert "twin-spectrum" not in {step.id for step in subject(FIRST).derivation.steps}
+
+
+def test_poles_of_white_jerk_turn_real_at_a_number_with_a_root() -> None:
+    steps = {step.id: step for step in subject("continuous-white-jerk").derivation.steps}
+    turning = real("tracking_index") ** 2 - steps["discriminant"].relation.parts["right"]
+    known = sp.Rational(4320, 7) * (3 * sp.sqrt(15) - 10)
+    assert sp.simplify(turning.subs(real("root_15"), sp.sqrt(15)) - known) == 0
+    assert "real-radicals" not in {s.id for s in subject("random-jerk").derivation.steps}
 
 
 def test_poles_turn_real_at_432() -> None:
