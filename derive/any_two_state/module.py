@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy
 
+from gainproof.derive.any_two_state import forms
 from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.kernels import KERNELS, SCALE, Made, difference, made
 from gainproof.derive.model import ModelError
@@ -37,10 +39,7 @@ MEANINGS = {
     "updated_22": "variance of the updated second state",
 }
 INDEX_RANGE, SINGLE_RANGE = ("1e-20", "1e20"), ("1e-4", "1e4")
-EQUATIONS = (
-    "d0^2 = f0^2 + q n0, d2^2 = f2^2 + q n1, d1^2 = f1^2 - 2 f0 f2 + q (n0 + n1) + 2 d0 d2,",
-    "sigma = (d0 + d1 + d2)/4, q = Lambda^2; all computed without that subtraction;",
-)
+WIDTH = 88
 
 
 @dataclass(frozen=True)
@@ -85,7 +84,7 @@ def _kernel(c: Context, name: str, found: Made) -> Kernel:
         name=name,
         result="".join(word.capitalize() for word in name.split("_")),
         summary=SUMMARIES[name],
-        equations=(*EQUATIONS, *_numbers(c)),
+        equations=_equations(c),
         inputs=_inputs(c, found),
         outputs=tuple(
             Output(
@@ -105,10 +104,40 @@ def _kernel(c: Context, name: str, found: Made) -> Kernel:
     )
 
 
-def _numbers(c: Context) -> tuple[str, ...]:
+def _equations(c: Context) -> tuple[str, ...]:
+    """What the outputs are, over the roots; lines of the docstring's width."""
     f0, f1, f2 = c.shape.open_loop
     n0, n1 = c.shape.noise_ends
-    return (f"f0 = {f0}, f1 = {f1}, f2 = {f2},", f"n0 = {n0}, n1 = {n1}")
+    f11, f12, f21, f22 = (c.shape.entry(i, j) for i in (1, 2) for j in (1, 2))
+    texts = [
+        (
+            "d0^2 = f0^2 + q n0, d2^2 = f2^2 + q n1, d1^2 = f1^2 - 2 f0 f2 + q (n0 + n1) + 2 d0 d2,"
+            " sigma = (d0 + d1 + d2)/4, q = Lambda^2;"
+        ),
+        f"f0 = {f0}, f1 = {f1}, f2 = {f2}, n0 = {n0}, n1 = {n1};",
+        "alpha = 1 - 1/sigma^2,",
+    ]
+    if forms.below_beta(c.basis) is None:
+        texts.append(
+            f"({f12}) sigma beta = ({f22}) sigma + (d0 - d2)/2 + (1 - alpha) ({f11}) sigma;"
+        )
+    else:
+        first, second = forms.couplings(c.basis)
+        weights = " + ".join(f"({w}) d{i}" for i, w in enumerate(c.basis.far_weights) if w != 0)
+        texts.append(
+            f"beta (sigma W/4 - ({f12 * f21})) = ({first}) alpha + ({second}) q, W = {weights};"
+        )
+    texts += [
+        (
+            "predicted_11 = sigma^2 - 1, predicted_12 = beta sigma^2, updated_11 = alpha, "
+            "updated_12 = beta, predicted_22 = updated_22 + beta^2 sigma^2."
+        ),
+        (
+            "All of it is computed from sums, products, quotients and roots of positive terms"
+            " but where an output is said to be a difference."
+        ),
+    ]
+    return tuple(line for text in texts for line in textwrap.wrap(text, WIDTH))
 
 
 def _inputs(c: Context, found: Made) -> tuple[Input, ...]:
