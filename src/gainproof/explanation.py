@@ -7,7 +7,7 @@ from typing import Any
 
 from gainproof import witness_text
 from gainproof.page import WIDTH, filled
-from gainproof.verdict_reason import reason, repair_of, solutions
+from gainproof.verdict_reason import is_of_slope, reason, repair_of, solutions
 from gainproof.verify.judge.explain import sections
 
 Claim = Mapping[str, Any]
@@ -27,7 +27,10 @@ def explanation(claim: Claim, columns: int = WIDTH, words: str = "") -> str:
     for label, value in _facts(claim):
         lines += filled(value, f"{label + ':':<{_LABEL}}", " " * _LABEL, columns)
     witness = claim["evidence"]["witness"]
-    parts = [("Counterexample", _witness(witness)), ("Nearest true formula", _repairs(claim))]
+    parts = [
+        ("Counterexample", _witness(witness, is_of_slope(claim))),
+        ("Nearest true formula", _repairs(claim)),
+    ]
     parts += [(section.title, list(section.lines)) for section in sections(certificate)]
     others = certificate.get("against other conventions", {})
     parts.append(("Fails under other conventions", _others(others, witness)))
@@ -57,14 +60,19 @@ def _facts(claim: Claim) -> list[tuple[str, str]]:
     return [(label, str(value)) for label, value in found if value]
 
 
-def _witness(witness: Any) -> list[str]:
-    """The point, both sides and the quantities there, in full."""
+def _witness(witness: Any, is_slope: bool = False) -> list[str]:
+    """The point, both sides and the quantities there, in full; of a trend, the derivative and what
+    is asked of it.
+    """
     if not witness:
         return []
     if isinstance(witness, str):
         return [witness]
     lines = [witness_text.at_point(witness)] if witness["point"] else []
-    for side in ("left", "right"):
+    asked = witness_text.slope_asked(witness) if is_slope else ""
+    if asked:
+        lines += [f"derivative: {witness_text.ball(witness['left'])}", f"claimed: {asked}"]
+    for side in ("left", "right") if not asked else ():
         value = witness[side]
         text = value.get("undefined") or witness_text.ball(value)
         lines.append(f"{side} side: {text}")

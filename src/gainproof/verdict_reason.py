@@ -11,6 +11,8 @@ Claim = Mapping[str, Any]
 
 NO_REPAIR = "no misprint-like repair found"
 """What the judge says where it looked for a repair and found none."""
+_OF_SLOPE = "sign of the derivative"
+"""How the method begins that holds a trend against a derivative."""
 DECIDED_AS_STATED = frozenset({"proved", "definition"})
 
 
@@ -52,12 +54,18 @@ def reason(claim: Claim) -> str:
     """The ground of a verdict that is not simply `proved`: the witness, if there is one."""
     witness = claim["evidence"]["witness"]
     if isinstance(witness, Mapping):
-        return f"{_against(claim, witness)}{witness_text.in_words(witness)}"
+        told = witness_text.slope_in_words if is_of_slope(claim) else witness_text.in_words
+        return f"{_against(claim, witness)}{told(witness)}"
     if claim["verdict"] in DECIDED_AS_STATED:
         return ""
     if claim["verdict"] == "undefined" and solutions(claim):
         return ""
     return str(claim["reason"] or "")
+
+
+def is_of_slope(claim: Claim) -> bool:
+    """Whether the sides of a witness are a derivative and 0: nobody printed such a formula."""
+    return str(claim["evidence"]["method"]).startswith(_OF_SLOPE)
 
 
 def solutions(claim: Claim) -> list[str]:

@@ -11,6 +11,8 @@ _DIGITS = 6
 _MOST_DIGITS = 40
 _APPROACH = "->"
 """How the value of a symbol begins that tends to a point instead of having a value."""
+_SLOPES = {">": "above", "<": "below", ">=": "at least", "<=": "at most"}
+"""What a trend asks of a derivative, in words, by the operator of its witness."""
 _NO_VALUE = "a side has no value"
 """The note of a witness at which a side is not defined."""
 
@@ -47,6 +49,23 @@ def sides(witness: Mapping[str, Any]) -> str:
 def in_words(witness: Mapping[str, Any]) -> str:
     """`at r = 1 the left side is 0.5, the right 4.5`."""
     return f"{at_point(witness)} {sides(witness)}".strip()
+
+
+def slope_in_words(witness: Mapping[str, Any]) -> str:
+    """`at S = 3 the derivative is 0.5, not at most 0`, for the witness against a trend."""
+    asked = slope_asked(witness)
+    if not asked or _is_approach(witness):
+        return in_words(witness)
+    slope = _shown(witness["left"], _DIGITS)
+    return f"{at_point(witness)} the derivative is {slope}, not {asked}".strip()
+
+
+def slope_asked(witness: Mapping[str, Any]) -> str:
+    """`at most 0`: what a trend asks of the left side; empty where a side has no value."""
+    word = _SLOPES.get(str(witness.get("operator")))
+    if word is None or any(witness[side].get("undefined") for side in ("left", "right")):
+        return ""
+    return f"{word} {_shown(witness['right'], _DIGITS)}"
 
 
 def ball(value: Mapping[str, Any]) -> str:

@@ -49,6 +49,15 @@ def test_a_counterexample_is_shown_in_full_and_once() -> None:
     assert "nowhere" not in text
 
 
+def test_against_a_trend_stand_the_derivative_and_what_is_asked_of_it() -> None:
+    witness = {**WITNESS, "operator": "<=", "right": {"midpoint": "0", "radius": "0"}}
+    trend = claim(witness=witness, kind="monotone", latex="")
+    trend["evidence"]["method"] = "sign of the derivative; towers"
+    text = explanation(trend)
+    assert "  derivative: 0.5\n  claimed: at most 0\n" in text
+    assert "side" not in text
+
+
 def test_other_conventions_have_a_line_each_and_the_one_shown_none() -> None:
     others = {"noise A": WITNESS, "noise B": {**WITNESS, "point": {"r": "2"}}, "noise C": "why"}
     text = explanation(claim(witness=WITNESS, certificate={"against other conventions": others}))

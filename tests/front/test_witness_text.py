@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from gainproof import witness_text
@@ -85,3 +87,17 @@ def test_a_side_without_value() -> None:
     side = {"midpoint": "", "radius": "", "undefined": "division by zero"}
     text = witness_text.in_words({**WITNESS, "right": side})
     assert text == "at r = 1 the right side has no value (division by zero)"
+
+
+@pytest.mark.parametrize(
+    ("changed", "shown"),
+    [
+        ({"operator": "<="}, "at r = 1 the derivative is 0.5, not at most 0"),
+        ({"operator": ">", "point": {}}, "the derivative is 0.5, not above 0"),
+        ({"point": {"r": "-> 0"}, "operator": "<"}, "as r -> 0 the left side is 0.5, the right 0"),
+        ({"left": {"undefined": "infinity"}, "operator": "<"}, "the left side has no value"),
+    ],
+)
+def test_against_a_trend_stands_the_derivative(changed: dict[str, Any], shown: str) -> None:
+    witness = {**WITNESS, "right": {"midpoint": "0", "radius": "0"}, **changed}
+    assert shown in witness_text.slope_in_words(witness)
