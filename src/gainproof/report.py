@@ -93,9 +93,18 @@ def summary(findings: Findings) -> str:
         *(f"{'':18}{report['subject']}: {report['reason']}" for report in findings.rejected),
         _line("claims", verdict_text.counts(list(findings.judgements))),
         _line("snapshot", _snapshot(findings)),
-        *(f"{'':18}{line}" for lines in findings.changes.values() for line in lines),
+        *_changes(findings),
     ]
     return "\n".join(lines) + "\n"
+
+
+def _changes(findings: Findings) -> list[str]:
+    """Each change under its claim file: claims of two sources may have one name."""
+    lines = []
+    for file, changes in findings.changes.items():
+        if changes:
+            lines += [f"{'':18}{file}", *(f"{'':20}{change}" for change in changes)]
+    return lines
 
 
 def certificates_text(findings: Findings) -> str:

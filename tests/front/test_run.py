@@ -166,6 +166,7 @@ def test_a_changed_verdict_has_status_1_until_accepted(house: House, capsys: Cap
     path.write_text(CLAIMS.replace(r"2\beta", r"3\beta"))
     assert house.run() == 1
     out = capsys.readouterr().out
+    assert "own-paper.toml\n" in out
     assert "verdict was proved, is refuted" in out
     assert "run --accept" in out
     assert house.run("--accept") == 0
