@@ -22,7 +22,7 @@ TITLE = "Position and velocity measured, continuous white acceleration"
 STRENGTH = Quantity(
     "acceleration_deviation",
     r"\sigma_a",
-    "standard deviation of the acceleration noise, whose mean over one interval it is",
+    "standard deviation of the acceleration noise, averaged over one interval",
     METRE / SECOND**2,
 )
 

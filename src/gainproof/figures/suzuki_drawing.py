@@ -72,8 +72,8 @@ def draw_figure_2(table: Table, sheet: Figure) -> None:
         "va": "center",
         "color": "0.25",
     }
-    axes.text(0.20, 0.22, "as good as a velocity\nknown exactly", **words)
-    axes.text(0.62, 0.80, "no better than\nposition alone", **words)
+    axes.text(0.20, 0.22, "within 10 % of a\nvelocity known exactly", **words)
+    axes.text(0.62, 0.80, "within 10 % of\nposition alone", **words)
     axes.text(0.76, 0.35, "the step of $G_1$", **words)
 
 
