@@ -122,7 +122,8 @@ def _turning_step(found: Turning, discriminant: sp.Expr) -> list[Step]:
         Step(
             "real-radicals",
             "There, too, real radicals end: up to that index Cardano's formula gives `v` by real "
-            "roots of real numbers; beyond it, with three real `v`, no such formula exists.",
+            "roots of real numbers; beyond it, with three real `v`, there is none unless the cubic "
+            "has a rational factor.",
             _casus(),
             "The theorem on the casus irreducibilis is cited, not proved here. The equations of "
             "step @three-equations need no such formula.",
