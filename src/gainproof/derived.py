@@ -37,7 +37,8 @@ class Derived:
     of the works this rests on (key, text, rests_on). `kernels`: name, summary and module of each.
 
     What the certificate is expected to prove: `claims`; for the parameters in `domains`, by tower;
-    of the `programs`, whose graphs are those that the kernels are printed from.
+    of the `programs`, whose graphs are those that the kernels are printed from; and of what the
+    names mean in the towers of its own `certificate`.
     """
 
     name: str

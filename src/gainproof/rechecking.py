@@ -17,6 +17,7 @@ def expected_of(derived: Derived) -> dict[str, Any]:
         "model": derived.model,
         "domain": dict(derived.domains),
         "programs": dict(derived.programs),
+        "towers": dict(derived.certificate["towers"]),
         "kernels": [kernel["name"] for kernel in derived.kernels],
     }
 
@@ -33,6 +34,7 @@ def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
         model=expected["model"],
         domain=expected["domain"],
         programs=expected["programs"],
+        towers=expected["towers"],
     )
     statements = [
         {

@@ -78,12 +78,13 @@ def test_another_subject_is_refused(pair: tuple[Plain, Plain]) -> None:
     assert "'random-velocity' is expected" in report["reason"]
 
 
-@pytest.mark.parametrize("part", ["model", "domain", "claims"])
+@pytest.mark.parametrize("part", ["model", "domain", "towers", "claims"])
 def test_each_part_of_what_is_expected_counts(part: str, pair: tuple[Plain, Plain]) -> None:
     certificate, expected = pair
     other: dict[str, Any] = {
         "model": {**expected["model"], "process_noise": [["1/4", "1/2"], ["1/2", "1"]]},
         "domain": {**expected["domain"], "main": [{"symbol": "p", "above": "1"}]},
+        "towers": {"main": expected["towers"]["main"], "side": expected["towers"]["main"]},
         "claims": expected["claims"][:-1],
     }
     report = recheck(certificate, {**expected, part: other[part]})

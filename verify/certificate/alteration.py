@@ -1,7 +1,7 @@
 """The campaign: every number altered, every field deleted, and each time a rejection.
 
 A certificate that could be changed without notice would hold something on which nothing depends.
-The original's own claims, domains and programs are what is expected of each altered certificate.
+The original's own claims, towers and programs are what is expected of each altered certificate.
 Only what an alteration can affect is decided again; whatever then seems accepted is confirmed by
 a complete check before it is counted so.
 """
@@ -134,4 +134,4 @@ def _expected(certificate: Plain) -> dict[str, Any]:
         for s in schema.items(fields["statements"], "statements")
     ]
     domain = {name: schema.table(tower, name)["parameters"] for name, tower in towers.items()}
-    return {"claims": claims, "domain": domain, "programs": fields["programs"]}
+    return {"claims": claims, "domain": domain, "programs": fields["programs"], "towers": towers}

@@ -19,16 +19,17 @@ def check(
     model: Mapping[str, Any] | None = None,
     domain: Mapping[str, Any] | None = None,
     programs: Mapping[str, Any] | None = None,
+    towers: Mapping[str, Any] | None = None,
 ) -> CertificateReport:
     """Decide every statement of a certificate, exactly.
 
     ``claims`` (records of id, kind, claim, and tower unless it is "main", in order), ``model``
     (the model of every statement about one), ``domain`` (the parameters of every tower by its
-    name) and ``programs`` are what the caller expects; any difference is a rejection. What is not
-    given is not compared.
+    name), ``programs`` and ``towers`` (by name, whole: what every name in a claim stands for) are
+    what the caller expects; any difference is a rejection. What is not given is not compared.
     """
     try:
-        expectation = read_expectation(claims, model, domain, programs)
+        expectation = read_expectation(claims, model, domain, programs, towers)
         value = plain(certificate)
         document = read_document(value, Meter())
         disagreement = expectation.of_document(value)

@@ -1,7 +1,9 @@
 """What the caller expects a certificate to claim, compared with what it claims.
 
 A certificate that is right about something else is worthless: about another family's model, on a
-smaller domain, of another kernel. So whoever asks for a check says what is to be proved.
+smaller domain, of another kernel, of other quantities under the same names: the model fixes the
+steady state of one tower, and what the names mean in the others is nothing that a statement shows.
+So whoever asks for a check says what is to be proved.
 """
 
 from __future__ import annotations
@@ -24,6 +26,7 @@ class Expectation:
     model: Plain | None
     domain: dict[str, Plain] | None
     programs: Plain | None
+    towers: Plain | None = None
 
     def of_document(self, certificate: Plain) -> str | None:
         """The first disagreement outside the statements, as a sentence."""
@@ -38,6 +41,10 @@ class Expectation:
                 name: schema.table(tower, name)["parameters"] for name, tower in towers.items()
             }
             found = difference(parameters, self.domain, "domain")
+            if found is not None:
+                return found
+        if self.towers is not None:
+            found = difference(fields["towers"], self.towers, "towers")
             if found is not None:
                 return found
         statements = schema.items(fields["statements"], "statements")
@@ -74,6 +81,7 @@ def read_expectation(
     model: Mapping[str, Any] | None,
     domain: Mapping[str, Any] | None,
     programs: Mapping[str, Any] | None,
+    towers: Mapping[str, Any] | None = None,
 ) -> Expectation:
     """Copy what is expected into plain data. Raises RejectedError where that is malformed."""
     return Expectation(
@@ -81,6 +89,7 @@ def read_expectation(
         None if model is None else plain(model),
         None if domain is None else schema.table(plain(domain), "domain"),
         None if programs is None else plain(programs),
+        None if towers is None else plain(towers),
     )
 
 

@@ -12,6 +12,7 @@ from tests.verify.certificate.toy_families import MODEL
 from tests.verify.certificate.toy_writer import expectations, graph
 
 from gainproof.verify.certificate import check
+from gainproof.verify.certificate.alteration import Campaign
 
 Data = dict[str, Any]
 
@@ -102,3 +103,34 @@ def test_same_number_of_another_type(acceleration: Data) -> None:
     expected = expectations(deepcopy(acceleration))
     expected["claims"][0]["claim"]["left"]["outputs"]["value"] = False
     assert not check(acceleration, **expected).accepted
+
+
+def test_other_quantities_under_the_same_names() -> None:
+    """A limit of p/(1 + p) is one of p/(2 + p) too: only the tower says of what it is told."""
+    side: Data = {
+        "parameters": [{"symbol": "p", "above": "0"}],
+        "generators": [],
+        "elements": {"share": {"num": [["1", [1]]], "den": [["1", [1]], ["1", [0]]]}},
+    }
+    claim = {
+        "expression": graph(sp.Symbol("share")),
+        "variable": "p",
+        "point": "0",
+        "value": graph(sp.Integer(0)),
+    }
+    evidence = {"weights": {}, "constants": [], "boundary": {}, "nonzero": []}
+    certificate: Data = {
+        "format": "gainproof certificate 1",
+        "subject": "a limit",
+        "towers": {"side": side},
+        "programs": {},
+        "statements": [
+            {"id": "end", "kind": "limit", "tower": "side", "claim": claim, "evidence": evidence}
+        ],
+    }
+    expected = {**expectations(certificate), "towers": deepcopy(certificate["towers"])}
+    assert check(certificate, **expected).accepted
+    side["elements"]["share"]["den"][1][0] = "2"
+    assert check(certificate).accepted
+    assert "towers.side.elements.share" in check(certificate, **expected).reason
+    assert not Campaign(certificate).run().accepted
