@@ -12,9 +12,9 @@ of the stated domain; a true statement with poor evidence is rejected.
     report.accepted, report.reason, report.statements
 
 A certificate that is right about something else is worthless, so tell :func:`check` what you
-expect: ``claims``, ``model``, ``domain``, ``programs``, ``towers`` (only these say what the names in
-a claim stand for). Nothing in a file makes the functions here raise or run on: malformed, huge or
-hostile data is rejected with a reason.
+expect: ``claims``, ``model``, ``domain``, ``programs`` and ``towers``, which alone say what the
+names in a claim stand for. Nothing in a file makes the functions here raise or run on: malformed,
+huge or hostile data is rejected with a reason.
 
 The file
 --------
