@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-
 import sympy as sp
 
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
@@ -13,9 +11,9 @@ from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
 from gainproof.derive.steady_state.two_state import derive_two_state
 from gainproof.derive.subject import Subject
+from gainproof.derive.three_state.three_state import derive_three_state
 from gainproof.derive.vector_measurement.position_velocity import derive_position_velocity
 
-THREE_STATES = "gainproof.derive.three_state.three_state"
 KINEMATIC_3 = sp.ImmutableDenseMatrix([[1, 1, sp.Rational(1, 2)], [0, 1, 1], [0, 0, 1]])
 KINEMATIC = sp.ImmutableDenseMatrix([[1, 1], [0, 1]])
 
@@ -61,11 +59,7 @@ def _three_states(model: Model, scaled: ScaledModel) -> Subject:
             f"{scaled.transition.tolist()}, whose spectrum is a cubic without a tower here"
         )
     try:
-        method = import_module(THREE_STATES)
-    except ModuleNotFoundError:
-        raise ModelError(f"model {model.name}: no method for three states is there") from None
-    try:
-        found: Subject = method.derive_three_state(model, ())
+        return derive_three_state(model, ())
     except ModelError:
         raise
     except (ValueError, ArithmeticError) as error:
@@ -73,4 +67,3 @@ def _three_states(model: Model, scaled: ScaledModel) -> Subject:
             f"model {model.name}: the process noise {scaled.process_noise.tolist()} is outside the "
             f"reach of the method for three states: {error}"
         ) from error
-    return found

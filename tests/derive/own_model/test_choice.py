@@ -67,3 +67,10 @@ def test_both_measured_and_not_kinematic_is_refused() -> None:
     fading = sp.ImmutableDenseMatrix([[1, T], [0, HALF]])
     with pytest.raises(ModelError, match="a position and its rate, both measured, are wanted"):
         derive_own_model(replace(both_measured(), transition=fading))
+
+
+def test_three_kinematic_states() -> None:
+    transition = [[1, 1, HALF], [0, 1, 1], [0, 0, 1]]
+    for noise in (sp.diag(0, 0, 1), sp.diag(0, 5, 1)):
+        model = own_model(transition, noise.tolist())
+        assert "gains" in kernels(derive_own_model(model))
