@@ -13,7 +13,9 @@ OPEN, ENTRY, ROW, CLOSE = "\x0e", "\x1f", "\x1e", "\x0f"
 _INNERMOST = re.compile(f"{OPEN}([^{OPEN}{CLOSE}]*){CLOSE}")
 _CONTINUED = "    "
 _RELATIONS = (" = ", " -> ")
-_SIGNS = (*_RELATIONS, " + ", " - ", " as ")
+_SIGNS = (*_RELATIONS, " > ", " < ", " >= ", " <= ", " + ", " - ", " as ")
+_ARROW_OF_AN_END = re.compile(r" as \w+$")
+"""What stands before the arrow of `as p -> infinity`, which stays on the line of its `as`."""
 
 
 def marked_matrix(rows: Sequence[Sequence[str]]) -> str:
@@ -69,6 +71,8 @@ def _cut(text: str, width: int) -> int:
     found: list[tuple[int, int, int]] = []
     for place, character in enumerate(text[: width + 1]):
         depth += (character in "([") - (character in ")]")
+        if _ARROW_OF_AN_END.search(text, 0, place):
+            continue
         if character == " " and place > 2 * len(_CONTINUED):
             sign = text.startswith(_SIGNS, place)
             # early in the line only an equals sign or an arrow is worth a break

@@ -53,3 +53,14 @@ def test_a_sum_is_broken_outside_its_parentheses_where_that_can_be_had() -> None
         "    + b0 b1 (1/2 + c)",
         "        (d0 + d1)/(1 + e0 e1)",
     ]
+
+
+def test_a_comparison_goes_on_with_its_sign() -> None:
+    assert set_formula("a + bbbbbbbb + cccccccc > 0", 25) == ["a + bbbbbbbb + cccccccc", "    > 0"]
+
+
+def test_an_end_stays_on_one_line() -> None:
+    assert set_formula("alpha -> bbbbbbbbbbbb as p -> infinity", 30) == [
+        "alpha -> bbbbbbbbbbbb",
+        "    as p -> infinity",
+    ]
