@@ -30,7 +30,12 @@ def derivative_steps(c: Context) -> list[Step]:
     fast, slow = SIGMA * (2 * K12 + K22), REST + 2 * P22 / (RATIO**2 * SIGMA)
     rate, lead = SIGMA * K22, P11 - n * P12
     one_end = one_end_text(c)
-    second = f" Of the noise's two directions the second adds the terms with {d}." if d else ""
+    second = (
+        " `Q0` is `c c'` with its second column `c`, and beyond that "
+        f"{d} in entry 11: that adds the terms with {d}."
+        if d
+        else ""
+    )
     return [
         Step(
             "derivative-predicted-22-velocity-ratio",

@@ -143,7 +143,7 @@ def _solved(c: Context) -> list[Step]:
             "For short let `kappa` be this quantity. It says how strongly the measured velocity "
             "holds the cross covariances down, and is small where `S` is large.",
             equal(COUPLING, SPEED * share / RATIO),
-            "Its name; what it is good for shows the next step.",
+            "Its name; the next step shows what it is good for.",
         ),
         Step(
             "cross-solved",
