@@ -44,13 +44,13 @@ _TRACKING_INDEX_DOMAIN = Domain(
 )
 _TRACKING_INDEX_DOMAIN_2 = Domain(
     "tracking_index",
-    "a number above 0 and at most 6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048, in float32 above 0 and at most 9223372036854775808",
+    "a number above 0 and at most 2^511, in float32 above 0 and at most 2^63",
     (5e-324, 6.703903964971299e153),
     (1.401298464324817e-45, 9.223372036854776e18),
 )
 _TRACKING_INDEX_DOMAIN_3 = Domain(
     "tracking_index",
-    "a number above 0 and at most 10715086071862673209484250490600018105614048117055336074437503883703510511249361224931983788156958581275946729175531468251871452856923140435984577574698574803934567774824230985421074605062371141877954182153046474983581941267398767559165543946077062914571196477686542167660429831652624386837205668069376, in float32 above 0 and at most 1329227995784915872903807060280344576",
+    "a number above 0 and at most 2^1000, in float32 above 0 and at most 2^120",
     (5e-324, 1.0715086071862673e301),
     (1.401298464324817e-45, 1.329227995784916e36),
 )
@@ -1090,9 +1090,7 @@ def predicted_covariance(
 
     tracking_index: Lambda, with Lambda^2 =
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
-        most
-        6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048,
-        in float32 above 0 and at most 9223372036854775808.
+        most 2^511, in float32 above 0 and at most 2^63.
 
     predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.92 *
         2^-52 (float64), 10.91 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -1289,9 +1287,7 @@ def predicted_covariance_derivatives(
 
     tracking_index: Lambda, with Lambda^2 =
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
-        most
-        10715086071862673209484250490600018105614048117055336074437503883703510511249361224931983788156958581275946729175531468251871452856923140435984577574698574803934567774824230985421074605062371141877954182153046474983581941267398767559165543946077062914571196477686542167660429831652624386837205668069376,
-        in float32 above 0 and at most 1329227995784915872903807060280344576.
+        most 2^1000, in float32 above 0 and at most 2^120.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
         error at most 14.42 * 2^-52 (float64), 14.38 * 2^-23 (float32), proved for 5e-324 <=
@@ -1560,9 +1556,7 @@ def updated_covariance(
 
     tracking_index: Lambda, with Lambda^2 =
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
-        most
-        6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048,
-        in float32 above 0 and at most 9223372036854775808.
+        most 2^511, in float32 above 0 and at most 2^63.
 
     updated_11: variance of the updated position over sigma_v^2. Relative error at most 6.19 * 2^-52
         (float64), 6.20 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=

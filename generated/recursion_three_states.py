@@ -160,7 +160,11 @@ def covariance(
     Source: derivation recursion-three-states
     """
     return Covariance(
-        *evaluate(_COVARIANCE, (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear), out)
+        *evaluate(
+            _COVARIANCE,
+            (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear),
+            out,
+        )
     )
 
 
@@ -186,7 +190,14 @@ def _covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -
 
 _COVARIANCE = Signature(
     "covariance",
-    (_DIAGONAL_1_DOMAIN, _DIAGONAL_2_DOMAIN, _DIAGONAL_3_DOMAIN, _FIRST_SHEAR_DOMAIN, _SECOND_SHEAR_DOMAIN, _THIRD_SHEAR_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _DIAGONAL_3_DOMAIN,
+        _FIRST_SHEAR_DOMAIN,
+        _SECOND_SHEAR_DOMAIN,
+        _THIRD_SHEAR_DOMAIN,
+    ),
     (
         "covariance_11",
         "covariance_12",
@@ -264,7 +275,19 @@ def gains(
     Source: derivation recursion-three-states
     """
     return Gains(
-        *evaluate(_GAINS, (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear, measurement_variance), out)
+        *evaluate(
+            _GAINS,
+            (
+                diagonal_1,
+                diagonal_2,
+                diagonal_3,
+                first_shear,
+                second_shear,
+                third_shear,
+                measurement_variance,
+            ),
+            out,
+        )
     )
 
 
@@ -301,7 +324,15 @@ def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> Non
 
 _GAINS = Signature(
     "gains",
-    (_DIAGONAL_1_DOMAIN, _DIAGONAL_2_DOMAIN, _DIAGONAL_3_DOMAIN, _FIRST_SHEAR_DOMAIN, _SECOND_SHEAR_DOMAIN, _THIRD_SHEAR_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _DIAGONAL_3_DOMAIN,
+        _FIRST_SHEAR_DOMAIN,
+        _SECOND_SHEAR_DOMAIN,
+        _THIRD_SHEAR_DOMAIN,
+        _MEASUREMENT_VARIANCE_DOMAIN,
+    ),
     ("position_gain", "velocity_gain", "acceleration_gain", "innovation_variance"),
     5,
     _gains_block,
@@ -380,7 +411,19 @@ def update(
     Source: derivation recursion-three-states
     """
     return Update(
-        *evaluate(_UPDATE, (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear, measurement_variance), out)
+        *evaluate(
+            _UPDATE,
+            (
+                diagonal_1,
+                diagonal_2,
+                diagonal_3,
+                first_shear,
+                second_shear,
+                third_shear,
+                measurement_variance,
+            ),
+            out,
+        )
     )
 
 
@@ -425,7 +468,15 @@ def _update_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> No
 
 _UPDATE = Signature(
     "update",
-    (_DIAGONAL_1_DOMAIN, _DIAGONAL_2_DOMAIN, _DIAGONAL_3_DOMAIN, _FIRST_SHEAR_DOMAIN, _SECOND_SHEAR_DOMAIN, _THIRD_SHEAR_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _DIAGONAL_3_DOMAIN,
+        _FIRST_SHEAR_DOMAIN,
+        _SECOND_SHEAR_DOMAIN,
+        _THIRD_SHEAR_DOMAIN,
+        _MEASUREMENT_VARIANCE_DOMAIN,
+    ),
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     5,
     _update_block,
@@ -508,7 +559,20 @@ def predict_acceleration_increments(
     Source: derivation recursion-three-states
     """
     return PredictAccelerationIncrements(
-        *evaluate(_PREDICT_ACCELERATION_INCREMENTS, (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear, interval, strength), out)
+        *evaluate(
+            _PREDICT_ACCELERATION_INCREMENTS,
+            (
+                diagonal_1,
+                diagonal_2,
+                diagonal_3,
+                first_shear,
+                second_shear,
+                third_shear,
+                interval,
+                strength,
+            ),
+            out,
+        )
     )
 
 
@@ -561,7 +625,16 @@ def _predict_acceleration_increments_block(
 
 _PREDICT_ACCELERATION_INCREMENTS = Signature(
     "predict_acceleration_increments",
-    (_DIAGONAL_1_DOMAIN, _DIAGONAL_2_DOMAIN, _DIAGONAL_3_DOMAIN, _FIRST_SHEAR_DOMAIN, _SECOND_SHEAR_DOMAIN, _THIRD_SHEAR_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _DIAGONAL_3_DOMAIN,
+        _FIRST_SHEAR_DOMAIN,
+        _SECOND_SHEAR_DOMAIN,
+        _THIRD_SHEAR_DOMAIN,
+        _INTERVAL_DOMAIN,
+        _STRENGTH_DOMAIN,
+    ),
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     5,
     _predict_acceleration_increments_block,
@@ -644,7 +717,20 @@ def predict_wiener_acceleration(
     Source: derivation recursion-three-states
     """
     return PredictWienerAcceleration(
-        *evaluate(_PREDICT_WIENER_ACCELERATION, (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear, interval, strength), out)
+        *evaluate(
+            _PREDICT_WIENER_ACCELERATION,
+            (
+                diagonal_1,
+                diagonal_2,
+                diagonal_3,
+                first_shear,
+                second_shear,
+                third_shear,
+                interval,
+                strength,
+            ),
+            out,
+        )
     )
 
 
@@ -713,7 +799,16 @@ def _predict_wiener_acceleration_block(
 
 _PREDICT_WIENER_ACCELERATION = Signature(
     "predict_wiener_acceleration",
-    (_DIAGONAL_1_DOMAIN, _DIAGONAL_2_DOMAIN, _DIAGONAL_3_DOMAIN, _FIRST_SHEAR_DOMAIN, _SECOND_SHEAR_DOMAIN, _THIRD_SHEAR_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _DIAGONAL_3_DOMAIN,
+        _FIRST_SHEAR_DOMAIN,
+        _SECOND_SHEAR_DOMAIN,
+        _THIRD_SHEAR_DOMAIN,
+        _INTERVAL_DOMAIN,
+        _STRENGTH_DOMAIN,
+    ),
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     7,
     _predict_wiener_acceleration_block,
@@ -796,7 +891,20 @@ def predict_random_jerk(
     Source: derivation recursion-three-states
     """
     return PredictRandomJerk(
-        *evaluate(_PREDICT_RANDOM_JERK, (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear, interval, strength), out)
+        *evaluate(
+            _PREDICT_RANDOM_JERK,
+            (
+                diagonal_1,
+                diagonal_2,
+                diagonal_3,
+                first_shear,
+                second_shear,
+                third_shear,
+                interval,
+                strength,
+            ),
+            out,
+        )
     )
 
 
@@ -883,7 +991,16 @@ def _predict_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single
 
 _PREDICT_RANDOM_JERK = Signature(
     "predict_random_jerk",
-    (_DIAGONAL_1_DOMAIN, _DIAGONAL_2_DOMAIN, _DIAGONAL_3_DOMAIN, _FIRST_SHEAR_DOMAIN, _SECOND_SHEAR_DOMAIN, _THIRD_SHEAR_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _DIAGONAL_3_DOMAIN,
+        _FIRST_SHEAR_DOMAIN,
+        _SECOND_SHEAR_DOMAIN,
+        _THIRD_SHEAR_DOMAIN,
+        _INTERVAL_DOMAIN,
+        _STRENGTH_DOMAIN,
+    ),
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     10,
     _predict_random_jerk_block,
@@ -966,7 +1083,20 @@ def predict_continuous_white_jerk(
     Source: derivation recursion-three-states
     """
     return PredictContinuousWhiteJerk(
-        *evaluate(_PREDICT_CONTINUOUS_WHITE_JERK, (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear, interval, strength), out)
+        *evaluate(
+            _PREDICT_CONTINUOUS_WHITE_JERK,
+            (
+                diagonal_1,
+                diagonal_2,
+                diagonal_3,
+                first_shear,
+                second_shear,
+                third_shear,
+                interval,
+                strength,
+            ),
+            out,
+        )
     )
 
 
@@ -1083,7 +1213,16 @@ def _predict_continuous_white_jerk_block(
 
 _PREDICT_CONTINUOUS_WHITE_JERK = Signature(
     "predict_continuous_white_jerk",
-    (_DIAGONAL_1_DOMAIN, _DIAGONAL_2_DOMAIN, _DIAGONAL_3_DOMAIN, _FIRST_SHEAR_DOMAIN, _SECOND_SHEAR_DOMAIN, _THIRD_SHEAR_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _DIAGONAL_3_DOMAIN,
+        _FIRST_SHEAR_DOMAIN,
+        _SECOND_SHEAR_DOMAIN,
+        _THIRD_SHEAR_DOMAIN,
+        _INTERVAL_DOMAIN,
+        _STRENGTH_DOMAIN,
+    ),
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     11,
     _predict_continuous_white_jerk_block,

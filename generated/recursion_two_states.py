@@ -521,7 +521,11 @@ def start_continuous_white_acceleration(
     Source: derivation recursion-two-states
     """
     return StartContinuousWhiteAcceleration(
-        *evaluate(_START_CONTINUOUS_WHITE_ACCELERATION, (interval, strength, measurement_variance), out)
+        *evaluate(
+            _START_CONTINUOUS_WHITE_ACCELERATION,
+            (interval, strength, measurement_variance),
+            out,
+        )
     )
 
 
@@ -609,7 +613,11 @@ def predict_random_velocity(
     Source: derivation recursion-two-states
     """
     return PredictRandomVelocity(
-        *evaluate(_PREDICT_RANDOM_VELOCITY, (diagonal_1, shear, diagonal_2, interval, strength), out)
+        *evaluate(
+            _PREDICT_RANDOM_VELOCITY,
+            (diagonal_1, shear, diagonal_2, interval, strength),
+            out,
+        )
     )
 
 
@@ -692,7 +700,11 @@ def predict_random_acceleration(
     Source: derivation recursion-two-states
     """
     return PredictRandomAcceleration(
-        *evaluate(_PREDICT_RANDOM_ACCELERATION, (diagonal_1, shear, diagonal_2, interval, strength), out)
+        *evaluate(
+            _PREDICT_RANDOM_ACCELERATION,
+            (diagonal_1, shear, diagonal_2, interval, strength),
+            out,
+        )
     )
 
 
@@ -783,7 +795,11 @@ def predict_continuous_white_acceleration(
     Source: derivation recursion-two-states
     """
     return PredictContinuousWhiteAcceleration(
-        *evaluate(_PREDICT_CONTINUOUS_WHITE_ACCELERATION, (diagonal_1, shear, diagonal_2, interval, strength), out)
+        *evaluate(
+            _PREDICT_CONTINUOUS_WHITE_ACCELERATION,
+            (diagonal_1, shear, diagonal_2, interval, strength),
+            out,
+        )
     )
 
 
@@ -897,7 +913,11 @@ def step_random_velocity(
     Source: derivation recursion-two-states
     """
     return StepRandomVelocity(
-        *evaluate(_STEP_RANDOM_VELOCITY, (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance), out)
+        *evaluate(
+            _STEP_RANDOM_VELOCITY,
+            (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance),
+            out,
+        )
     )
 
 
@@ -929,7 +949,14 @@ def _step_random_velocity_block(given: Arrays, out: Arrays, work: Arrays, _singl
 
 _STEP_RANDOM_VELOCITY = Signature(
     "step_random_velocity",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _SHEAR_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _INTERVAL_DOMAIN_2,
+        _STRENGTH_DOMAIN,
+        _MEASUREMENT_VARIANCE_DOMAIN,
+    ),
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_random_velocity_block,
@@ -1009,7 +1036,11 @@ def step_random_acceleration(
     Source: derivation recursion-two-states
     """
     return StepRandomAcceleration(
-        *evaluate(_STEP_RANDOM_ACCELERATION, (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance), out)
+        *evaluate(
+            _STEP_RANDOM_ACCELERATION,
+            (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance),
+            out,
+        )
     )
 
 
@@ -1049,7 +1080,14 @@ def _step_random_acceleration_block(
 
 _STEP_RANDOM_ACCELERATION = Signature(
     "step_random_acceleration",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _SHEAR_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _INTERVAL_DOMAIN_2,
+        _STRENGTH_DOMAIN,
+        _MEASUREMENT_VARIANCE_DOMAIN,
+    ),
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_random_acceleration_block,
@@ -1129,7 +1167,11 @@ def step_continuous_white_acceleration(
     Source: derivation recursion-two-states
     """
     return StepContinuousWhiteAcceleration(
-        *evaluate(_STEP_CONTINUOUS_WHITE_ACCELERATION, (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance), out)
+        *evaluate(
+            _STEP_CONTINUOUS_WHITE_ACCELERATION,
+            (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance),
+            out,
+        )
     )
 
 
@@ -1174,7 +1216,14 @@ def _step_continuous_white_acceleration_block(
 
 _STEP_CONTINUOUS_WHITE_ACCELERATION = Signature(
     "step_continuous_white_acceleration",
-    (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN, _INTERVAL_DOMAIN_2, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    (
+        _DIAGONAL_1_DOMAIN,
+        _SHEAR_DOMAIN,
+        _DIAGONAL_2_DOMAIN,
+        _INTERVAL_DOMAIN_2,
+        _STRENGTH_DOMAIN,
+        _MEASUREMENT_VARIANCE_DOMAIN,
+    ),
     ("diagonal_1", "shear", "diagonal_2", "position_gain", "velocity_gain", "innovation_variance"),
     5,
     _step_continuous_white_acceleration_block,

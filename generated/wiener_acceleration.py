@@ -1,6 +1,6 @@
 # Made by: gainproof generate wiener-acceleration
 # From: gainproof derive wiener-acceleration, SymPy 1.14.0
-"""Discrete Wiener process acceleration (increments acting through the interval): steady state with measured position."""
+"""Discrete Wiener process acceleration: steady state with measured position."""
 
 from __future__ import annotations
 
@@ -48,19 +48,19 @@ _TRACKING_INDEX_DOMAIN = Domain(
 )
 _TRACKING_INDEX_DOMAIN_2 = Domain(
     "tracking_index",
-    "a number above 0 and at most 6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048, in float32 above 0 and at most 9223372036854775808",
+    "a number above 0 and at most 2^511, in float32 above 0 and at most 2^63",
     (5e-324, 6.703903964971299e153),
     (1.401298464324817e-45, 9.223372036854776e18),
 )
 _TRACKING_INDEX_DOMAIN_3 = Domain(
     "tracking_index",
-    "a number above 0 and at most 10715086071862673209484250490600018105614048117055336074437503883703510511249361224931983788156958581275946729175531468251871452856923140435984577574698574803934567774824230985421074605062371141877954182153046474983581941267398767559165543946077062914571196477686542167660429831652624386837205668069376, in float32 above 0 and at most 1329227995784915872903807060280344576",
+    "a number above 0 and at most 2^1000, in float32 above 0 and at most 2^120",
     (5e-324, 1.0715086071862673e301),
     (1.401298464324817e-45, 1.329227995784916e36),
 )
 _ALPHA_DOMAIN = Domain(
     "alpha",
-    "a number at least 1/2187250724783011924372502227117621365353169430893212436425770606409952999199375923223513177023053824 and below 1, in float32 at least 1/1099511627776 and below 1",
+    "a number at least 2^-330 and below 1, in float32 at least 2^-40 and below 1",
     (4.5719495651291e-100, 0.9999999999999999),
     (9.094947017729282e-13, 0.9999999403953552),
 )
@@ -1056,9 +1056,7 @@ def predicted_covariance(
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
-        at most
-        6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048,
-        in float32 above 0 and at most 9223372036854775808.
+        at most 2^511, in float32 above 0 and at most 2^63.
 
     predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.58 *
         2^-52 (float64), 9.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -1248,9 +1246,7 @@ def predicted_covariance_derivatives(
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
-        at most
-        10715086071862673209484250490600018105614048117055336074437503883703510511249361224931983788156958581275946729175531468251871452856923140435984577574698574803934567774824230985421074605062371141877954182153046474983581941267398767559165543946077062914571196477686542167660429831652624386837205668069376,
-        in float32 above 0 and at most 1329227995784915872903807060280344576.
+        at most 2^1000, in float32 above 0 and at most 2^120.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
         error at most 12.42 * 2^-52 (float64), 12.42 * 2^-23 (float32), proved for 5e-324 <=
@@ -1490,9 +1486,7 @@ def updated_covariance(
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
-        at most
-        6703903964971298549787012499102923063739682910296196688861780721860882015036773488400937149083451713845015929093243025426876941405973284973216824503042048,
-        in float32 above 0 and at most 9223372036854775808.
+        at most 2^511, in float32 above 0 and at most 2^63.
 
     updated_11: variance of the updated position over sigma_v^2. Relative error at most 6.18 * 2^-52
         (float64), 6.18 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -1667,9 +1661,8 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
         beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w),
         Lambda = gamma/w, w = sqrt(1 - alpha)
 
-    alpha: position gain; a number at least
-        1/2187250724783011924372502227117621365353169430893212436425770606409952999199375923223513177023053824
-        and below 1, in float32 at least 1/1099511627776 and below 1.
+    alpha: position gain; a number at least 2^-330 and below 1, in float32 at least 2^-40 and below
+        1.
 
     tracking_index: tracking index Lambda. Relative error at most 7.76 * 2^-52 (float64), 7.76 *
         2^-23 (float32), proved for 4.5719495651291e-100 <= alpha <= 0.9999999999999999 (float64)
@@ -1727,9 +1720,8 @@ def gains_from_alpha(alpha: ArrayLike, *, out: tuple[Real, Real] | None = None) 
         beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w),
         Lambda = gamma/w, w = sqrt(1 - alpha)
 
-    alpha: position gain; a number at least
-        1/2187250724783011924372502227117621365353169430893212436425770606409952999199375923223513177023053824
-        and below 1, in float32 at least 1/1099511627776 and below 1.
+    alpha: position gain; a number at least 2^-330 and below 1, in float32 at least 2^-40 and below
+        1.
 
     beta: velocity gain times the sampling interval. Relative error at most 3.26 * 2^-52 (float64),
         3.26 * 2^-23 (float32), proved for 4.5719495651291e-100 <= alpha <= 0.9999999999999999

@@ -12,7 +12,7 @@ from gainproof.derive.subject import Subject
 from gainproof.derive.three_state.three_state import derive_three_state
 
 NAME = "wiener-acceleration"
-TITLE = "Discrete Wiener process acceleration (increments acting through the interval)"
+TITLE = "Discrete Wiener process acceleration"
 
 STRENGTH = Quantity(
     "increment_deviation",

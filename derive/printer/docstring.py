@@ -56,11 +56,18 @@ def _ends_text(given: Input) -> str:
 
 
 def _limit_text(limit: Limit) -> str:
-    """A limit as its author wrote it; one made by roots as its nearest number."""
+    """A limit as its author wrote it, a large power of 2 as one; one made by roots as its nearest
+    number.
+    """
     if isinstance(limit, str):
         return limit
     value = constant(limit)
-    return repr(value.nearest(FLOAT64)) if value.rational is None else str(value.rational)
+    if value.rational is None:
+        return repr(value.nearest(FLOAT64))
+    size = max(value.rational, 1 / value.rational)
+    if size >= 2**40 and size == 2 ** (power := size.numerator.bit_length() - 1):
+        return f"2^{power if value.rational > 1 else -power}"
+    return str(value.rational)
 
 
 def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:

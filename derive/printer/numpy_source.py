@@ -10,8 +10,7 @@ from gainproof.derive.printer.bound import KernelBound, prove
 from gainproof.derive.printer.docstring import docstring, wanted_text
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Kernel, Module
-
-WIDTH = 100
+from gainproof.derive.printer.layout import WIDTH, call, listed, row
 
 
 def module_source(module: Module) -> str:
@@ -86,7 +85,7 @@ def results_source(module: Module) -> str:
 def _imported(module: str, names: Sequence[str]) -> list[str]:
     return [
         f"from gainproof.generated.{module} import (",
-        *(f"    {name}," for name in sorted(names)),
+        *(f"    {name}," for name in sorted(names, key=str.lower)),
         ")",
     ]
 
@@ -98,11 +97,7 @@ def _one_line(text: str) -> str:
 
 
 def _all(names: Sequence[str]) -> list[str]:
-    quoted = [f'"{name}"' for name in sorted(names)]
-    line = f"__all__ = [{', '.join(quoted)}]"
-    if len(line) <= WIDTH:
-        return [line]
-    return ["__all__ = [", *(f"    {name}," for name in quoted), "]"]
+    return listed("__all__ = [", [f'"{name}"' for name in sorted(names)], "]")
 
 
 _Domain = tuple[str, ...]
@@ -111,10 +106,10 @@ _Domain = tuple[str, ...]
 
 def _kernel_domains(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[_Domain]:
     found = []
-    for row, given in enumerate(kernel.inputs):
+    for place, given in enumerate(kernel.inputs):
         lines = [f'"{given.name}",', f'"{wanted_text(given)}",']
         for bound in bounds:
-            least, most = (literal(end) for end in bound.inputs[row])
+            least, most = (literal(end) for end in bound.inputs[place])
             lines.append(f"({least}, {most}),")
         lines += ["whole=True,"] if given.integer else []
         lines += ["zero=True,"] if given.zero else []
@@ -156,13 +151,8 @@ def _kernel(
     yield from ("", "")
     yield f"{signature} = Signature("
     yield f'    "{kernel.name}",'
-    yield f"    ({', '.join(domains)}{',' if len(domains) == 1 else ''}),"
-    listed = ", ".join(f'"{output.name}"' for output in kernel.outputs)
-    line = f"    ({listed}{',' if len(kernel.outputs) == 1 else ''}),"
-    if len(line) <= WIDTH:
-        yield line
-    else:
-        yield from ("    (", *(f'        "{output.name}",' for output in kernel.outputs), "    ),")
+    yield from row("    ", domains, ",")
+    yield from row("    ", [f'"{output.name}"' for output in kernel.outputs], ",")
     yield f"    {arithmetic.work},"
     yield f"    {block},"
     yield ")"
@@ -199,11 +189,4 @@ def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> 
     quoted = f'r"""{text}' if "\\" in text else f'"""{text}'
     yield from (f"    {line}".rstrip() for line in (quoted + "\n").splitlines())
     yield '    """'
-    given = ", ".join(each.name for each in kernel.inputs)
-    given = f"({given},)" if len(kernel.inputs) == 1 else f"({given})"
-    call = f"*evaluate({signature}, {given}, out)"
-    line = f"    return {kernel.result}({call})"
-    if len(line) <= WIDTH:
-        yield line
-    else:
-        yield from (f"    return {kernel.result}(", f"        {call}", "    )")
+    yield from call(kernel.result, signature, [each.name for each in kernel.inputs])
