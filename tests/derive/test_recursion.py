@@ -20,7 +20,10 @@ NUMBERS: dict[str, tuple[Any, ...]] = {
 
 def test_numbers_of_the_noises() -> None:
     found = {each.name: (each.share, each.power, each.floor, each.chord) for each in noises()}
-    assert found == {name: tuple(Fraction(x) for x in each) for name, each in NUMBERS.items()}
+    wanted: dict[str, object] = {
+        name: tuple(Fraction(x) for x in each) for name, each in NUMBERS.items()
+    }
+    assert found == wanted
 
 
 @pytest.mark.parametrize("shape", [[T, 1], [1, T], [T**2 / 3, T], [T**2, T], [T / 2, 1 + T]])

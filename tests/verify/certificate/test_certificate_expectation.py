@@ -118,7 +118,7 @@ def test_other_quantities_under_the_same_names() -> None:
         "point": "0",
         "value": graph(sp.Integer(0)),
     }
-    evidence = {"weights": {}, "constants": [], "boundary": {}, "nonzero": []}
+    evidence: Data = {"weights": {}, "constants": [], "boundary": {}, "nonzero": []}
     certificate: Data = {
         "format": "gainproof certificate 1",
         "subject": "a limit",
