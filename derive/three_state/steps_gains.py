@@ -47,9 +47,10 @@ def _parameter(c: Context) -> list[Step]:
     return [
         Step(
             "parameter",
-            "Forwards these equations are of degree six in `xi`. Backwards they are solved at "
+            "Forwards, `xi` from the index, these equations need roots of a polynomial of higher "
+            "degree. Backwards they are solved at "
             f"once: choose `xi`, and the others follow. Write `xi` over a positive parameter `p`; "
-            f"it lies above its value for an endless index"
+            f"it lies above its value for an infinite index"
             f"{', in which `b` is a number' if named else ''}.",
             equal(XI, k.least + 4 / wide),
             "What holds for every positive `p` holds for every such `xi`. The bound is `xi` of "
@@ -120,7 +121,7 @@ def _gains(c: Context) -> list[Step]:
             "so no digit cancels in a computer.",
             equal(_row(ALPHA, BETA, GAMMA), _row(2 * (1 + ETA) / NU, 4 * XI / NU, 8 / NU)),
             "Compare the powers of `s` in step @closed-loop-in-s and insert step @deviation: "
-            "`sigma gamma = Lambda`, `sigma (2 beta) = Lambda xi`, "
+            "`sigma gamma = Lambda`, `2 sigma beta = Lambda xi`, "
             "`sigma (4 alpha - gamma) = Lambda eta`.",
         ),
     ]

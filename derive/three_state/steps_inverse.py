@@ -65,8 +65,8 @@ def inverse_steps(c: Context) -> list[Step]:
                     ]
                 ),
             ),
-            "With `a1 = 2`, `a2 = 1` and no `e` the root of the right side of step @from-ratio is "
-            "`delta/nu = (xi - 2)/(xi + 2)`.",
+            "Here `delta = xi (xi^2 - 4)/8` and `nu = xi (xi + 2)^2/8`, so the root of the right "
+            "side of step @from-ratio is `delta/nu = (xi - 2)/(xi + 2)`.",
         ),
         joined("index-in-w", equal(INDEX, 2 * (1 - W) ** 3 / (W * (1 + W)))),
         joined("deviation-in-w", equal(DEVIATION, 1 / W)),

@@ -70,12 +70,12 @@ def pole_steps(c: Context) -> list[Step]:
         Step(
             "products-of-poles",
             "To each pole `z` belongs one `v = 2 - z - 1/z`, and these are the roots of the cubic "
-            f"`v^3 + Lambda^2 ({noise})`. No two poles have the product 1: with `a0`, `a1` and "
-            "`a2`, the coefficients of `c(z)`, the product of the three numbers `1 - z1 z2` is the "
+            f"`v^3 + Lambda^2 ({noise})`. No two poles have the product 1: with `c0`, `c1` and "
+            "`c2`, the coefficients of `c(z)`, the product of the three numbers `1 - z1 z2` is the "
             "left side here.",
             equal(apart, 8 * TAU * _apart_factor(c, apart)),
             "At a pole the right side of step @factorisation vanishes. The product is "
-            "`1 - a0^2 - a1 + a0 a2`, and `a0 = -(1 - alpha)`; insert the gains.",
+            "`1 - c0^2 - c1 + c0 c2`, and `c0 = -(1 - alpha)`; insert the gains.",
             heading="The poles",
         ),
         Step(

@@ -10,7 +10,7 @@ from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, cited, equal, positive
 from gainproof.derive.source import RICCATI
-from gainproof.derive.three_state import covariance_entries
+from gainproof.derive.three_state import covariance_entries, shown_signs
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.names import (
     ALPHA,
@@ -68,9 +68,9 @@ def covariance_steps(c: Context) -> list[Step]:
         ),
         Step(
             "predicted-33",
-            "The other entries are `Lambda^2` times a form in `xi`, `eta` and `tau`.",
+            "The other entries are `Lambda^2` times an expression in `xi`, `eta` and `tau`.",
             equal(real("predicted_33"), predicted["predicted_33"]),
-            "Entries 13, 12 and 23 of `M = F X F' + Lambda^2 Q0` give `X33`, `X22` and `X23`, "
+            "Entries 23, 13 and 12 of `M = F X F' + Lambda^2 Q0` give `X33`, `X23` and `X22`, "
             "`X = M - K H M` the same entries of `M`. Write products of gains by step @gains: "
             "`sigma^2 beta gamma = Lambda^2 xi/2`, `4 sigma^2 alpha gamma = Lambda^2 (eta + 1)`, "
             "`8 sigma^2 alpha beta = Lambda^2 xi (eta + 1)`.",
@@ -118,14 +118,20 @@ def proof_steps(c: Context) -> list[Step]:
             "The test of Schur and Cohn: the three pairs of numbers that it forms from `c(z)` are "
             "positive. (In the half plane it is that of Hurwitz: `xi`, `eta`, `delta` and `tau` "
             "are positive.)",
+            hint=shown_signs.schur_cohn(c),
         ),
         Step(
             "definite-predicted",
             "Both covariances are positive definite for every positive index.",
             Relation("positive_definite", {"matrix": rows("predicted")}),
             "The leading minors are quotients of sums without a minus sign.",
+            hint=shown_signs.minors(c, "predicted"),
         ),
-        joined("definite-updated", Relation("positive_definite", {"matrix": rows("updated")})),
+        joined(
+            "definite-updated",
+            Relation("positive_definite", {"matrix": rows("updated")}),
+            hint=shown_signs.minors(c, "updated"),
+        ),
         Step(
             "positive-entries",
             "All entries of both are positive as well.",
