@@ -23,6 +23,9 @@ Range = tuple[Fraction, Fraction]
 
 _NONE: Range = (Fraction(0), Fraction(0))
 
+# Slopes as long as this come of no map that anybody writes, and cost time.
+_MAXIMUM_BITS = 256
+
 
 def require_bound(graph: Graph, place: str) -> None:
     """Reject an unknown that no fixed point binds, and a fixed point that binds no unknown.
@@ -31,11 +34,13 @@ def require_bound(graph: Graph, place: str) -> None:
     own arguments, a number near it and how near, are left to the printer.
     """
     maps: dict[int, int] = {}
-    held: list[frozenset[int]] = []
+    held: list[int] = []  # a bit for each unknown: wide sums of many stay quick
     for index, node in enumerate(graph.nodes):
-        found = frozenset[int]().union(*(held[a] for a in node.arguments))
+        found = 0
+        for argument in node.arguments:
+            found |= held[argument]
         if isinstance(node, Call) and node.function == "unknown":
-            found = frozenset((index,))
+            found = 1 << index
         elif isinstance(node, Call) and node.function == "fixed_point":
             unknown, image, _ = node.arguments
             bound = graph.nodes[unknown]
@@ -43,13 +48,18 @@ def require_bound(graph: Graph, place: str) -> None:
                 raise MalformedError(f"{place}: node {index}: node {unknown} is not an unknown")
             if maps.setdefault(unknown, image) != image:
                 raise MalformedError(f"{place}: the unknown of node {unknown} has two maps")
-            if found - {unknown}:
+            if found & ~(1 << unknown):
                 raise MalformedError(f"{place}: node {index} holds another unknown")
-            found = frozenset()
+            found = 0
         held.append(found)
     for name, end in graph.outputs.items():
         if held[end]:
             raise MalformedError(f"{place}: the output {name!r} holds an unknown")
+
+
+def effort(graph: Graph) -> int:
+    """The work of deciding one fixed point at most, in products of two terms."""
+    return len(graph.nodes) + sum(len(node.arguments) for node in graph.nodes)
 
 
 def require_one_fixed_point(
@@ -108,7 +118,13 @@ def _slopes(
                     f"node {index}: a map with a fixed point is made of sums, products, quotients "
                     "and powers"
                 )
+        if max(_bits(end) for end in slopes[index]) > _MAXIMUM_BITS:
+            raise RejectedError(f"node {index}: a slope beyond every need")
     return slopes
+
+
+def _bits(value: Fraction) -> int:
+    return max(abs(value.numerator), value.denominator).bit_length()
 
 
 def _sum(terms: list[Range]) -> Range:

@@ -300,3 +300,27 @@ def test_a_tall_map_is_decided_at_once(toy: Data) -> None:
     nodes += [["call", "unknown", 0, 0], ["mul", end - 1, end], ["pow", end + 1, "1/2"],
               ["call", "fixed_point", end, end + 2, end + 2]]  # fmt: skip
     assert program_reason(toy, nodes, end + 3, {end: X, end + 2: X}, X)
+
+
+def test_many_fixed_points_of_a_wide_map_decide_it_once(toy: Data) -> None:
+    """Gone over again for each of them it would be an hour's work that nothing counts."""
+    wide: list[Any] = ["mul", *[2] * 20_000]
+    nodes: list[list[Any]] = [["number", "1"], ["call", "unknown", 0, 0], ["pow", 1, "0"], wide]
+    nodes += [["call", "fixed_point", 1, 3, 0]] * 3000
+    nodes.append(["mul", *range(4, 3004)])
+    assert program_reason(toy, nodes, 3004, {1: 1}, 1) == ""
+
+
+def test_a_slope_of_many_digits_is_given_up(toy: Data) -> None:
+    nodes: list[list[Any]] = [["number", "1"], ["call", "unknown", 0, 0]]
+    nodes += [["pow", number, "64"] for number in range(1, 61)]
+    nodes.append(["call", "fixed_point", 1, 61, 1])
+    assert "beyond every need" in program_reason(toy, nodes, 62, {1: 1}, 1)
+
+
+def test_a_sum_of_many_unknowns_is_refused_at_once(toy: Data) -> None:
+    """Sets of a thousand unknowns would be united as often as they are summed."""
+    nodes: list[list[Any]] = [["number", "1"]] + [["call", "unknown", 0, 0]] * 1000
+    nodes.append(["add", *range(1, 1001)])
+    nodes.append(["add", *[1001] * 300_000])
+    assert "holds an unknown" in program_reason_whole(toy, nodes, 1002, {1: 1}, 1)

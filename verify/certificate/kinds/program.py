@@ -13,7 +13,7 @@ from gainproof.verify.certificate.nonzero import Nonzero
 from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.ratio import Ratio
 from gainproof.verify.certificate.rejection import RejectedError
-from gainproof.verify.certificate.steepness import require_one_fixed_point, shown_positive
+from gainproof.verify.certificate.steepness import effort, require_one_fixed_point, shown_positive
 from gainproof.verify.certificate.tower import Tower
 from gainproof.verify.certificate.written import WrittenFraction
 
@@ -74,10 +74,12 @@ class _Run(Evaluation):
         super().__init__(case.tower, nonzero)
         self._inputs = _input_values(case.tower, case.evaluation(nonzero), kernel)
         self._graph = kernel.graph
+        self._effort = effort(kernel.graph)
         self._roots = dict(roots)
         self._branches = dict(branches)
         self._gaps = dict(gaps)
         self._positive: dict[int, bool] = {}
+        self._fixed: set[int] = set()
         self._rooted: set[int] = set()
         self._decided: set[int] = set()
 
@@ -139,7 +141,9 @@ class _Run(Evaluation):
 
     def _fixed_point(self, node: Call, values: Mapping[int, Value]) -> Ratio:
         unknown, image, wanted = node.arguments
-        self.tower.field.ring.meter.spend(len(self._graph.nodes))
+        if unknown in self._fixed:  # it has one map, which was decided
+            return self._scalar(values, wanted)
+        self.tower.field.ring.meter.spend(self._effort)
         for index in sorted(values.keys() - self._positive.keys()):
             self._positive[index] = shown_positive(
                 self._graph.nodes[index], values[index], self._positive
@@ -147,6 +151,7 @@ class _Run(Evaluation):
         require_one_fixed_point(self._graph, unknown, image, self._positive)
         if not self._scalar(values, image).equals(self._scalar(values, unknown)):
             raise RejectedError("the root given is not a fixed point of the map")
+        self._fixed.add(unknown)
         return self._scalar(values, wanted)
 
     def finish(self) -> None:
