@@ -71,14 +71,14 @@ def printed_pairs() -> tuple[PrintedPair, ...]:
 def pairs_of(family: str, folder: Path) -> Iterator[PrintedPair]:
     """The kernels of several inputs of one module."""
     loaded = importlib.import_module(f"gainproof.generated.{family}")
-    programs: dict[str, Any] | None = None
+    programs: dict[str, Any] = {}
     for name in loaded.__all__:
         if not name[0].islower():  # a class of results
             continue
         signature = getattr(loaded, f"_{name.upper()}")
         if len(signature.inputs) < 2:
             continue
-        if programs is None:  # megabytes, read once and only where there are pairs
+        if not programs:  # megabytes, read once and only where there are pairs
             text = (folder / f"{family}.json").read_text(encoding="utf-8")
             programs = json.loads(text)["programs"]
         yield pair_of(family, getattr(loaded, name), signature, programs[name]["graph"])
