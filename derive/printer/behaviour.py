@@ -128,7 +128,7 @@ class Behaviour:
 
 
 def exclude_nan(
-    grid: Grid,
+    forward: Forward,
     again: Callable[[Grid], Forward],
     ends: Sequence[tuple[int, int]],
     domains: Sequence[Box],
@@ -138,24 +138,28 @@ def exclude_nan(
     `ends` pairs outputs with their scales, `domains` are the boxes where these are normal;
     `again` makes the forward pass over finer boxes.
     """
+    grid, form = forward.grid, forward.form
+    bad = _uncertain(Behaviour(forward), ends, domains)
     for turn in range(ROUNDS):
-        bad = _uncertain(Behaviour(again(grid)), ends, domains)
         if not bad.any():
             return
         grid = boxes.grid(grid.low[:, bad], grid.high[:, bad])
-        form = again(grid).form
-        points = again(boxes.grid(grid.low, grid.low))
-        worse = _uncertain(Behaviour(points), ends, domains)
+        finer = boxes.halves(boxes.halves(grid, form), form)
+        # one pass over a point of each box and its quarters: few boxes cost as much as many
+        points = boxes.grid(grid.low, grid.low)
+        forward = again(boxes.joined(points, finer))
+        found = _uncertain(Behaviour(forward), ends, domains)
+        worse, bad = found[: points.count], found[points.count :]
         if worse.any() or turn == ROUNDS - 1 or grid.count > GREATEST_COUNT:
             box = int(worse.argmax())
             point = boxes.point_text(grid, box)
-            if points.cycles.complaint(box):
-                raise PrintingError(f"input {point}: {points.cycles.complaint(box)}")
+            if forward.cycles.complaint(box):
+                raise PrintingError(f"input {point}: {forward.cycles.complaint(box)}")
             raise PrintingError(
                 f"input {point}: NaN, or a normal number where the true value is none, cannot be "
                 "excluded; another order of operations may avoid an over- or underflow"
             )
-        grid = boxes.halves(boxes.halves(grid, form), form)
+        grid = finer
 
 
 def _uncertain(

@@ -102,6 +102,12 @@ def grid(low: Array, high: Array) -> Grid:
     return Grid(low, high, np.where(low == high, 0.0, up(ratio - 1.0)))
 
 
+def joined(first: Grid, second: Grid) -> Grid:
+    """The boxes of both, one after another."""
+    pairs = zip(vars(first).values(), vars(second).values(), strict=True)
+    return Grid(*(np.concatenate(pair, axis=1) for pair in pairs))
+
+
 def halves(boxes: Grid, form: Format, axis: NDArray[np.intp] | None = None) -> Grid:
     """Each box bisected along one input (if none is said its widest), geometrically if it is wide;
     the two ends where nothing lies between.

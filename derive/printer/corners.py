@@ -55,6 +55,8 @@ def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Int
 def _at_corners(size: Interval, slope: Interval) -> Interval:
     """The range where all slopes have signs: from the corner of the least to that opposite."""
     rises = slope[0] >= 0
+    if len(rises) == 1:
+        return _at_ends(size, rises[0], rises[0] | (slope[1][0] <= 0))
     settled: NDArray[np.bool_] = np.all(rises | (slope[1] <= 0), axis=0)
     least = np.zeros(len(settled), np.intp)
     for rising in rises:
@@ -64,4 +66,16 @@ def _at_corners(size: Interval, slope: Interval) -> Interval:
     return (
         np.where(settled, below[1 + least, boxes], np.fmax(below[0], 0.0)),
         np.where(settled, above[len(above) - 1 - least, boxes], np.fmin(above[0], np.inf)),
+    )
+
+
+def _at_ends(size: Interval, rises: NDArray[np.bool_], settled: NDArray[np.bool_]) -> Interval:
+    """The same of one input, whose corners are two ends."""
+    below, above = size
+    least, most = np.where(rises, below[1:], below[:0:-1]), np.where(rises, above[:0:-1], above[1:])
+    if settled.all():
+        return least[0], most[0]
+    return (
+        np.where(settled, least[0], np.fmax(below[0], 0.0)),
+        np.where(settled, most[0], np.fmin(above[0], np.inf)),
     )

@@ -17,13 +17,18 @@ from gainproof.derive.printer.unrolled import Cycle
 GREATEST_PRECISION = 2048
 
 
-def enclosures(program: Program, x: float, form: Format, precision: int) -> list[flint.arb]:
-    """Balls of all steps at an input of the format; a branch not chosen may hold no number."""
+def enclosures(
+    program: Program, x: float, form: Format, precision: int, last: int | None = None
+) -> list[flint.arb]:
+    """Balls of all steps at an input of the format, or of those up to the `last` that is wanted.
+
+    A branch that is not chosen may hold no number.
+    """
     point = Fraction(x)
     with flint.ctx.workprec(precision):
         balls: list[flint.arb] = []
         roots = {cycle.iterates[-1]: cycle for cycle in program.cycles}
-        for number, step in enumerate(program.steps):
+        for number, step in enumerate(program.steps[: None if last is None else last + 1]):
             if number in roots:
                 balls.append(_root(program, roots[number], balls, point, form, precision))
                 continue
@@ -117,7 +122,7 @@ def is_normal(program: Program, number: int, x: float, form: Format, top: float)
     """
     precision = 64
     while True:
-        size = abs(enclosures(program, x, form, precision)[number])
+        size = abs(enclosures(program, x, form, precision, number)[number])
         low, high = flint.arb(form.least_normal), flint.arb(top)
         if size >= low and size <= high:
             return True

@@ -85,9 +85,8 @@ class Frontier:
 
 
 def _joined(first: Waiting, second: Waiting) -> Waiting:
-    pairs = zip(vars(first.grid).values(), vars(second.grid).values(), strict=True)
     return Waiting(
-        Grid(*(np.concatenate(pair, axis=1) for pair in pairs)),
+        boxes.joined(first.grid, second.grid),
         np.concatenate([first.upper, second.upper], axis=1),
         np.concatenate([first.other, second.other], axis=1),
     )

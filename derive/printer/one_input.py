@@ -8,6 +8,7 @@ from gainproof.derive.printer import boxes
 from gainproof.derive.printer.behaviour import exclude_nan
 from gainproof.derive.printer.domain import input_range, normal_interval
 from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.proof import Proof, Settled
@@ -37,22 +38,23 @@ class OneInput(Proof):
             for gap in ((self.form.before(low), low), (high, self.form.after(high)))
             if self.lowest <= gap[0] and gap[1] <= self.highest
         ]
-        grid = boxes.cover(self.inputs, self.near, [zero + gaps])
-        exclude_nan(grid, self.forward, self.ends, self.domains)
-        return self._refine(grid)
+        if gaps:
+            forward = self.forward(boxes.cover(self.inputs, self.near, [zero + gaps]))
+        exclude_nan(forward, self.forward, self.ends, self.domains)
+        return self._refine(forward)
 
-    def _refine(self, grid: Grid) -> Settled:
+    def _refine(self, forward: Forward) -> Settled:
         progress = Refinement(len(self.ends), self.form)
         factors = np.zeros(len(self.ends) * len(self.kernel.cancellations))
         while True:
-            adjoint = self.adjoint(grid)
+            grid, adjoint = forward.grid, self.bounded(forward)
             again = progress.step(grid, adjoint.upper, self._least(grid, adjoint.lower))
             self.refuse(adjoint, np.isinf(adjoint.upper) & ~again)
             settled = self.cancellations(adjoint)[:, ~again]
             factors = np.maximum(factors, settled.max(axis=1, initial=0.0))
             if not again.any():
                 return self.settled(progress.settled, factors, progress.total)
-            grid = progress.finer(grid, again)
+            forward = self.forward(progress.finer(grid, again))
 
     def _least(self, grid: Grid, least: Array) -> Array:
         """What no finer box gets below; of a named cancellation, that at one end of the box.

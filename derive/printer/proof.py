@@ -59,8 +59,11 @@ class Proof:
         return Forward(self.program, grid, self.form, self.kernel.cancellations)
 
     def adjoint(self, grid: Grid) -> Adjoint:
+        """The bounds over boxes."""
+        return self.bounded(self.forward(grid))
+
+    def bounded(self, forward: Forward) -> Adjoint:
         """Bounds: infinite where a scale may be no normal number, 0 outside an output's domain."""
-        forward = self.forward(grid)
         if any(value.over is not None for value in forward.values):
             Behaviour(forward).settle_overflow()
         adjoint = Adjoint(forward, self.ends)
@@ -70,7 +73,7 @@ class Proof:
             normal = size[0][0] >= self.form.least_normal * LEAST_NORMAL
             normal &= size[1][0] <= greatest_normal(self.form) * (1.0 + 2.0**-40)
             adjoint.upper[row, ~normal] = np.inf
-            without = ~boxes.inside(grid, domain)
+            without = ~boxes.inside(forward.grid, domain)
             adjoint.upper[row, without] = 0.0
             adjoint.lower[row, without] = 0.0
         return adjoint

@@ -13,7 +13,7 @@ from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.proof import Proof, Settled
 from gainproof.derive.printer.structural import Structural
-from gainproof.derive.printer.value import Grid
+from gainproof.derive.printer.value import Grid, PrintingError
 
 WIDE = 2  # inputs: of more the first box is the whole domain, boxes of each would be too many
 MANY = 6  # inputs: of more the bounds are those of the shape, and boxes beyond a few change nothing
@@ -35,13 +35,19 @@ class SeveralInputs(Proof):
 
     def run(self) -> Settled:
         """The bounds, after NaN has been excluded."""
-        corners = self._corners()
-        adjoint = self.adjoint(corners)
-        self.refuse(adjoint, adjoint.upper > self.greatest)  # at once, and with a clear place
+        try:
+            return self._proved()
+        except PrintingError:
+            adjoint = self.adjoint(self._corners())
+            self.refuse(adjoint, adjoint.upper > self.greatest)  # with a clear place, if one is one
+            raise
+
+    def _proved(self) -> Settled:
         ratio = boxes.RATIO if len(self.inputs) <= WIDE else np.inf
         grid = boxes.cover(self.inputs, self.near, [() for _ in self.inputs], ratio)
-        exclude_nan(grid, self.forward, self.ends, self.domains)
-        return self._refine(grid)
+        forward = self.forward(grid)
+        exclude_nan(forward, self.forward, self.ends, self.domains)
+        return self._refine(forward)
 
     def ceiling(self, forward: Forward) -> Array:
         """Bounds from the program's shape, which hold in wide boxes too."""
@@ -53,19 +59,21 @@ class SeveralInputs(Proof):
         ends = np.take_along_axis(np.array(self.inputs), places, axis=1)
         return boxes.grid(ends, ends)
 
-    def _refine(self, grid: Grid) -> Settled:
+    def _refine(self, forward: Forward) -> Settled:
         count, budget = len(self.ends), frontier.WORK // len(self.program.steps)
         if len(self.inputs) > MANY:
             budget //= FEWER
         others = count * len(self.kernel.cancellations)
         progress = frontier.Frontier(count, others, self.form, self.greatest, budget)
         progress.least = self.enough
-        following: Grid | None = grid
-        while following is not None:
-            adjoint = self.adjoint(following)
-            found = frontier.Waiting(following, adjoint.upper, self.cancellations(adjoint))
+        while True:
+            adjoint = self.bounded(forward)
+            found = frontier.Waiting(forward.grid, adjoint.upper, self.cancellations(adjoint))
             progress.add(found, adjoint.lower)
             following = progress.finer()
+            if following is None:
+                break
+            forward = self.forward(following)
         if progress.failed is not None:
             adjoint = self.adjoint(progress.failed)
             self.refuse(adjoint, adjoint.upper > self.greatest)
