@@ -72,10 +72,10 @@ def _at_corners(size: Interval, slope: Interval) -> Interval:
 def _at_ends(size: Interval, rises: NDArray[np.bool_], settled: NDArray[np.bool_]) -> Interval:
     """The same of one input, whose corners are two ends."""
     below, above = size
-    least, most = np.where(rises, below[1:], below[:0:-1]), np.where(rises, above[:0:-1], above[1:])
+    least, most = np.where(rises, below[1], below[2]), np.where(rises, above[2], above[1])
     if settled.all():
-        return least[0], most[0]
+        return least, most
     return (
-        np.where(settled, least[0], np.fmax(below[0], 0.0)),
-        np.where(settled, most[0], np.fmin(above[0], np.inf)),
+        np.where(settled, least, np.fmax(below[0], 0.0)),
+        np.where(settled, most, np.fmin(above[0], np.inf)),
     )

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from gainproof.derive.printer.forward import Forward
 
 NARROWINGS = 12  # of an enclosure by the map, each to a quarter where the slope is 1/4
+NO_GAIN = 2.0**-16  # of the ends of an enclosure: a narrowing that brings less is the last
 UP = 1.0 + 2.0**-40  # more than a few roundings
 
 
@@ -90,8 +91,11 @@ def enclosed(forward: Forward, image: Chain, slope: float, start: Value) -> tupl
     for _ in range(NARROWINGS):
         value, again = image.followed(forward, root)
         bad |= again
+        before = root
         root = replace(root, size=_both(root.size, value.size))
         root.slope = _both(root.slope, value.slope)
+        if _same(before, root):
+            break
     root.invalid = bad
     return root, ratio(root, start, forward.grid.width)
 
@@ -109,3 +113,12 @@ def _powers(t: Interval, power: interval.Array) -> Interval:
 def _both(a: Interval, b: Interval) -> Interval:
     """What lies in both."""
     return np.fmax(a[0], b[0]), np.fmin(a[1], b[1])
+
+
+def _same(before: Value, after: Value) -> bool:
+    """Whether a narrowing brought nothing to speak of, neither to the sizes nor to the slopes."""
+    (low, high), (lower, higher) = before.size, after.size
+    near = (lower <= low * (1.0 + NO_GAIN)) & (high <= higher * (1.0 + NO_GAIN))
+    near |= (low == lower) & (high == higher)
+    moved = (np.abs(x - y) for x, y in zip(before.slope, after.slope, strict=True))
+    return bool(near.all()) and all(bool(np.all(each <= NO_GAIN)) for each in moved)
