@@ -10,7 +10,7 @@ from typing import Any
 
 import flint
 
-from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.graph import Graph, GraphNode
 
 GREATEST_PRECISION = 4096
@@ -65,6 +65,23 @@ class Constant:
     def is_exact(self, form: Format) -> bool:
         """Whether the format holds the constant itself."""
         return self.rational is not None and Fraction(self.nearest(form)) == self.rational
+
+    def size(self, form: Format) -> tuple[float, float, int, float]:
+        """The magnitude between two float64, the sign, and the error of `nearest` over it."""
+        found: tuple[float, float, int, float] = self._once(
+            "size", form.name, lambda: self._sized(form)
+        )
+        return found
+
+    def _sized(self, form: Format) -> tuple[float, float, int, float]:
+        low, high = self.between()
+        below, above = sorted((abs(low), abs(high)))
+        sign = 0 if high == 0 else 1 if low > 0 else -1
+        error = Fraction(0)
+        if not self.is_exact(form):
+            nearest = Fraction(self.nearest(form))
+            error = max(abs(nearest - low), abs(nearest - high)) / below
+        return FLOAT64.at_most(below), FLOAT64.at_least(above), sign, float(error)
 
     def remainder(self, form: Format) -> float:
         """The part of the constant that `nearest` leaves, itself rounded to the format."""

@@ -18,8 +18,12 @@ from gainproof.derive.printer.interval import Array, Interval
 def rows(box: Array, low: Array, high: Array, axis: int, axes: int) -> Array:
     """The rows of what depends on one input only, from its values at both ends of that input."""
     ends: Sequence[Array] = (low, high)
-    places = (corner >> (axes - 1 - axis) & 1 for corner in range(2**axes))
-    return np.stack([box, *(ends[place] for place in places)])
+    found = np.empty((1 + 2**axes, len(box)))
+    found[0] = box
+    runs = found[1:].reshape(2**axis, 2, -1, len(box))
+    for place, end in enumerate(ends):
+        runs[:, place] = end
+    return found
 
 
 def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Interval:
@@ -33,19 +37,24 @@ def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Int
         return _at_corners(size, slope)
     axes, count = slope[0].shape
     least, most = (end[1:].reshape((2,) * axes + (count,)) for end in size)
-    settled = np.ones(count, np.bool_)
-    for axis, (low, high) in enumerate(zip(*slope, strict=True)):
-        rises, falls = low >= 0, high <= 0
-        sure = rises | falls
-        settled &= sure
-        if sure.all():
+    rising, falling = slope[0] >= 0, slope[1] <= 0
+    sure = rising | falling
+    settled: NDArray[np.bool_] = np.all(sure, axis=0)
+    certain: NDArray[np.bool_] = np.all(sure, axis=1)
+    away = np.flatnonzero(~certain)  # the axes along which some boxes have no sign
+    moves = interval.spread(np.maximum(-slope[0][away], slope[1][away]), width[away])
+    factors = dict(zip(away.tolist(), moves, strict=True))
+    for axis, (rises, falls) in enumerate(zip(rising, falling, strict=True)):
+        if certain[axis]:
             least = np.where(rises, least[0], least[1])
             most = np.where(rises, most[1], most[0])
             continue
-        factor = interval.spread(np.maximum(-low, high), width[axis])
+        factor = factors[axis]
         lower, upper = np.fmax(least[0], least[1]) / factor, np.fmin(most[0], most[1]) * factor
         least = np.where(rises, least[0], np.where(falls, least[1], lower))
         most = np.where(rises, most[1], np.where(falls, most[0], upper))
+    if settled.all():
+        return least, most
     return (
         np.where(settled, least, np.fmax(below[0], least)),
         np.where(settled, most, np.fmin(above[0], most)),
@@ -58,9 +67,7 @@ def _at_corners(size: Interval, slope: Interval) -> Interval:
     if len(rises) == 1:
         return _at_ends(size, rises[0], rises[0] | (slope[1][0] <= 0))
     settled: NDArray[np.bool_] = np.all(rises | (slope[1] <= 0), axis=0)
-    least = np.zeros(len(settled), np.intp)
-    for rising in rises:
-        least = 2 * least + ~rising
+    least = 2 ** np.arange(len(rises) - 1, -1, -1) @ ~rises
     boxes = np.arange(len(settled))
     below, above = size
     return (

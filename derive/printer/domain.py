@@ -10,7 +10,7 @@ import numpy as np
 
 from gainproof.derive.printer import boxes
 from gainproof.derive.printer.constant import constant
-from gainproof.derive.printer.exact import is_normal, last_that_holds
+from gainproof.derive.printer.exact import crossing, is_normal, last_that_holds
 from gainproof.derive.printer.formats import FLOAT32, Format
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.kernel import Input
@@ -91,7 +91,8 @@ def normal_interval(
     def end(inside: float, places: list[float]) -> float:
         for place in places:
             if not normal(place):
-                return last_that_holds(normal, inside, place, form)
+                guess = crossing(program, number, inside, place, form, top)
+                return last_that_holds(normal, inside, place, form, guess)
             inside = place
         return inside
 

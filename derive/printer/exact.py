@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import ChainMap
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
@@ -133,14 +134,44 @@ def is_normal(program: Program, number: int, x: float, form: Format, top: float)
         precision *= 2
 
 
+def crossing(
+    program: Program, number: int, inside: float, outside: float, form: Format, top: float
+) -> float:
+    """About where a step's magnitude ceases to be normal: a guess, as if it were a power of x.
+
+    Not a number where there is no telling.
+    """
+    with flint.ctx.workprec(128):
+        sizes = [abs(enclosures(program, x, form, 128, number)[number]) for x in (inside, outside)]
+        limit = flint.arb(form.least_normal if sizes[1] < sizes[0] else top)
+        places = [flint.arb(x).log() for x in (inside, outside)]
+        over, under = (limit / sizes[0]).log(), (sizes[1] / sizes[0]).log()
+        return float((places[0] + (places[1] - places[0]) * over / under).exp().mid())
+
+
 def last_that_holds(
-    holds: Callable[[float], bool], inside: float, outside: float, form: Format
+    holds: Callable[[float], bool],
+    inside: float,
+    outside: float,
+    form: Format,
+    guess: float = math.nan,
 ) -> float:
     """The number of the format farthest from `inside` towards `outside` where `holds` still does.
 
-    `holds` is true at `inside`, false at `outside`, and changes once between them.
+    `holds` is true at `inside`, false at `outside`, and changes once between them; a good `guess`
+    of the place saves most of the bisection.
     """
     near, far = form.ordinal(inside), form.ordinal(outside)
+    least, most = sorted((near, far))
+    middle = form.ordinal(guess) if math.isfinite(guess) else least
+    step = 1 if far > near else -1
+    while least < middle < most:
+        if holds(form.from_ordinal(middle)):
+            near, middle = middle, middle + step
+        else:
+            far, middle = middle, middle - step
+        step *= 4
+        least, most = sorted((near, far))
     while abs(far - near) > 1:
         middle = (near + far) // 2
         if holds(form.from_ordinal(middle)):

@@ -43,6 +43,21 @@ def up(x: Array) -> Array:
     return upper
 
 
+def _down_or_zero(x: Array) -> Array:
+    """The same; 0 where x is no number."""
+    lower = np.minimum(x, LARGEST)
+    lower *= BELOW
+    lower -= LEAST
+    return np.fmax(lower, 0.0)  # fmax and fmin ignore NaN
+
+
+def _up_or_infinite(x: Array) -> Array:
+    """A number above x >= 0; infinity where x is no number."""
+    upper = x * ABOVE
+    upper += LEAST
+    return np.fmin(upper, np.inf)
+
+
 def add(a: Interval, b: Interval) -> Interval:
     """a + b."""
     return down(a[0] + b[0]), up(a[1] + b[1])
@@ -50,13 +65,12 @@ def add(a: Interval, b: Interval) -> Interval:
 
 def multiply(a: Interval, b: Interval) -> Interval:
     """a b; 0 times infinity gives all that it may stand for."""
-    # fmax and fmin ignore NaN
-    return np.fmax(down(a[0] * b[0]), 0.0), np.fmin(up(a[1] * b[1]), np.inf)
+    return _down_or_zero(a[0] * b[0]), _up_or_infinite(a[1] * b[1])
 
 
 def divide(a: Interval, b: Interval) -> Interval:
     """a / b; 0/0 and infinity/infinity give all that they may stand for."""
-    return np.fmax(down(a[0] / b[1]), 0.0), np.fmin(up(a[1] / b[0]), np.inf)
+    return _down_or_zero(a[0] / b[1]), _up_or_infinite(a[1] / b[0])
 
 
 def square_root(a: Interval) -> Interval:
@@ -125,7 +139,7 @@ def mignitude(a: Interval) -> Array:
 def _widened(low: Array, high: Array) -> Interval:
     """Both ends moved outward by a unit at least; what is lost at infinity may be anything."""
     low, high = low - (np.abs(low) * UNIT + LEAST), high + (np.abs(high) * UNIT + LEAST)
-    lost: Any = np.isnan(low) | np.isnan(high)
-    if lost.any():
+    if np.isnan(low).any() or np.isnan(high).any():
+        lost: Any = np.isnan(low) | np.isnan(high)
         return np.where(lost, -np.inf, low), np.where(lost, np.inf, high)
     return low, high

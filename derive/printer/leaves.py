@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 import numpy as np
 
 from gainproof.derive.printer import interval
 from gainproof.derive.printer.affine import AffineSum
 from gainproof.derive.printer.constant import Constant
 from gainproof.derive.printer.corners import rows
-from gainproof.derive.printer.formats import FLOAT64, Format
+from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.value import MARGIN, Grid, Signs, Value, absolute
 
 
@@ -26,19 +24,13 @@ def input_value(grid: Grid, axis: int) -> Value:
 def constant_value(constant: Constant, grid: Grid, form: Format) -> Value:
     """A constant, with the rounding that its nearest number costs."""
     count = grid.count
-    low, high = constant.between()
-    sign = 0 if high == 0 else 1 if low > 0 else -1
-    below, above = sorted((abs(low), abs(high)))
-    size = (
-        np.full((1 + 2**grid.axes, count), FLOAT64.at_most(below)),
-        np.full((1 + 2**grid.axes, count), FLOAT64.at_least(above)),
-    )
+    least, most, sign, error = constant.size(form)
+    shape = 1 + 2**grid.axes, count
+    size = np.full(shape, least), np.full(shape, most)
     zeros = np.zeros(grid.low.shape)
     value = Value(size, (zeros, zeros), np.full(count, sign, np.int8))
     if not constant.is_exact(form):
-        nearest = Fraction(constant.nearest(form))
-        error = max(abs(nearest - low), abs(nearest - high)) / below
-        value.rounding = float(error) * MARGIN
+        value.rounding = error * MARGIN
         value.drift = value.rounding
     return value
 
