@@ -12,25 +12,27 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.model import Model, ScaledModel, scale
 from gainproof.derive.steady_state.towers import rational
+from gainproof.derive.three_state.lowest_terms import Quotients, quotients
 from gainproof.derive.three_state.spectrum import Spectrum, factorise
+from gainproof.derive.three_state.tower_ends import end, start
 from gainproof.derive.three_state.towers import (
     Constants,
     constants,
-    end,
     main_tower,
-    start,
+    named_elements,
 )
 
 
 @dataclass(frozen=True)
 class Context:
-    """A scaled model with its spectrum, constants and tower."""
+    """A scaled model with its spectrum, constants, tower, and its elements as quotients in xi."""
 
     original: Model
     model: ScaledModel
     spectrum: Spectrum
     constants: Constants
     tower: Tower
+    quotients: Quotients
 
     @property
     def ends(self) -> Mapping[str, End]:
@@ -63,4 +65,5 @@ def context(model: Model) -> Context:
     spectrum = factorise(scaled)
     tower = main_tower(scaled, spectrum)
     k = constants(spectrum)
-    return Context(model, scaled, spectrum, k, tower)
+    known = quotients(spectrum, named_elements(scaled, spectrum))
+    return Context(model, scaled, spectrum, k, tower, known)

@@ -8,11 +8,11 @@ from dataclasses import replace
 import sympy as sp
 
 from gainproof.derive.algebra.derivative import derivative
-from gainproof.derive.algebra.tower import Fraction, Tower
+from gainproof.derive.algebra.tower import Fraction
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, equal, monotone, positive
-from gainproof.derive.three_state import forms
+from gainproof.derive.three_state import forms, shown_signs
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.names import DELTA, DEVIATION, GAINS, INDEX, TAU, XI
 
@@ -49,7 +49,7 @@ def change_steps(c: Context) -> list[Step]:
             "Differentiate the entries of steps @predicted-covariance and @predicted-33 in the "
             "same way.",
         ),
-        *_trends(predicted),
+        *_trends(c, predicted),
         *_curvature(c),
     ]
 
@@ -98,7 +98,7 @@ def _hidden(steps: list[Step]) -> Iterator[Step]:
     return (replace(step, shown=False) for step in steps)
 
 
-def _trends(predicted: Mapping[str, sp.Expr]) -> list[Step]:
+def _trends(c: Context, predicted: Mapping[str, sp.Expr]) -> list[Step]:
     def rising(name: str) -> Relation:
         return monotone(real(name), "increasing")
 
@@ -109,8 +109,16 @@ def _trends(predicted: Mapping[str, sp.Expr]) -> list[Step]:
             "Gains and covariances all grow with the index.",
             rising("alpha"),
             "Their derivatives over `p` are quotients of sums without a minus sign.",
+            hint=shown_signs.slope(c, "alpha"),
         ),
-        *(joined(f"increasing-{name.replace('_', '-')}", rising(name)) for name in names[1:]),
+        *(
+            joined(
+                f"increasing-{name.replace('_', '-')}",
+                rising(name),
+                hint=shown_signs.slope(c, name),
+            )
+            for name in names[1:]
+        ),
     ]
 
 
@@ -120,7 +128,7 @@ def _curvature(c: Context) -> list[Step]:
         (
             f"concave-{name}",
             positive(-sp.Derivative(real(name), INDEX, INDEX)),
-            {"form": _second(c.tower, name)},
+            {"form": _second(c, name)},
         )
         for name in GAINS
     )
@@ -137,8 +145,11 @@ def _curvature(c: Context) -> list[Step]:
     ]
 
 
-def _second(tower: Tower, gain: str) -> sp.Expr:
+def _second(c: Context, gain: str) -> sp.Expr:
     """Less the second derivative of a gain."""
+    if c.spectrum.m2:
+        return shown_signs.bend(c, gain)
+    tower = c.tower
     first = tower.expression(derivative(tower, real(gain), "tracking_index"))
     second = derivative(tower, first, "tracking_index")
     return tower.expression(Fraction(-second.num, second.den))

@@ -7,18 +7,20 @@ with b = sqrt(m1 + 2 c) and c = sqrt(m2).
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
 
 from gainproof.derive.algebra import tower as algebra
-from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.model import ScaledModel
 from gainproof.derive.steady_state.towers import rational, surd
 from gainproof.derive.three_state import covariance_entries
+from gainproof.derive.three_state.lowest_terms import common_denominator, over_parameter, quotients
 from gainproof.derive.three_state.names import (
     ALPHA,
     BETA,
@@ -29,6 +31,7 @@ from gainproof.derive.three_state.names import (
     INDEX,
     NU,
     PARAMETER,
+    PREDICTED,
     XI,
 )
 from gainproof.derive.three_state.spectrum import Spectrum
@@ -71,14 +74,25 @@ def scale_of_parameter(spectrum: Spectrum) -> sp.Expr:
 def main_tower(model: ScaledModel, spectrum: Spectrum) -> Tower:
     """The steady state over p > 0."""
     k, wide = constants(spectrum), scale_of_parameter(spectrum)
-    xi, above, delta = _coefficients(k, wide)
+    xi, above, _ = _coefficients(k, wide)
     generators = list(k.generators)
     index: sp.Expr = 8 / DELTA
     if spectrum.m2:
         radicand = _radicand(k, wide, xi, above)
         generators.append(Generator("r", radicand))
         index = 16 * XI * wide**4 / real("r")
-    elements = {
+    elements = named_elements(model, spectrum, index)
+    if spectrum.m2:
+        elements |= _shortened(k, spectrum, elements)
+    return Tower("main", (Parameter("p"),), tuple(generators), elements)
+
+
+def named_elements(
+    model: ScaledModel, spectrum: Spectrum, index: sp.Expr = 8 / DELTA
+) -> dict[str, sp.Expr]:
+    """The named quantities, each over those before it."""
+    xi, _, delta = _coefficients(constants(spectrum), scale_of_parameter(spectrum))
+    return {
         "xi": xi,
         "eta": (XI**2 - rational(spectrum.a1)) / 2,
         "delta": delta,
@@ -96,7 +110,25 @@ def main_tower(model: ScaledModel, spectrum: Spectrum) -> Tower:
         **covariance_entries.predicted(model.process_noise),
         **covariance_entries.updated(model.process_noise, rational(spectrum.a1)),
     }
-    return Tower("main", (Parameter("p"),), tuple(generators), elements)
+
+
+def _shortened(
+    k: Constants, spectrum: Spectrum, elements: Mapping[str, sp.Expr]
+) -> dict[str, sp.Expr]:
+    """The elements that are quotients in xi in lowest terms, where these show the sign.
+
+    The predicted covariance is kept over one denominator, for short cofactors.
+    """
+    numbers = Tower("numbers", (Parameter("p"),), k.generators, {})
+    excess, known = (k.least, scale_of_parameter(spectrum)), quotients(spectrum, elements)
+    below = common_denominator(known.of(real(name)) for name in PREDICTED)
+    found: dict[str, sp.Expr] = {}
+    for name in elements:
+        if name not in ("xi", "tracking_index", "innovation_deviation"):
+            over = below if name in PREDICTED else None
+            with suppress(ArithmeticError):
+                found[name] = over_parameter(numbers, excess, known.of(real(name)), over)
+    return found
 
 
 def kernel_tower(tower: Tower) -> Tower:
@@ -105,13 +137,20 @@ def kernel_tower(tower: Tower) -> Tower:
     The kernels' square roots are taken from it.
     """
     index = tower.elements["tracking_index"]
-    radicand = tower.expression(
-        algebra.Fraction(tower.reduce(index.num * index.den**3), tower.ring.one)
-    )
+    if any(entry.symbol == "r" for entry in tower.generators):
+        # the root stands below, where its radicand is the shorter one
+        radicand = _whole(tower, tower.reduce(index.den * index.num**3))
+        fourth_root = _whole(tower, index.num) / real("y")
+    else:
+        radicand = _whole(tower, tower.reduce(index.num * index.den**3))
+        fourth_root = real("y") / _whole(tower, index.den)
     root = Generator("y", radicand, 4)
-    below = tower.expression(algebra.Fraction(index.den, tower.ring.one))
-    elements = {**tower.expressions, "fourth_root": real("y") / below}
+    elements = {**tower.expressions, "fourth_root": fourth_root}
     return Tower("kernels", tower.parameters, (*tower.generators, root), elements)
+
+
+def _whole(tower: Tower, poly: algebra.Poly) -> sp.Expr:
+    return tower.expression(algebra.Fraction(poly, tower.ring.one))
 
 
 def _coefficients(k: Constants, wide: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -130,40 +169,3 @@ def _radicand(k: Constants, wide: sp.Expr, xi: sp.Expr, above: sp.Expr) -> sp.Ex
         sp.expand((above - 2 * k.c * xi) * wide**4) * sp.expand((above + 2 * k.c * xi) * wide**4)
     )
     return numbers.expression(value)
-
-
-def start(spectrum: Spectrum) -> End:
-    """p -> 0, where xi grows without bound and the index falls to zero."""
-    numbers, boundary, _ = _numbers(spectrum)
-    if spectrum.m2:
-        boundary["r"] = sp.Integer(64)
-    return End(constants=numbers, boundary=boundary)
-
-
-def end(spectrum: Spectrum) -> End:
-    """p -> infinity, where xi falls to 1 + b and the index grows without bound."""
-    numbers, boundary, k = _numbers(spectrum)
-    if not spectrum.m2:
-        return End(constants=numbers, boundary=boundary)
-    radicand = sp.expand(32 * k.b * k.c * k.least * (k.least + k.c))
-    return End(
-        weights={"r": 7},
-        constants={**numbers, "root_of_end": radicand},
-        boundary={**boundary, "r": real("root_of_end")},
-    )
-
-
-def _numbers(spectrum: Spectrum) -> tuple[dict[str, sp.Expr | int], dict[str, sp.Expr], Constants]:
-    """Constants of a limit, the generators of numbers over them, and b and c over them."""
-    k = constants(spectrum)
-    named = {entry.symbol: _constant(entry.symbol) for entry in k.generators}
-    swap = {real(old): real(new) for old, new in named.items()}
-    numbers: dict[str, sp.Expr | int] = {
-        named[entry.symbol]: sp.sympify(entry.radicand).subs(swap) for entry in k.generators
-    }
-    boundary: dict[str, sp.Expr] = {old: real(new) for old, new in named.items()}
-    return numbers, boundary, Constants(k.b.subs(swap), k.c.subs(swap), ())
-
-
-def _constant(name: str) -> str:
-    return name if name.startswith("root_") else f"root_of_{name}"

@@ -1,0 +1,73 @@
+"""Positive forms of what is a quotient in xi, in lowest terms over the parameter, as hints.
+
+Only where the family's constants are roots: elsewhere the tower finds the common factors itself.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from gainproof.derive.expression import real
+from gainproof.derive.three_state.context import Context
+from gainproof.derive.three_state.lowest_terms import Quotient, over_parameter
+from gainproof.derive.three_state.names import INDEX, Z, rows
+from gainproof.derive.three_state.towers import scale_of_parameter
+
+Hint = dict[str, Any]
+
+
+def shown(c: Context, quotient: Quotient) -> sp.Expr:
+    """A positive quotient in xi over the parameter.
+
+    Raises ArithmeticError where lowest terms show no sign.
+    """
+    return over_parameter(c.tower, (c.constants.least, scale_of_parameter(c.spectrum)), quotient)
+
+
+def minors(c: Context, kind: str) -> Hint:
+    """The leading minors of a covariance."""
+    if not c.spectrum.m2:
+        return {}
+    (m11, m12, m13), (_, m22, m23), (_, _, m33) = (
+        [c.quotients.of(real(name)) for name in row] for row in rows(kind)
+    )
+    second, cross, last = m11 * m22 - m12**2, m12 * m23 - m13 * m22, m11 * m23 - m12 * m13
+    third = m13 * cross - m23 * last + m33 * second
+    return {"minors": [shown(c, minor) for minor in (m11, second, third)]}
+
+
+def schur_cohn(c: Context) -> Hint:
+    """a_n - a_0 and a_n + a_0 of c(z) for each degree from 3 down to 1."""
+    if not c.spectrum.m2:
+        return {}
+    row = [c.quotients.of(c.spectrum.closed_loop.coeff(Z, n)) for n in range(4)]
+    values: list[sp.Expr] = []
+    while len(row) > 1:
+        first, last = row[0], row[-1]
+        values += [shown(c, last - first), shown(c, last + first)]
+        row = [
+            last * after - first * mirrored
+            for after, mirrored in zip(row[1:], reversed(row[:-1]), strict=True)
+        ]
+    return {"values": values}
+
+
+def slope(c: Context, name: str) -> Hint:
+    """The derivative of an element by the index."""
+    if not c.spectrum.m2:
+        return {}
+    return {"form": shown(c, c.quotients.along_index(c.quotients.of(real(name)))) / INDEX}
+
+
+def multiple(c: Context, parts: tuple[sp.Expr, sp.Expr], scale: sp.Expr, root: sp.Expr) -> sp.Expr:
+    """(first + second root) scale, a number, as a sum over the parameter in lowest terms."""
+    first, second = (c.quotients.of(part * scale) for part in parts)
+    return shown(c, first) + shown(c, second) * root
+
+
+def bend(c: Context, name: str) -> sp.Expr:
+    """Less the second derivative of an element by the index."""
+    first = c.quotients.along_index(c.quotients.of(real(name)))
+    return shown(c, (first - c.quotients.along_index(first)) * c.quotients.of(1 / INDEX**2))
