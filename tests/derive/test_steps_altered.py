@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any
 
 import pytest
-from catalogue_subjects import subject
+from catalogue_subjects import certificate, subject
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.certificate import CertificateReport, check
@@ -24,8 +24,8 @@ UNDECIDABLE = {"definition", "cited"}
 
 @cache
 def _certificate(name: str) -> dict[str, Any]:
-    certificate: dict[str, Any] = _plain(subject(name).certificate())
-    return certificate
+    plain_certificate: dict[str, Any] = _plain(certificate(name))
+    return plain_certificate
 
 
 def _plain(data: Any) -> Any:

@@ -17,6 +17,12 @@ def subject(name: str) -> Subject:
     return entry.build()
 
 
+@cache
+def certificate(name: str) -> Mapping[str, Any]:
+    """The certificate of a subject, written once in a process; nobody changes it."""
+    return subject(name).certificate()
+
+
 def models() -> list[Mapping[str, Any]]:
     """The models of all subjects that have one, in the order of the catalogue."""
     return [data for entry in CATALOGUE if (data := subject(entry.name).model_data)]

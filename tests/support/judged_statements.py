@@ -1,0 +1,79 @@
+"""The statements of derivations before the judge, whole or a sample spread over their kinds."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+from functools import cache
+from typing import Any
+
+from catalogue_subjects import certificate, subject
+
+from gainproof.derive.catalogue import CATALOGUE, Entry
+from gainproof.verify.judge.derivations.fixed_point import ROOTED
+from gainproof.verify.judge.derivations.relation import judge_statement
+from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
+
+DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}
+
+# the judge reads relations over one index; those over several parameters have the checker alone
+SEVERAL = ("position-velocity", "recursion")
+OF_ONE_INDEX: tuple[Entry, ...] = tuple(
+    entry for entry in CATALOGUE if not entry.name.startswith(SEVERAL)
+)
+# their kernels hold a fixed point over an index that holds roots: the checker alone
+ROOTED_FAMILIES = ("random-jerk", "continuous-white-jerk")
+# what the judge searches for and gives up, after tens of seconds: the checker alone
+GIVEN_UP = {("continuous-white-jerk", "discriminant")}
+# whole they take more than five seconds: a campaign
+SAMPLED = ("random-jerk", "continuous-white-jerk")
+OF_A_KIND = 2
+SLOW_OF_SAMPLED = ("concave",)  # seconds each in the sampled families
+
+
+def sample(name: str, seed: int) -> list[int]:
+    """Numbers of statements: up to `OF_A_KIND` of every kind, none of those known to take long.
+
+    No kernels where these have the checker alone.
+    """
+    chooser = random.Random(f"{name} {seed}")
+    kinds: dict[str, list[int]] = {}
+    for number, statement in enumerate(certificate(name)["statements"]):
+        kind, known = statement["kind"], statement["id"]
+        alone = kind == "program" and name in ROOTED_FAMILIES
+        if not (alone or (name, known) in GIVEN_UP or known.startswith(SLOW_OF_SAMPLED)):
+            kinds.setdefault(kind, []).append(number)
+    return sorted(
+        number
+        for numbers in kinds.values()
+        for number in chooser.sample(numbers, min(OF_A_KIND, len(numbers)))
+    )
+
+
+def judged(name: str, numbers: Sequence[int] | None = None) -> Iterator[tuple[str, str]]:
+    """The id of each chosen statement and what is wrong with its verdict, or nothing."""
+    written = certificate(name)
+    degree = DEGREES.get(name)
+    model = subject(name).model_data if degree is None else None
+
+    @cache
+    def around(tower: str) -> Surroundings:
+        return surroundings(model, degree, written["towers"][tower])
+
+    statements: list[dict[str, Any]] = written["statements"]
+    for number in range(len(statements)) if numbers is None else numbers:
+        statement = statements[number]
+        kind, known = statement["kind"], (name, statement["id"])
+        finding = judge_statement(
+            kind,
+            statement["claim"],
+            programs=written["programs"],
+            around=around(statement["tower"]),
+        )
+        expected = {"definition": "definition", "cited": "remark"}.get(kind, "proved")
+        if kind == "program" and finding.reason == ROOTED and name in ROOTED_FAMILIES:
+            expected = finding.verdict
+        if known in GIVEN_UP:
+            expected = "undecided"
+        wrong = "" if finding.verdict == expected else f"{finding.verdict}: {finding.reason}"
+        yield statement["id"], wrong
