@@ -1,10 +1,13 @@
 """Positive forms of what is a quotient in xi, in lowest terms over the parameter, as hints.
 
 Only where the family's constants are roots: elsewhere the tower finds the common factors itself.
+Where lowest terms show no sign (constants whose nested root is a plain one, which the tower does
+not see) there is no hint, and the tower is left to find a form.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import sympy as sp
@@ -26,10 +29,21 @@ def shown(c: Context, quotient: Quotient) -> sp.Expr:
     return over_parameter(c.tower, (c.constants.least, scale_of_parameter(c.spectrum)), quotient)
 
 
-def minors(c: Context, kind: str) -> Hint:
-    """The leading minors of a covariance."""
+def _if_shown(c: Context, hint: Callable[[Context], Hint]) -> Hint:
     if not c.spectrum.m2:
         return {}
+    try:
+        return hint(c)
+    except ArithmeticError:
+        return {}
+
+
+def minors(c: Context, kind: str) -> Hint:
+    """The leading minors of a covariance."""
+    return _if_shown(c, lambda c: _minors(c, kind))
+
+
+def _minors(c: Context, kind: str) -> Hint:
     (m11, m12, m13), (_, m22, m23), (_, _, m33) = (
         [c.quotients.of(real(name)) for name in row] for row in rows(kind)
     )
@@ -40,8 +54,10 @@ def minors(c: Context, kind: str) -> Hint:
 
 def schur_cohn(c: Context) -> Hint:
     """a_n - a_0 and a_n + a_0 of c(z) for each degree from 3 down to 1."""
-    if not c.spectrum.m2:
-        return {}
+    return _if_shown(c, _schur_cohn)
+
+
+def _schur_cohn(c: Context) -> Hint:
     row = [c.quotients.of(c.spectrum.closed_loop.coeff(Z, n)) for n in range(4)]
     values: list[sp.Expr] = []
     while len(row) > 1:
@@ -56,18 +72,16 @@ def schur_cohn(c: Context) -> Hint:
 
 def slope(c: Context, name: str) -> Hint:
     """The derivative of an element by the index."""
-    if not c.spectrum.m2:
-        return {}
-    return {"form": shown(c, c.quotients.along_index(c.quotients.of(real(name)))) / INDEX}
+    return _if_shown(
+        c, lambda c: {"form": shown(c, c.quotients.along_index(c.quotients.of(real(name)))) / INDEX}
+    )
 
 
-def multiple(c: Context, parts: tuple[sp.Expr, sp.Expr], scale: sp.Expr, root: sp.Expr) -> sp.Expr:
-    """(first + second root) scale, a number, as a sum over the parameter in lowest terms."""
-    first, second = (c.quotients.of(part * scale) for part in parts)
-    return shown(c, first) + shown(c, second) * root
-
-
-def bend(c: Context, name: str) -> sp.Expr:
+def bend(c: Context, name: str) -> Hint:
     """Less the second derivative of an element by the index."""
+    return _if_shown(c, lambda c: {"form": _bend(c, name)})
+
+
+def _bend(c: Context, name: str) -> sp.Expr:
     first = c.quotients.along_index(c.quotients.of(real(name)))
     return shown(c, (first - c.quotients.along_index(first)) * c.quotients.of(1 / INDEX**2))

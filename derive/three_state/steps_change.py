@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from gainproof.derive.algebra.derivative import derivative
-from gainproof.derive.algebra.tower import Fraction
+from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, equal, monotone, positive
@@ -128,7 +128,7 @@ def _curvature(c: Context) -> list[Step]:
         (
             f"concave-{name}",
             positive(-sp.Derivative(real(name), INDEX, INDEX)),
-            {"form": _second(c, name)},
+            shown_signs.bend(c, name) or {"form": _second(c.tower, name)},
         )
         for name in GAINS
     )
@@ -145,11 +145,8 @@ def _curvature(c: Context) -> list[Step]:
     ]
 
 
-def _second(c: Context, gain: str) -> sp.Expr:
+def _second(tower: Tower, gain: str) -> sp.Expr:
     """Less the second derivative of a gain."""
-    if c.spectrum.m2:
-        return shown_signs.bend(c, gain)
-    tower = c.tower
     first = tower.expression(derivative(tower, real(gain), "tracking_index"))
     second = derivative(tower, first, "tracking_index")
     return tower.expression(Fraction(-second.num, second.den))
