@@ -17,6 +17,7 @@ def start_steps(noises: tuple[Noise, ...]) -> list[Step]:
     first, *others = (_start(noise) for noise in noises)
     name, relation = first
     return [
+        *(_noise(noise) for noise in noises),
         Step(
             name,
             "A track starts from two positions an interval `t` apart: the second one is the "
@@ -32,6 +33,21 @@ def start_steps(noises: tuple[Noise, ...]) -> list[Step]:
         *(joined(other, found, tower="start") for other, found in others),
         *(joined(f"{_key(noise)}-start-factors", _shown(noise), tower="start") for noise in noises),
     ]
+
+
+def _noise(noise: Noise) -> Step:
+    """The process noise once more, over the parameters of the start: its names are tied there too.
+
+    The step on a continuous noise shows that these entries are its integral.
+    """
+    return Step(
+        f"{_key(noise)}-start-noise",
+        "The same process noise, over the parameters of this part.",
+        equal(symmetric(f"{noise.name}_noise"), noise.covariance),
+        f"As in step @{_key(noise)}-noise.",
+        tower="start",
+        shown=False,
+    )
 
 
 def _start(noise: Noise) -> tuple[str, Relation]:

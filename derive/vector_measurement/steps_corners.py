@@ -23,6 +23,7 @@ from gainproof.derive.vector_measurement.corners import (
 from gainproof.derive.vector_measurement.ends import root_of_e
 from gainproof.derive.vector_measurement.names import PREDICTED, ROOT, UPDATED
 from gainproof.derive.vector_measurement.steps_limits import stable_forms
+from gainproof.derive.vector_measurement.steps_ties import tie_steps
 from gainproof.derive.vector_measurement.towers import rational
 
 Terms = Mapping[str, tuple[sp.Expr, sp.Expr]]
@@ -36,6 +37,8 @@ def corner_steps(c: Context) -> list[Step]:
     """Leading terms of the covariances in the three corners."""
     fixed, narrow = fixed_index_ends(c.noise), narrow_ends(c.noise)
     return [
+        *tie_steps(c, "fixed_velocity_index"),
+        *tie_steps(c, "narrow"),
         *_steps(
             c,
             "small-velocity-index",

@@ -19,6 +19,7 @@ from gainproof.derive.vector_measurement.names import (
     SIGMA,
     UPDATED,
 )
+from gainproof.derive.vector_measurement.steps_ties import tie_steps
 from gainproof.derive.vector_measurement.towers import rational
 
 AREA = INDEX**2
@@ -26,7 +27,7 @@ AREA = INDEX**2
 
 def limit_steps(c: Context) -> list[Step]:
     """Limits of every entry and gain as S falls to 0 and as it grows without bound."""
-    return [*_without_velocity(c), *_velocity_known(c)]
+    return [*tie_steps(c, "ends"), *_without_velocity(c), *_velocity_known(c)]
 
 
 def stable_forms(c: Context) -> dict[str, sp.Expr]:

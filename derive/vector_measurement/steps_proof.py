@@ -5,17 +5,13 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
-from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, cited, equal
 from gainproof.derive.source import RICCATI
 from gainproof.derive.vector_measurement.context import Context
 from gainproof.derive.vector_measurement.names import (
     CROSS,
     DELTA,
-    ETA,
-    GAIN_ROWS,
     INDEX,
-    MEAN,
     PREDICTED,
     RATIO,
     REST,
@@ -26,39 +22,25 @@ from gainproof.derive.vector_measurement.names import (
 from gainproof.derive.vector_measurement.spectrum import V
 from gainproof.derive.vector_measurement.steps_entries import P11, P12, P22, U11, U12, U22
 from gainproof.derive.vector_measurement.steps_spectrum import one_end_text
+from gainproof.derive.vector_measurement.steps_ties import riccati_step, square, stable_step
 from gainproof.derive.vector_measurement.towers import rational
-
-
-def _names(entries: tuple[str, str, str]) -> list[list[str]]:
-    first, cross, second = entries
-    return [[first, cross], [cross, second]]
 
 
 def proof_steps(c: Context) -> list[Step]:
     """The Riccati equation, stability, definiteness and uniqueness."""
-    gain = [list(row) for row in GAIN_ROWS]
     v = 2 - Z - 1 / Z
     one_end = one_end_text(c)
     w, level = ("`w`, ", "@level, ") if c.noise.determinant else ("", "")
     roots = f"{w}`eta` and `delta` (steps {level}@at-minus-one and @delta)"
     return [
-        Step(
+        riccati_step(
+            c,
             "riccati",
-            "So far we assumed that there is a steady state and found what it must be. Now the "
-            "proof: these `K`, `P` and `U` satisfy the equations of the filter.",
-            Relation(
-                "riccati",
-                {
-                    "model": c.model_data,
-                    "predicted": _names(PREDICTED),
-                    "updated": _names(UPDATED),
-                    "gain": gain,
-                    "index": "tracking_index",
-                },
-            ),
-            "Insert the entries: the difference of both sides is in every entry a combination of "
-            f"the equations that define {roots}, and so zero.",
-            hint={"innovation": [real("predicted_11") + 1, SIGMA**2 * RATIO**2]},
+            "main",
+            sentence="So far we assumed that there is a steady state and found what it must be. "
+            "Now the proof: these `K`, `P` and `U` satisfy the equations of the filter.",
+            reason="Insert the entries: the difference of both sides is in every entry a "
+            f"combination of the equations that define {roots}, and so zero.",
             heading="The proof that this is the steady state",
         ),
         Step(
@@ -71,22 +53,15 @@ def proof_steps(c: Context) -> list[Step]:
             ),
             "Both sides agree for every `z`.",
         ),
-        Step(
+        stable_step(
+            c,
             "stable",
-            "Both poles lie inside the unit circle for all positive `Lambda` and `S`, so the "
-            "errors of a start die out.",
-            Relation("stable", {"model": c.model_data, "gain": gain}),
-            "For a quadratic `c(z)` that starts with `z^2` it is enough that `1 - c(0)`, "
+            "main",
+            sentence="Both poles lie inside the unit circle for all positive `Lambda` and `S`, so "
+            "the errors of a start die out.",
+            reason="For a quadratic `c(z)` that starts with `z^2` it is enough that `1 - c(0)`, "
             "`1 + c(0)`, `c(1)` and `c(-1)` are positive. They are `delta`, `m`, "
             f"`{one_end}` and `eta`, each over `sigma`.",
-            hint={
-                "values": [
-                    DELTA / SIGMA,
-                    MEAN / SIGMA,
-                    DELTA * ETA / SIGMA**2,
-                    DELTA * INDEX * c.level / SIGMA**2,
-                ]
-            },
         ),
         *_definite(c),
         Step(
@@ -105,7 +80,7 @@ def _definite(c: Context) -> list[Step]:
     step = CROSS / SIGMA * 2 + _rate(c) + rational(c.noise.first) * INDEX**2
     predicted, updated = (
         (
-            Relation("positive_definite", {"matrix": _names(entries)}),
+            Relation("positive_definite", {"matrix": square(entries)}),
             {"minors": [corner, RATIO**2 * REST * power]},
         )
         for entries, corner, power in (
