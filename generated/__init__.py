@@ -21,6 +21,6 @@
 - `recursion_three_states`: Kalman recursion of position, velocity and acceleration, any
   intervals.
 - `recursion_two_states`: Kalman recursion of position and velocity, any intervals.
-- `wiener_acceleration`: Discrete Wiener process acceleration (increments acting through the
-  interval): steady state with measured position.
+- `wiener_acceleration`: Discrete Wiener process acceleration: steady state with measured
+  position.
 """
