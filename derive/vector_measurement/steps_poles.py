@@ -130,8 +130,8 @@ def _curves(c: Context) -> list[Step]:
     steps = [
         Step(
             "real-poles-between",
-            f"It vanishes at two values of `1/S^2`{named}. From the larger on the poles are real "
-            "and positive, between the two they are complex.",
+            f"It vanishes at two values of `1/S^2`, `y_+` and `y_-`{named}. From the larger on "
+            "the poles are real and positive, between the two they are complex.",
             equal(
                 row(positive_from, negative_up_to, _shape(c)),
                 row(

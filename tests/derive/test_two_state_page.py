@@ -59,8 +59,8 @@ def _symbols(value: Any) -> Iterator[str]:
 def _words(text: str) -> set[str]:
     """Names in the formulas of a sentence."""
     formulas = " ".join(re.findall(r"`([^`]*)`", text))
-    # P11^o is a name, z^2 a power
-    return set(re.findall(r"\(FK\)[12]|[A-Za-z]\w*(?:\^[od]\b)?", formulas))
+    # P11^o and y_+ are names, z^2 a power
+    return set(re.findall(r"\(FK\)[12]|[A-Za-z]_[+-]|[A-Za-z]\w*(?:\^[od]\b)?", formulas))
 
 
 def _used(item: Item, derived: Derived) -> set[str]:

@@ -25,6 +25,12 @@ CASES = [
     pytest.param(*key, dtype, id=f"{'-'.join(key)}-{dtype}") for key in GROUPS for dtype in DTYPES
 ]
 # where a pole turns real, a centre changes sign, and their neighbours
+THREE_STATES = (
+    "acceleration_increments",
+    "wiener_acceleration",
+    "random_jerk",
+    "continuous_white_jerk",
+)
 SPECIAL = [
     x for y in (4.0, 24**0.5, 8.0, 12.0) for x in (y, np.nextafter(y, 0), np.nextafter(y, 99))
 ]
@@ -166,7 +172,10 @@ def test_bounds_keep_what_the_project_promises() -> None:
                 if kernel.name in {"gains", "predictor_gains"}:
                     assert read.bound <= 8, f"{kernel.id}.{output}"
                 if kernel.name.endswith("derivatives"):
-                    most = 20 if "second" in kernel.name else 16
+                    # 16 is promised of first derivatives in closed form; second ones, and those
+                    # over a root that is iterated, have more operations
+                    iterated = kernel.id.startswith(THREE_STATES)
+                    most = 20 if "second" in kernel.name or iterated else 16
                     assert read.bound <= most, f"{kernel.id}.{output}"
                 if kernel.name == "gains" and dtype == "float64" and not kernel.whole:
                     assert read.lowest <= 1e-300

@@ -113,7 +113,8 @@ def _steady(model: tuple[tuple[str, Any], ...], point: Fraction) -> Values:
     with mpmath.workdps(DIGITS):
         index = real(point)
         gain = [mpmath.mpf(row[0]) for row in state.gain]
-        values: dict[str, Any] = {"tracking_index": index, "alpha": gain[0], "beta": gain[1]}
+        names = ("alpha", "beta", "gamma")
+        values: dict[str, Any] = {"tracking_index": index, **dict(zip(names, gain, strict=False))}
         transition = data["transition"]
         forward = [
             sum(real(Fraction(f)) * g for f, g in zip(row, gain, strict=True)) for row in transition

@@ -27,6 +27,8 @@ DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-para
 SHORT = ("kappa", "rho", "psi", "chi")
 """Names of the derivations that no oracle gives a value."""
 UNKNOWN_TO_ORACLES = ("information_", "pole", "program")
+KNOWN_OF_THREE_STATES = ("alpha", "beta", "gamma", "predicted_", "updated_", "tracking_index")
+"""Of three states the oracles give these, and no value of the tower's parameter."""
 CLAIMS = Path(__file__).parents[3] / "verify" / "claims"
 
 
@@ -45,7 +47,8 @@ def derived_relations() -> Iterator[Relation]:
         around = {n: surroundings(model, degree, tower) for n, tower in towers.items()}
         for statement in certificate["statements"]:
             place = statement["tower"]
-            if statement["kind"] == "equal" and _known(statement, towers[place]):
+            states = len(model["transition"]) if model else 0
+            if statement["kind"] == "equal" and _known(statement, towers[place], states):
                 yield _derived(entry.name, statement, towers[place], model, degree, around[place])
 
 
@@ -53,13 +56,15 @@ def _of_one_measurement(model: Mapping[str, Any]) -> bool:
     return len(model["measurement"]) == 1
 
 
-def _known(statement: Mapping[str, Any], tower: Mapping[str, Any]) -> bool:
+def _known(statement: Mapping[str, Any], tower: Mapping[str, Any], states: int) -> bool:
     """The oracles give the tracking index itself, and so know the main tower, whose parameter is
     its root, only.
     """
     left, right = (to_tree(statement["claim"][side]) for side in ("left", "right"))
     names = symbols(left) | symbols(right)
     if any(name.startswith(UNKNOWN_TO_ORACLES) for name in names):
+        return False
+    if states == 3 and not all(name.startswith(KNOWN_OF_THREE_STATES) for name in names):
         return False
     at_start = any(
         part[0] == "at" for side in ("left", "right") for part in statement["claim"][side]["nodes"]

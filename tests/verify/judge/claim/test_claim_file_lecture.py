@@ -34,7 +34,12 @@ def test_remarks_say_why(lecture: ClaimFile) -> None:
 
 def test_rows_of_the_tables_are_searched(lecture: ClaimFile) -> None:
     rows = [setting for setting in lecture.settings.values() if setting.kind == "steady_state"]
-    assert [setting.name for setting in rows] == ["random_velocity", "random_acceleration"]
+    assert [setting.name for setting in rows] == [
+        "random_velocity",
+        "random_acceleration",
+        "random_acceleration_3",
+        "random_jerk",
+    ]
     assert all(setting.model == "search" and setting.gain == "filter" for setting in rows)
 
 

@@ -31,6 +31,19 @@ MODELS: tuple[dict[str, Any], ...] = tuple(
         ("continuous-white-acceleration", [["1/3", "1/2"], ["1/2", "1"]]),
     )
 )
+OF_THREE_STATES: tuple[dict[str, Any], ...] = tuple(
+    {
+        "name": name,
+        "transition": [["1", "1", "1/2"], ["0", "1", "1"], ["0", "0", "1"]],
+        "process_noise": noise,
+        "measurement": [["1", "0", "0"]],
+        "measurement_noise": [["1"]],
+    }
+    for name, noise in (
+        ("acceleration-increments", [["0", "0", "0"], ["0", "0", "0"], ["0", "0", "1"]]),
+        ("random-jerk", [["1/36", "1/12", "1/6"], ["1/12", "1/4", "1/2"], ["1/6", "1/2", "1"]]),
+    )
+)
 HEAD = """
 format = "gainproof claims 1"
 [source]
@@ -61,7 +74,7 @@ def test_lecture_is_decided_and_plain_data() -> None:
     seen: list[tuple[int, int]] = []
     verdicts = judge_file(
         read_claim_file(LECTURE),
-        MODELS,
+        MODELS + OF_THREE_STATES,
         progress=lambda tried, total: seen.append((tried, total)),
     )
     assert {v.verdict for v in verdicts} <= {"proved", "definition", "remark"}
