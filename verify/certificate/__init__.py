@@ -37,8 +37,10 @@ Tower
     {"parameters": [...], "generators": [...], "elements": {name: fraction, ...}}.
     Parameter: {"symbol", "above": "0"} is p > 0, {"symbol", "from": number} is k >= number.
     Generator: {"symbol", "power": n, "radicand": polynomial in earlier variables}: the positive
-    real y with y^n = radicand; the radicand must be manifestly positive. Elements are fractions
-    with names of their own. No name is given twice in a tower.
+    real y with y^n = radicand; the radicand must be manifestly positive. Or {"coupled": [x, y],
+    "free": [a, c], "slopes": [b, e]}: the two positive reals with x^2 = a + b y, y^2 = c + e x;
+    polynomials in earlier variables, a, c manifestly nonnegative, b, e positive (`coupled`).
+    Elements are fractions with names of their own. No name is given twice in a tower.
 Graph
     {"nodes": [node, ...], "outputs": {name: node number}}; a node refers to earlier nodes, each
     node serves an output. Single expressions have the one output "value". Nodes: ["number", q],
@@ -78,9 +80,9 @@ Root in a claim
     ["pow", i, "m/n"]: the base must be zero, a perfect n-th power of one term over factors, or
     equal to the radicand of a generator of power n.
 Derivative
-    By a parameter (generators follow: y' = radicand'/(n y^(n-1)); the other parameters held) or a
-    free symbol; by an element x in which one parameter p occurs and no other, also inside
-    generators: (dE/dp)/(dx/dp), the other parameters held.
+    By a parameter (generators follow: y' = radicand'/(n y^(n-1)), pairs as in `coupled`; the other
+    parameters held) or a free symbol; by an element x in which one parameter p occurs and no other,
+    also inside generators: (dE/dp)/(dx/dp), the other parameters held.
 At
     The expression evaluated anew with another value of a parameter or free symbol, in elements too,
     every divisor shown nonzero there. Only in towers without generators; no derivative inside.
@@ -104,13 +106,13 @@ limit {"expression": graph, "variable": name, "point": "0" | "infinity", "value"
     [{"symbol", "power", "radicand"}, ...]: positive roots over the other parameters and earlier
     constants, exponents over the other parameters, then all constants. "boundary": {generator:
     polynomial over these}: the value of Y at x = 0, manifestly nonnegative and a root of the
-    rescaled relation at x = 0, which may hold no negative power of x. Weights and boundary name
-    every generator. The lowest powers of x above and below the line give the limit; their
-    coefficients at the boundary must have plain signs (positive or negative for all values of the
-    other parameters, manifestly). A "form" equals the expression and takes its place where its own
-    coefficients have no plain sign; one that is not needed is rejected. "value" is made of numbers,
-    of names in which the tending parameter does not occur, and of roots, which must be known: of
-    the radicands of the constants, or perfect.
+    rescaled relation at x = 0, which may hold no negative power of x (pairs: `pair_boundary`).
+    Weights and boundary name every generator. The lowest powers of x above and below the line give
+    the limit; their coefficients at the boundary must have plain signs (positive or negative for
+    all values of the other parameters, manifestly). A "form" equals the expression and takes its
+    place where its own coefficients have no plain sign; one that is not needed is rejected. "value"
+    is made of numbers, of names in which the tending parameter does not occur, and of roots, which
+    must be known: of the radicands of the constants, or perfect.
 increasing_onto {"expression": graph, "variable": name, "from": graph, "to": graph | "infinity"};
 {"derivative": fraction, "start": limit evidence, "end": limit evidence, "nonzero"}, possibly "form"
     For every fixed value of the other parameters the expression increases strictly with the

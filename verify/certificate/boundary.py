@@ -4,8 +4,9 @@ The tending parameter p is written as a distance x -> 0: ``p = lower + x`` at th
 ``p = 1/x`` at infinity; each generator as ``y = Y x^(-weight)`` so that the rescaled relation
 ``Y^n = x^(n weight) radicand`` has no negative power of x. The other parameters are held, at any
 point of their domains. Then Y is continuous up to x = 0, where it is the nonnegative root of the
-relation at x = 0: the certificate states it over constants (which are positive roots over the other
-parameters), and the relation confirms it at every point of them.
+relation at x = 0 (of a coupled pair see `pair_boundary`): the certificate states it over constants
+(which are positive roots over the other parameters), and the relation confirms it at every point of
+them.
 
 The limit is read from the lowest powers of x above and below the line. If their coefficients are
 not manifestly positive or negative for all values of the other parameters, nothing can be
@@ -21,14 +22,15 @@ from fractions import Fraction
 
 from gainproof.verify.certificate import schema, written
 from gainproof.verify.certificate.field import Field
+from gainproof.verify.certificate.generator import read_constants
+from gainproof.verify.certificate.pair_boundary import require_pair, require_root
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.polynomial import Monomial, Polynomial, Ring
+from gainproof.verify.certificate.polynomial import Monomial, Polynomial
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial
 from gainproof.verify.certificate.rejection import RejectedError
-from gainproof.verify.certificate.tower import Tower, read_generator
+from gainproof.verify.certificate.tower import Tower
 
 _MAXIMUM_WEIGHT = 64
-_MAXIMUM_CONSTANTS = 12
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,6 +134,8 @@ class Boundary:
         ring, parameters = self.constants.ring, len(self.field.parameters)
         others = [e for i, e in enumerate(monomial[:parameters]) if i != self.position]
         term = ring.monomial(dict(enumerate(others))).times(coefficient)
+        if any(monomial[parameters + len(self.values) :]):
+            raise RejectedError("a generator without a value at the boundary occurs")
         for exponent, root in zip(monomial[parameters:], self.values, strict=False):
             if exponent:
                 term = self.constants.reduce(term * root**exponent)
@@ -161,61 +165,47 @@ def read_boundary(
     scaled = tuple(
         schema.integer(weights[n], lowest, highest, f"{place}.weights.{n}") for n in names
     )
-    constants = _read_constants(fields["constants"], field, position, f"{place}.constants")
+    constants = read_constants(fields["constants"], field, position, f"{place}.constants")
     entries = schema.record(fields["boundary"], names, f"{place}.boundary")
     boundary = Boundary(field, position, at_infinity, scaled, constants, ())
-    for index, generator_name in enumerate(names):
+    roots: list[Polynomial] = []
+    for generator_name in names:
         root = written.polynomial(
             entries[generator_name], constants.ring, f"{place}.boundary.{generator_name}"
         )
-        boundary = _with_root(boundary, index, root, f"{place}.boundary.{generator_name}")
+        if not constants.nonnegative(root):
+            raise RejectedError(f"{place}.boundary.{generator_name}: not manifestly nonnegative")
+        roots.append(root)
+    for index, generator in enumerate(field.generators):
+        if index < len(boundary.values):
+            continue  # the second of a pair
+        where = f"{place}.boundary.{generator.symbol}"
+        if generator.pair is None:
+            require_root(boundary, index, roots[index], where)
+            boundary = replace(boundary, values=(*boundary.values, roots[index]))
+        else:
+            both = roots[index], roots[index + 1]
+            require_pair(boundary, index, both, where)
+            boundary = replace(boundary, values=(*boundary.values, *both))
     first = len(constants.parameters)
     occurring = {
         i
         for i in range(first, constants.ring.size)
         if any(root.occurs(i) for root in boundary.values)
-        or any(g.radicand.occurs(i) for g in constants.generators)
+        or any(c.occurs(i) for g in constants.generators for c in g.coefficients)
     }
 
     def finish(also_used: set[int]) -> None:
+        used = occurring | also_used
+        for generator in constants.generators:
+            if generator.pair is not None:  # there is not the one without the other
+                both = {generator.pair.position, generator.pair.position + 1}
+                used = used | both if used & both else used
         idle = {
             constants.generators[i - first].symbol
             for i in range(first, constants.ring.size)
-            if i not in occurring | also_used
+            if i not in used
         }
         schema.unused(idle, "constants", f"{place}.constants")
 
     return boundary, finish
-
-
-def _read_constants(value: Plain, tower: Field, position: int, place: str) -> Field:
-    """The remaining parameters, and positive roots of polynomials in them."""
-    entries = schema.items(value, place)
-    if len(entries) > _MAXIMUM_CONSTANTS:
-        raise RejectedError(f"{place}: more than {_MAXIMUM_CONSTANTS} constants")
-    held = tuple(p for i, p in enumerate(tower.parameters) if i != position)
-    field = Field(Ring(len(held) + len(entries), tower.ring.meter), held, (), ())
-    for number_, entry in enumerate(entries):
-        constant = read_generator(entry, field, f"{place}[{number_}]")
-        if constant.symbol in (*tower.variables(), *field.variables()):
-            raise RejectedError(f"{place}: the name {constant.symbol!r} is given twice")
-        field = field.with_generator(constant)
-    return field
-
-
-def _with_root(boundary: Boundary, index: int, root: Polynomial, place: str) -> Boundary:
-    """Add a generator's value at the boundary after checking its rescaled relation there."""
-    field, constants = boundary.field, boundary.constants
-    generator = field.generators[index]
-    if not constants.nonnegative(root):
-        raise RejectedError(f"{place}: not manifestly nonnegative")
-    order, coefficient = boundary.lowest_terms(generator.radicand)
-    order += generator.power * boundary.weights[index]
-    if order < 0:
-        raise RejectedError(
-            f"{place}: the weight is too small, the rescaled relation has a negative power of x"
-        )
-    right = coefficient if order == 0 else constants.ring.constant(0)
-    if not constants.is_zero(root**generator.power - right):
-        raise RejectedError(f"{place}: not a root of the rescaled relation at the boundary")
-    return replace(boundary, values=(*boundary.values, root))

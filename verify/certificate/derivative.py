@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from gainproof.verify.certificate.coupled import Pair
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.nonzero import Nonzero
 from gainproof.verify.certificate.polynomial import Polynomial
@@ -55,10 +56,30 @@ def _rates(field: Field, position: int) -> list[Ratio]:
     rates = [number(field, int(i == position)) for i in range(field.ring.size)]
     for index, generator in enumerate(field.generators):
         place = field.position(index)
+        if generator.pair is not None:
+            if generator.pair.position == place:
+                rates[place : place + 2] = _pair_rates(field, generator.pair, rates)
+            continue
         slope = _along(field, generator.radicand, rates)
         below = field.ring.monomial({place: generator.power - 1})
         rates[place] = slope.over(polynomial(field, below.times(Fraction(generator.power))))
     return rates
+
+
+def _pair_rates(field: Field, pair: Pair, rates: list[Ratio]) -> tuple[Ratio, Ratio]:
+    """x' and y' of a coupled pair, by Cramer's rule over its positive determinant."""
+    x, y = (polynomial(field, entry) for entry in pair.variables)
+    b, e = (polynomial(field, entry) for entry in pair.slopes)
+    da, dc, db, de = (_along(field, entry, rates) for entry in pair.coefficients)
+    first, second = da + db * y, dc + de * x
+    below = polynomial(field, pair.determinant)
+    if not field.positive(below.numerator):
+        raise RejectedError(f"the determinant of {pair.symbols} is not manifestly positive")
+    both, two = x * y, number(field, 2)
+    return (
+        (both * (two * y * first + b * second)).over(below),
+        (both * (two * x * second + e * first)).over(below),
+    )
 
 
 def _along(field: Field, value: Polynomial, rates: list[Ratio]) -> Ratio:

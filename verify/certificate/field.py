@@ -1,8 +1,9 @@
 """Parameters and positive roots: reduction by the relations, and what is manifestly positive.
 
 A field here is a list of real variables in a fixed order: parameters, each on a half line; then
-generators, each the positive real root ``y^n = radicand`` of a polynomial in earlier variables;
-then free symbols, about which nothing is known. Two polynomials whose difference reduces to zero
+generators, each the positive real root ``y^n = radicand`` of a polynomial in earlier variables, or
+two of them that stand in each other's radicand (`coupled` shows that there is one such pair); then
+free symbols, about which nothing is known. Two polynomials whose difference reduces to zero
 are equal at every point. The converse may fail (when a radicand is a perfect power): then a true
 statement is rejected, never a false one accepted.
 """
@@ -12,6 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from gainproof.verify.certificate.coupled import Pair
 from gainproof.verify.certificate.polynomial import Monomial, Polynomial, Ring
 from gainproof.verify.certificate.rejection import RejectedError
 
@@ -27,11 +29,17 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Generator:
-    """The positive real root y of ``y^power = radicand``."""
+    """The positive real root y of ``y^power = radicand``; one of a ``pair``, or by itself."""
 
     symbol: str
     power: int
     radicand: Polynomial
+    pair: Pair | None = None
+
+    @property
+    def coefficients(self) -> tuple[Polynomial, ...]:
+        """What it is made of: polynomials in earlier variables."""
+        return (self.radicand,) if self.pair is None else self.pair.coefficients
 
 
 class Field:
@@ -77,7 +85,15 @@ class Field:
         """The remainder by the relations: every generator y has an exponent below its n."""
         for number in range(len(self.generators) - 1, -1, -1):
             polynomial = self._reduce_by(number, polynomial)
+            if self._starts_pair(number):  # y is reduced; x brings it back, of a lower degree
+                while polynomial.degree(self.position(number + 1)) > 1:
+                    polynomial = self._reduce_by(number + 1, polynomial)
+                    polynomial = self._reduce_by(number, polynomial)
         return polynomial
+
+    def _starts_pair(self, number: int) -> bool:
+        pair = self.generators[number].pair
+        return pair is not None and pair.position == self.position(number)
 
     def _reduce_by(self, number: int, polynomial: Polynomial) -> Polynomial:
         generator, position = self.generators[number], self.position(number)
@@ -122,7 +138,7 @@ class Field:
         found = {i for i in range(len(self.parameters)) if polynomial.occurs(i)}
         for number, generator in enumerate(self.generators):
             if polynomial.occurs(self.position(number)):
-                found |= self.depends_on(generator.radicand)
+                found = found.union(*map(self.depends_on, generator.coefficients))
         return frozenset(found)
 
     def positive_inside(self, polynomial: Polynomial) -> bool:
@@ -169,3 +185,16 @@ class Field:
         if not self.positive(generator.radicand):
             raise RejectedError(f"the radicand of {generator.symbol!r} is not manifestly positive")
         return Field(self.ring, self.parameters, (*self.generators, generator), self.free)
+
+    def with_pair(self, pair: Pair) -> Field:
+        """The same with two coupled generators: a, c manifestly nonnegative, b, e positive."""
+        names = " and ".join(map(repr, pair.symbols))
+        if not all(self.nonnegative(entry) for entry in pair.free):
+            raise RejectedError(f"a free term of {names} is not manifestly nonnegative")
+        if not all(self.positive(entry) for entry in pair.slopes):
+            raise RejectedError(f"a coupling of {names} is not manifestly positive")
+        both = (
+            Generator(symbol, 2, radicand, pair)
+            for symbol, radicand in zip(pair.symbols, pair.radicands, strict=True)
+        )
+        return Field(self.ring, self.parameters, (*self.generators, *both), self.free)

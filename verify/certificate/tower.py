@@ -6,13 +6,18 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from gainproof.verify.certificate import schema, written
-from gainproof.verify.certificate.field import Field, Generator, Parameter
+from gainproof.verify.certificate.field import Field, Parameter
+from gainproof.verify.certificate.generator import (
+    extended,
+    lifted,
+    lifted_generators,
+    number_of_variables,
+)
 from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.polynomial import Polynomial, Ring
 from gainproof.verify.certificate.ratio import Ratio, polynomial
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_ELEMENTS,
-    MAXIMUM_ROOT,
     MAXIMUM_VARIABLES,
     Meter,
     RejectedError,
@@ -76,10 +81,7 @@ class Tower:
                 raise RejectedError(f"the free symbol {name!r} already has a meaning")
         old = self.field
         ring = Ring(old.ring.size + len(names), old.ring.meter)
-        generators = tuple(
-            Generator(g.symbol, g.power, lifted(g.radicand, ring)) for g in old.generators
-        )
-        field = Field(ring, old.parameters, generators, names)
+        field = Field(ring, old.parameters, lifted_generators(old.generators, ring), names)
         elements = {
             name: Ratio(
                 field,
@@ -92,13 +94,11 @@ class Tower:
 
     def unused(self) -> set[str]:
         """The variables and elements that nothing used so far."""
-        return {*self._positions, *self.elements} - self.used
-
-
-def lifted(value: Polynomial, ring: Ring) -> Polynomial:
-    """The same polynomial in a ring with further variables at the end."""
-    padding = (0,) * (ring.size - value.ring.size)
-    return Polynomial(ring, {m + padding: c for m, c in value.terms.items()}, value.denominator)
+        used = set(self.used)
+        for generator in self.field.generators:
+            if generator.pair is not None and used.intersection(generator.pair.symbols):
+                used.update(generator.pair.symbols)  # there is not the one without the other
+        return {*self._positions, *self.elements} - used
 
 
 def read_tower(value: Plain, meter: Meter, place: str) -> Tower:
@@ -110,12 +110,12 @@ def read_tower(value: Plain, meter: Meter, place: str) -> Tower:
     )
     entries = schema.items(fields["generators"], f"{place}.generators")
     elements = schema.table(fields["elements"], f"{place}.elements")
-    if len(parameters) + len(entries) > MAXIMUM_VARIABLES or len(elements) > MAXIMUM_ELEMENTS:
+    size = len(parameters) + number_of_variables(entries)
+    if size > MAXIMUM_VARIABLES or len(elements) > MAXIMUM_ELEMENTS:
         raise RejectedError(f"{place}: more variables or elements than any certificate needs")
-    ring = Ring(len(parameters) + len(entries), meter)
-    field = Field(ring, parameters, (), ())
+    field = Field(Ring(size, meter), parameters, (), ())
     for number, entry in enumerate(entries):
-        field = field.with_generator(read_generator(entry, field, f"{place}.generators[{number}]"))
+        field = extended(field, entry, f"{place}.generators[{number}]")
     names = [*field.variables(), *elements]
     for number, name in enumerate(names):
         schema.name(name, f"{place}.elements")
@@ -123,29 +123,16 @@ def read_tower(value: Plain, meter: Meter, place: str) -> Tower:
             raise RejectedError(f"{place}: the name {name!r} is given twice")
     tower = Tower(field, {}, set())
     for generator in field.generators:
-        tower.mark(generator.radicand)
+        for coefficient in generator.coefficients:
+            tower.mark(coefficient)
     values: dict[str, Ratio] = {}
     fractions: dict[str, WrittenFraction] = {}
     for name, entry in elements.items():
-        fraction = written.read_fraction(entry, ring, f"{place}.elements.{name}")
+        fraction = written.read_fraction(entry, field.ring, f"{place}.elements.{name}")
         tower.mark(fraction.numerator)
         tower.mark(fraction.denominator)
         values[name], fractions[name] = fraction.ratio(field), fraction
     return Tower(field, values, tower.used, fractions)
-
-
-def read_generator(value: Plain, field: Field, place: str) -> Generator:
-    """A generator whose radicand holds earlier variables only."""
-    fields = schema.record(value, ("symbol", "power", "radicand"), place)
-    radicand = written.polynomial(fields["radicand"], field.ring, f"{place}.radicand")
-    for position in range(len(field.parameters) + len(field.generators), field.ring.size):
-        if radicand.occurs(position):
-            raise RejectedError(f"{place}.radicand: only earlier variables may occur")
-    return Generator(
-        schema.name(fields["symbol"], f"{place}.symbol"),
-        schema.integer(fields["power"], 2, MAXIMUM_ROOT, f"{place}.power"),
-        radicand,
-    )
 
 
 def _parameter(value: Plain, place: str) -> Parameter:

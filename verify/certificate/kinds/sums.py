@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.case import Case
+from gainproof.verify.certificate.generator import lifted
 from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.polynomial import Polynomial
 from gainproof.verify.certificate.rejection import RejectedError
-from gainproof.verify.certificate.tower import lifted
 
 
 def finite_sum(case: Case) -> str:
