@@ -12,7 +12,7 @@ import pytest
 from catalogue_subjects import certificate, subject
 
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.verify.certificate import CertificateReport, check
+from gainproof.verify.certificate import check
 from gainproof.verify.certificate.checker import decide
 from gainproof.verify.certificate.document import read_document, read_statement
 from gainproof.verify.certificate.expectation import Expectation
@@ -33,13 +33,12 @@ def _plain(data: Any) -> Any:
     return json.loads(json.dumps(data))
 
 
-@cache
-def _report(name: str) -> CertificateReport:
-    return check(_certificate(name))
-
-
-def _statuses(name: str) -> dict[str, str]:
-    return {result.id: result.status for result in _report(name).statements}
+def _wanted(certificate: dict[str, Any]) -> dict[str, str]:
+    """What becomes of each statement as it is; the first test below shows it."""
+    return {
+        entry["id"]: entry["kind"] if entry["kind"] in UNDECIDABLE else "proved"
+        for entry in certificate["statements"]
+    }
 
 
 def _decidable(certificate: dict[str, Any]) -> list[int]:
@@ -121,11 +120,12 @@ def _shift_value(claim: dict[str, Any], field: str) -> None:
 
 @pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
 def test_every_step_is_proved(name: str) -> None:
-    report = _report(name)
+    certificate = _certificate(name)
+    report = check(certificate)
     assert report.accepted, report.reason
-    statuses = list(_statuses(name).values())
-    assert set(statuses) <= {"proved", "cited", "definition"}
-    assert statuses.count("proved") >= 12
+    statuses = {result.id: result.status for result in report.statements}
+    assert statuses == _wanted(certificate)
+    assert list(statuses.values()).count("proved") >= 12
 
 
 @pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
@@ -143,19 +143,20 @@ def test_every_altered_step_fails_alone(name: str) -> None:
         assert "given up" not in result.reason, statement.id
 
 
-@pytest.mark.parametrize("rest", [0, 1], ids=["even", "odd"])
-@pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
-def test_altered_steps_fail_and_only_they(name: str, rest: int) -> None:
-    """Every second step altered: these fail, and of the others each is what it was."""
-    certificate = _certificate(name)
-    chosen = _decidable(certificate)[rest::2]
+@pytest.mark.parametrize("number", range(len(CATALOGUE)), ids=[entry.name for entry in CATALOGUE])
+def test_altered_steps_fail_and_only_they(number: int) -> None:
+    """Every second step altered, in every second subject the other half: these fail, and of the
+    others each is what it was.
+    """
+    certificate = _certificate(CATALOGUE[number].name)
+    chosen = _decidable(certificate)[number % 2 :: 2]
     statements = [
         _altered(statement) if number in chosen else statement
         for number, statement in enumerate(certificate["statements"])
     ]
     report = check({**certificate, "statements": statements})
     assert not report.accepted
-    wanted = dict(_statuses(name))
+    wanted = _wanted(certificate)
     wanted |= {certificate["statements"][number]["id"]: "rejected" for number in chosen}
     assert {result.id: result.status for result in report.statements} == wanted
 

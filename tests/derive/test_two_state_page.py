@@ -7,14 +7,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import cache
 from typing import Any
 
 import pytest
+from catalogue_subjects import derived
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derived import Derived
-from gainproof.deriving import plain_subject
 from gainproof.formula_text import plain_name
 from gainproof.lecture_items import Item, items, numbers
 
@@ -31,12 +30,6 @@ FAMILIES = (
     "continuous-white-jerk",
 )
 REFERENCE = re.compile(r"@([a-z0-9-]*[a-z0-9])")
-
-
-@cache
-def _derived(name: str) -> Derived:
-    (entry,) = (entry for entry in CATALOGUE if entry.name == name)
-    return plain_subject(entry.build())
 
 
 def _symbols(value: Any) -> Iterator[str]:
@@ -63,45 +56,45 @@ def _words(text: str) -> set[str]:
     return set(re.findall(r"\(FK\)[12]|[A-Za-z]_[+-]|[A-Za-z]\w*(?:\^[od]\b)?", formulas))
 
 
-def _used(item: Item, derived: Derived) -> set[str]:
+def _used(item: Item, page: Derived) -> set[str]:
     found = {name for step in item.steps for name in _symbols(step.claim)}
     # roots of numbers are symbols of a certificate, to a reader they are numbers
     named = {name for name in found if not name.startswith("root_")}
-    return {plain_name(derived.symbols.get(name, name)) for name in named}
+    return {plain_name(page.symbols.get(name, name)) for name in named}
 
 
-def _unnamed(derived: Derived) -> list[str]:
+def _unnamed(page: Derived) -> list[str]:
     """Symbols in formulas and reasons of which no sentence up to there has spoken."""
     known: set[str] = set()
     missing = []
-    symbols = {plain_name(latex) for latex in derived.symbols.values()}
-    for item in items(derived.steps):
+    symbols = {plain_name(latex) for latex in page.symbols.values()}
+    for item in items(page.steps):
         known |= _words(item.first.sentence)
         if item.number == 1:  # the model's quantities are named below its formulas
             known |= _words(item.first.reason) | {"T", "H", "R", "Q", "F"}
         if "rest" in {name for step in item.steps for name in _symbols(step.claim)}:
             known.add("(1 - alpha)")
-        used = _used(item, derived) | (_words(item.first.reason) & symbols)
+        used = _used(item, page) | (_words(item.first.reason) & symbols)
         missing += [f"{item.number}: {name}" for name in sorted(used - known)]
     return missing
 
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_every_symbol_is_named_before_it_is_used(name: str) -> None:
-    assert _unnamed(_derived(name)) == []
+    assert _unnamed(derived(name)) == []
 
 
 def test_a_symbol_used_before_it_is_named_is_seen() -> None:
-    derived = _derived("random-velocity")
-    late = tuple(sorted(derived.steps, key=lambda step: step.id in {"parameter", "root-s"}))
-    changed = Derived(**{**vars(derived), "steps": late})
+    page = derived("random-velocity")
+    late = tuple(sorted(page.steps, key=lambda step: step.id in {"parameter", "root-s"}))
+    changed = Derived(**{**vars(page), "steps": late})
     assert any(entry.endswith(": s") for entry in _unnamed(changed))
     assert any(entry.endswith(": p") for entry in _unnamed(changed))
 
 
 @pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
 def test_steps_refer_to_steps_before_them(name: str) -> None:
-    found = items(_derived(name).steps)
+    found = items(derived(name).steps)
     known = numbers(found)
     for item in found:
         for place in REFERENCE.findall(item.first.sentence + item.first.reason):
@@ -110,7 +103,7 @@ def test_steps_refer_to_steps_before_them(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_no_sentence_comes_twice_and_none_is_empty(name: str) -> None:
-    found = items(_derived(name).steps)
+    found = items(derived(name).steps)
     sentences = [item.first.sentence for item in found]
     assert len(set(sentences)) == len(sentences)
     assert all(item.first.sentence and item.first.reason for item in found)
@@ -119,6 +112,6 @@ def test_no_sentence_comes_twice_and_none_is_empty(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_parts_have_headings(name: str) -> None:
-    headings = [item.first.heading for item in items(_derived(name).steps) if item.first.heading]
+    headings = [item.first.heading for item in items(derived(name).steps) if item.first.heading]
     assert headings[0] == "The model"
     assert len(headings) == len(set(headings)) >= 6

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from gainproof import derivations
+from gainproof import derivations, workers
 from gainproof.cache import FOLDER_VARIABLE, default_folder
 from gainproof.workshop import open_workshop
 
@@ -34,13 +34,23 @@ def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         os.environ[FOLDER_VARIABLE] = before
 
 
+OTHER_SEED = "4242"
+
+
 @pytest.fixture(scope="session")
 def all_derived(shared_cache: None) -> None:
-    """Every subject with its files is in the shared cache, made in one go by one process only."""
+    """Every subject with its files is in the shared cache, made in one go by one process only.
+
+    Made with another hash seed than `gainproof run` has: that both come to the committed files
+    shows that no order of a set is in them.
+    """
     shop = open_workshop(quiet=True)
-    with _one_process_at_a_time(default_folder() / "deriving.lock"):
-        jobs = [derivations.everything_job(name) for name in derivations.catalogue(shop)]
-        shop.ahead(jobs, lambda _: [])
+    assert workers.REPRODUCIBLE["PYTHONHASHSEED"] != OTHER_SEED
+    with pytest.MonkeyPatch.context() as changed:
+        changed.setitem(workers.REPRODUCIBLE, "PYTHONHASHSEED", OTHER_SEED)
+        with _one_process_at_a_time(default_folder() / "deriving.lock"):
+            jobs = [derivations.everything_job(name) for name in derivations.catalogue(shop)]
+            shop.ahead(jobs, lambda _: [])
 
 
 @contextmanager

@@ -8,6 +8,8 @@ from typing import Any
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.subject import Subject
+from gainproof.derived import Derived
+from gainproof.deriving import plain_subject
 
 
 @cache
@@ -18,9 +20,14 @@ def subject(name: str) -> Subject:
 
 
 @cache
+def derived(name: str) -> Derived:
+    """The subject as plain data, with its certificate."""
+    return plain_subject(subject(name))
+
+
 def certificate(name: str) -> Mapping[str, Any]:
     """The certificate of a subject, written once in a process; nobody changes it."""
-    return subject(name).certificate()
+    return derived(name).certificate
 
 
 def models() -> list[Mapping[str, Any]]:

@@ -8,6 +8,7 @@ from typing import Any
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.record import ClaimFile
 from gainproof.verify.judge.judge import judge_file
+from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 MODELS: tuple[dict[str, Any], ...] = tuple(
@@ -24,6 +25,8 @@ MODELS: tuple[dict[str, Any], ...] = tuple(
         ("continuous-white-acceleration", [["1/3", "1/2"], ["1/2", "1"]]),
     )
 )
+SOLVED: dict[Any, Environment] = {}
+"""What was solved for one file serves the next."""
 HEAD = """
 format = "gainproof claims 1"
 [source]
@@ -72,4 +75,5 @@ def judged(
     setting: str, *claims: tuple[str, str], more: str = "", **options: Any
 ) -> list[ClaimVerdict]:
     """The verdicts on c0, c1, ..."""
-    return list(judge_file(claim_file(setting, claims, more), MODELS, **options))
+    known = {} if "seconds" in options else {"solved": SOLVED}
+    return list(judge_file(claim_file(setting, claims, more), MODELS, **known, **options))

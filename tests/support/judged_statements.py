@@ -13,6 +13,7 @@ from gainproof.derive.catalogue import CATALOGUE, Entry
 from gainproof.verify.judge.derivations.fixed_point import ROOTED
 from gainproof.verify.judge.derivations.relation import judge_statement
 from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
+from gainproof.verify.judge.setting.quantities import steady_state
 
 DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}
 
@@ -56,9 +57,11 @@ def judged(name: str, numbers: Sequence[int] | None = None) -> Iterator[tuple[st
     degree = DEGREES.get(name)
     model = subject(name).model_data if degree is None else None
 
+    environment = steady_state(model) if model is not None else None
+
     @cache
     def around(tower: str) -> Surroundings:
-        return surroundings(model, degree, written["towers"][tower])
+        return surroundings(model, degree, written["towers"][tower], environment)
 
     statements: list[dict[str, Any]] = written["statements"]
     for number in range(len(statements)) if numbers is None else numbers:

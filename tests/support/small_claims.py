@@ -7,6 +7,7 @@ from typing import Any
 
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.judge import judge_setting
+from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 HEAD = """
@@ -22,6 +23,10 @@ title = "trial"
 LETTERS = dict.fromkeys("abcghmpqrstuvwxyz", "{ unit = '1', meaning = 'a number' }")
 LETTERS |= dict.fromkeys("ijkn", "{ unit = '1', integer = true, meaning = 'whole' }")
 LETTERS |= dict.fromkeys((r"\theta", r"\phi"), "{ unit = '1', meaning = 'an angle' }")
+
+
+SOLVED: dict[Any, Environment] = {}
+"""What was solved for one claim serves the next, as it does within a file."""
 
 
 def judged(
@@ -40,7 +45,7 @@ def judged(
     lines = fields if " = '" in fields or " = [" in fields else f"latex = '{fields}'"
     claim = f"[[claims]]\nid = '1'\nplace = 'here'\nsetting = 's'\nkind = '{kind}'\n{lines}\n"
     file = read_claim_text(f"{HEAD}{setting}\n[settings.s.symbols]\n{table}{claim}", "trial.toml")
-    (found,) = judge_setting(file.settings["s"], file.claims, models, {})
+    (found,) = judge_setting(file.settings["s"], file.claims, models, SOLVED)
     return found
 
 

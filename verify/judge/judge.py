@@ -48,6 +48,7 @@ def judge_file(
     processes: int = 1,
     workers: Workers | None = None,
     only: str | None = None,
+    solved: dict[Any, Environment] | None = None,
 ) -> tuple[ClaimVerdict, ...]:
     """The verdict on every claim, in order. `models` are the catalogue's, as plain data.
 
@@ -58,6 +59,8 @@ def judge_file(
     With `seconds` every claim is judged in a child process that is killed when the time is over;
     up to `processes` of them run at once; or by `workers`, which stay for other files. A file that
     is not trusted should be judged in one of these ways.
+    Without either they are judged here; `solved` keeps the settings' solutions for other files.
+
     Nothing is raised for a claim that cannot be decided: its verdict is `undecided` and says why.
     """
     if only is not None:
@@ -72,7 +75,7 @@ def judge_file(
     if workers is not None:
         return _judged(claim_file, wanted, partial(workers.run, on_trial=tell), only)
     if seconds is None:
-        return _judged(claim_file, wanted, here(models, tell), only)
+        return _judged(claim_file, wanted, here(models, tell, solved), only)
     with Workers(models, seconds, processes) as own:
         return _judged(claim_file, wanted, partial(own.run, on_trial=tell), only)
 
@@ -127,9 +130,9 @@ def judge_setting(
     return _verdicts(setting, chosen, trials)
 
 
-def here(models: Models, on_trial: OnTrial) -> Done:
+def here(models: Models, on_trial: OnTrial, known: dict[Any, Environment] | None = None) -> Done:
     """Tasks run in this process, one after the other."""
-    solved: dict[Any, Environment] = {}
+    solved = {} if known is None else known
 
     def done(tasks: Sequence[Task]) -> dict[str, Trial]:
         found = {}

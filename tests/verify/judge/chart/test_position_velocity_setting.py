@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from claim_texts import HEAD
+from claim_texts import HEAD, SOLVED
 from mpmath import inverse, matrix, mp, mpf
 
 from gainproof.verify.judge.claim.file import read_claim_text
@@ -173,7 +173,7 @@ B = """'b' = { unit = "1", domain = 'b > 0', meaning = "ratio" }
 def only(kind: str, fields: str, setting: str = SETTING) -> ClaimVerdict:
     said = fields if fields.startswith("about") else f"latex = '{fields}'"
     text = f"[[claims]]\nid = 'c'\nplace = 'p'\nsetting = 's'\nkind = '{kind}'\n{said}\n"
-    return judge_file(read_claim_text(HEAD + setting + text), [])[0]
+    return judge_file(read_claim_text(HEAD + setting + text), [], solved=SOLVED)[0]
 
 
 def trend(what: str, along: str, way: str) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from claim_texts import SOLVED
 
 from gainproof.verify.judge.choice import choose
 from gainproof.verify.judge.claim.file import read_claim_file, read_claim_text
@@ -67,7 +68,7 @@ def judged(setting: str, *claims: tuple[str, str], **options: Any) -> list[Claim
     for number, (kind, latex) in enumerate(claims):
         text += f"[[claims]]\nid = 'c{number}'\nplace = 'p'\nkind = '{kind}'\nsetting = 's'\n"
         text += f"latex = '{latex}'\n"
-    return list(judge_file(read_claim_text(text), MODELS, **options))
+    return list(judge_file(read_claim_text(text), MODELS, solved=SOLVED, **options))
 
 
 def test_lecture_is_decided_and_plain_data() -> None:
