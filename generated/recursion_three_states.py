@@ -22,6 +22,10 @@ __all__ = [
     "PredictContinuousWhiteJerk",
     "PredictRandomJerk",
     "PredictWienerAcceleration",
+    "StartAccelerationIncrements",
+    "StartContinuousWhiteJerk",
+    "StartRandomJerk",
+    "StartWienerAcceleration",
     "Update",
     "covariance",
     "gains",
@@ -29,6 +33,10 @@ __all__ = [
     "predict_continuous_white_jerk",
     "predict_random_jerk",
     "predict_wiener_acceleration",
+    "start_acceleration_increments",
+    "start_continuous_white_jerk",
+    "start_random_jerk",
+    "start_wiener_acceleration",
     "update",
 ]
 
@@ -76,6 +84,12 @@ _MEASUREMENT_VARIANCE_DOMAIN = Domain(
     "a number at least 1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e5",
     (1e-30, 1e30),
     (9.999999747378752e-05, 100000.0),
+)
+_FIRST_INTERVAL_DOMAIN = Domain(
+    "first_interval",
+    "a number at least 1e-10 and at most 1e10, in float32 at least 1e-2 and at most 1e2",
+    (1e-10, 10000000000.0),
+    (0.009999999776482582, 100.0),
 )
 _INTERVAL_DOMAIN = Domain(
     "interval",
@@ -480,6 +494,906 @@ _UPDATE = Signature(
     ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
     5,
     _update_block,
+)
+
+
+class StartAccelerationIncrements(NamedTuple):
+    """Result of `start_acceleration_increments`."""
+
+    diagonal_1: Real
+    """D1, variance of the position, velocity and acceleration known, m^2."""
+    diagonal_2: Real
+    """D2, variance of the velocity, acceleration known, m^2/s^2."""
+    diagonal_3: Real
+    """D3, variance of the acceleration, m^2/s^4."""
+    first_shear: Real
+    """A, s."""
+    second_shear: Real
+    """B, s."""
+    third_shear: Real
+    """C, s."""
+
+
+def start_acceleration_increments(
+    first_interval: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> StartAccelerationIncrements:
+    """Factors of the covariance after the first three positions, acceleration increments.
+
+        r W W' + A Q(t) A' + B Q(s) B' = U D U' with the factors that come; the state is
+        W (z2, z1, z0)', the parabola through three positions, the newest first,
+        W = [1, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2]^-1,
+        A = W [0, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2],
+        B = W [0, 0, 0; 0, 0, 0; 1, -s, s^2/2],
+        Q(t) = [0, 0, 0; 0, 0, 0; 0, 0, q],
+        P = U diag(d1, d2, d3) U', U = [1, a + c, a b; 0, 1, b; 0, 0, 1]
+          = [1, a, 0; 0, 1, 0; 0, 0, 1] [1, 0, 0; 0, 1, b; 0, 0, 1] [1, c, 0; 0, 1, 0; 0, 0, 1]
+
+    first_interval: s, time between the first two positions, s; a number at least 1e-10 and at most
+        1e10, in float32 at least 1e-2 and at most 1e2.
+    interval: t, time between the last two positions, s; a number at least 1e-10 and at most 1e10,
+        in float32 at least 1e-2 and at most 1e2.
+    strength: q, variance of the acceleration increment, the same for an interval of any length; 0
+        or a number at least 1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-30 and at
+        most 1e30, in float32 at least 1e-4 and at most 1e5.
+
+    diagonal_1: d1, variance of the position, velocity and acceleration known, m^2. Relative error
+        at most 12.01 * 2^-52 (float64), 12.01 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, acceleration known, m^2/s^2. Relative error at most
+        10.51 * 2^-52 (float64), 10.51 * 2^-23 (float32), proved for every input.
+    diagonal_3: d3, variance of the acceleration, m^2/s^4. Relative error at most 8.51 * 2^-52
+        (float64), 8.51 * 2^-23 (float32), proved for every input.
+    first_shear: a, s. Relative error at most 7.01 * 2^-52 (float64), 7.01 * 2^-23 (float32), proved
+        for every input.
+    second_shear: b, s. Relative error at most 9.01 * 2^-52 (float64), 9.00 * 2^-23 (float32),
+        proved for every input.
+    third_shear: c, s. Relative error at most 19.51 * 2^-52 (float64), 19.50 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-three-states
+    """
+    return StartAccelerationIncrements(
+        *evaluate(
+            _START_ACCELERATION_INCREMENTS,
+            (first_interval, interval, strength, measurement_variance),
+            out,
+        )
+    )
+
+
+def _start_acceleration_increments_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    first_interval, interval, strength, measurement_variance = given
+    diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    t4 = np.square(first_interval, w0)
+    t6 = np.multiply(first_interval, 2.0, w1)
+    t7 = np.multiply(first_interval, t6, w1)
+    t8 = np.multiply(first_interval, t7, w1)
+    t9 = np.multiply(interval, t4, w2)
+    t10 = np.add(t9, t8, w3)
+    t11 = np.multiply(first_interval, t8, w1)
+    t12 = np.multiply(interval, t10, w3)
+    t13 = np.add(t12, t11, w3)
+    t14 = np.multiply(interval, t13, w3)
+    t15 = np.multiply(interval, t14, w3)
+    t17 = np.multiply(first_interval, 8.0, w1)
+    t18 = np.multiply(interval, 8.0, w4)
+    t19 = np.add(t18, t17, w5)
+    t20 = np.multiply(first_interval, t17, w1)
+    t21 = np.multiply(interval, t19, w5)
+    t22 = np.add(t21, t20, w6)
+    t23 = np.multiply(measurement_variance, t22, w6)
+    t24 = np.multiply(strength, t15, w3)
+    t25 = np.add(t24, t23, w3)
+    t26 = np.multiply(first_interval, t4, w0)
+    t27 = np.multiply(first_interval, t26, w6)
+    t28 = np.multiply(interval, t27, w6)
+    t29 = np.multiply(interval, t28, w6)
+    t30 = np.multiply(interval, t29, w7)
+    t32 = np.multiply(first_interval, 12.0, w8)
+    t33 = np.add(t18, t32, w8)
+    t35 = np.multiply(first_interval, 20.0, w9)
+    t36 = np.multiply(first_interval, t35, w9)
+    t37 = np.multiply(interval, t33, w8)
+    t38 = np.add(t37, t36, w8)
+    t39 = np.multiply(first_interval, t20, w1)
+    t40 = np.multiply(interval, t38, w8)
+    t41 = np.add(t40, t39, w8)
+    t42 = np.multiply(measurement_variance, t41, w8)
+    t43 = np.multiply(strength, t30, w9)
+    t44 = np.add(t43, t42, w9)
+    t45 = np.add(t9, t26, w2)
+    t46 = np.multiply(interval, t45, w2)
+    t47 = np.multiply(measurement_variance, t46, w2)
+    t48 = np.multiply(interval, t30, w7)
+    t50 = np.multiply(first_interval, 16.0, w0)
+    t51 = np.add(t18, t50, w4)
+    t53 = np.multiply(first_interval, 40.0, w8)
+    t54 = np.multiply(first_interval, t53, w8)
+    t55 = np.multiply(interval, t51, w4)
+    t56 = np.add(t55, t54, w8)
+    t58 = np.multiply(first_interval, 32.0, w10)
+    t59 = np.multiply(first_interval, t58, w10)
+    t60 = np.multiply(first_interval, t59, w10)
+    t61 = np.multiply(interval, t56, w8)
+    t62 = np.add(t61, t60, w8)
+    t63 = np.multiply(first_interval, t50, w0)
+    t64 = np.multiply(first_interval, t63, w0)
+    t65 = np.multiply(first_interval, t64, w10)
+    t66 = np.multiply(interval, t62, w8)
+    t67 = np.add(t66, t65, w8)
+    t68 = np.multiply(measurement_variance, t67, w8)
+    t69 = np.multiply(strength, t48, w10)
+    t70 = np.add(t69, t68, w10)
+    t72 = np.multiply(measurement_variance, 48.0, w8)
+    t73 = np.multiply(measurement_variance, t72, w8)
+    t74 = np.multiply(strength, t70, w10)
+    t75 = np.add(t74, t73, w10)
+    t76 = np.multiply(measurement_variance, t29, w6)
+    t78 = np.multiply(first_interval, 4.0, w8)
+    t79 = np.multiply(first_interval, t78, w8)
+    t80 = np.add(t21, t79, w5)
+    t81 = np.multiply(measurement_variance, t80, w5)
+    t82 = np.multiply(measurement_variance, t81, w5)
+    t83 = np.multiply(strength, t76, w6)
+    t84 = np.add(t83, t82, w6)
+    t85 = np.multiply(measurement_variance, t48, w7)
+    t87 = np.multiply(first_interval, 24.0, w5)
+    t88 = np.multiply(first_interval, t87, w5)
+    t89 = np.add(t55, t88, w4)
+    t90 = np.multiply(interval, t89, w4)
+    t91 = np.add(t90, t64, w4)
+    t92 = np.multiply(first_interval, t39, w1)
+    t93 = np.multiply(interval, t91, w4)
+    t94 = np.add(t93, t92, w4)
+    t95 = np.multiply(measurement_variance, t94, w4)
+    t96 = np.multiply(measurement_variance, t95, w4)
+    t97 = np.multiply(strength, t85, w7)
+    t98 = np.add(t97, t96, w7)
+    t99 = np.multiply(measurement_variance, 16.0, w0)
+    t100 = np.multiply(measurement_variance, t99, w0)
+    t101 = np.multiply(measurement_variance, t100, w0)
+    t102 = np.multiply(strength, t98, w7)
+    t103 = np.add(t102, t101, w7)
+    t104 = np.multiply(first_interval, interval, w0)
+    t105 = np.add(first_interval, interval, w1)
+    t106 = np.multiply(t104, t105, w0)
+    t108 = np.divide(t75, t25, diagonal_2)
+    t110 = np.square(t106, w0)
+    t112 = np.divide(t47, t44, first_shear)
+    t114 = np.divide(t44, t25, second_shear)
+    t116 = np.divide(t25, t75, diagonal_1)
+    t117 = np.divide(t84, t44, diagonal_3)
+    t118 = np.multiply(t116, t117, w1)
+    np.divide(t103, t75, diagonal_1)
+    np.multiply(t108, 0.25, diagonal_2)
+    np.divide(t25, t110, diagonal_3)
+    np.multiply(t112, 4.0, first_shear)
+    np.multiply(t114, 0.5, second_shear)
+    np.multiply(t118, 4.0, third_shear)
+
+
+_START_ACCELERATION_INCREMENTS = Signature(
+    "start_acceleration_increments",
+    (_FIRST_INTERVAL_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
+    11,
+    _start_acceleration_increments_block,
+)
+
+
+class StartWienerAcceleration(NamedTuple):
+    """Result of `start_wiener_acceleration`."""
+
+    diagonal_1: Real
+    """D1, variance of the position, velocity and acceleration known, m^2."""
+    diagonal_2: Real
+    """D2, variance of the velocity, acceleration known, m^2/s^2."""
+    diagonal_3: Real
+    """D3, variance of the acceleration, m^2/s^4."""
+    first_shear: Real
+    """A, s."""
+    second_shear: Real
+    """B, s."""
+    third_shear: Real
+    """C, s."""
+
+
+def start_wiener_acceleration(
+    first_interval: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> StartWienerAcceleration:
+    """Factors of the covariance after the first three positions, wiener acceleration.
+
+        r W W' + A Q(t) A' + B Q(s) B' = U D U' with the factors that come; the state is
+        W (z2, z1, z0)', the parabola through three positions, the newest first,
+        W = [1, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2]^-1,
+        A = W [0, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2],
+        B = W [0, 0, 0; 0, 0, 0; 1, -s, s^2/2],
+        Q(t) = [q t^4/4, q t^3/2, q t^2/2; q t^3/2, q t^2, q t; q t^2/2, q t, q],
+        P = U diag(d1, d2, d3) U', U = [1, a + c, a b; 0, 1, b; 0, 0, 1]
+          = [1, a, 0; 0, 1, 0; 0, 0, 1] [1, 0, 0; 0, 1, b; 0, 0, 1] [1, c, 0; 0, 1, 0; 0, 0, 1]
+
+    first_interval: s, time between the first two positions, s; a number at least 1e-10 and at most
+        1e10, in float32 at least 1e-2 and at most 1e2.
+    interval: t, time between the last two positions, s; a number at least 1e-10 and at most 1e10,
+        in float32 at least 1e-2 and at most 1e2.
+    strength: q, variance of the acceleration that is added for the interval and stays; 0 or a
+        number at least 1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-30 and at
+        most 1e30, in float32 at least 1e-4 and at most 1e5.
+
+    diagonal_1: d1, variance of the position, velocity and acceleration known, m^2. Relative error
+        at most 7.01 * 2^-52 (float64), 6.99 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, acceleration known, m^2/s^2. Relative error at most
+        7.01 * 2^-52 (float64), 7.00 * 2^-23 (float32), proved for every input.
+    diagonal_3: d3, variance of the acceleration, m^2/s^4. Relative error at most 7.51 * 2^-52
+        (float64), 7.51 * 2^-23 (float32), proved for every input.
+    first_shear: a, s. Relative error at most 7.01 * 2^-52 (float64), 7.01 * 2^-23 (float32), proved
+        for every input.
+    second_shear: b, s. Relative error at most 8.01 * 2^-52 (float64), 8.01 * 2^-23 (float32),
+        proved for every input.
+    third_shear: c, s. Relative error at most 16.01 * 2^-52 (float64), 16.01 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-three-states
+    """
+    return StartWienerAcceleration(
+        *evaluate(
+            _START_WIENER_ACCELERATION,
+            (first_interval, interval, strength, measurement_variance),
+            out,
+        )
+    )
+
+
+def _start_wiener_acceleration_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    first_interval, interval, strength, measurement_variance = given
+    diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    t4 = np.square(first_interval, w0)
+    t5 = np.multiply(first_interval, t4, w1)
+    t6 = np.multiply(first_interval, t5, w2)
+    t7 = np.multiply(interval, t6, w3)
+    t8 = np.multiply(interval, t7, w3)
+    t10 = np.multiply(first_interval, 8.0, w4)
+    t11 = np.multiply(interval, 8.0, w5)
+    t12 = np.add(t11, t10, w6)
+    t13 = np.multiply(first_interval, t10, w4)
+    t14 = np.multiply(interval, t12, w6)
+    t15 = np.add(t14, t13, w7)
+    t16 = np.multiply(measurement_variance, t15, w7)
+    t17 = np.multiply(strength, t8, w8)
+    t18 = np.add(t17, t16, w8)
+    t19 = np.multiply(interval, t8, w7)
+    t21 = np.multiply(first_interval, 12.0, w9)
+    t22 = np.add(t11, t21, w5)
+    t24 = np.multiply(first_interval, 20.0, w9)
+    t25 = np.multiply(first_interval, t24, w9)
+    t26 = np.multiply(interval, t22, w5)
+    t27 = np.add(t26, t25, w5)
+    t28 = np.multiply(first_interval, t13, w4)
+    t29 = np.multiply(interval, t27, w5)
+    t30 = np.add(t29, t28, w5)
+    t31 = np.multiply(measurement_variance, t30, w5)
+    t32 = np.multiply(strength, t19, w7)
+    t33 = np.add(t32, t31, w7)
+    t34 = np.multiply(interval, t4, w0)
+    t35 = np.add(t34, t5, w0)
+    t36 = np.multiply(interval, t35, w0)
+    t37 = np.multiply(measurement_variance, t36, w0)
+    t38 = np.multiply(measurement_variance, t6, w2)
+    t40 = np.multiply(measurement_variance, 6.0, w1)
+    t41 = np.multiply(measurement_variance, t40, w1)
+    t42 = np.multiply(strength, t38, w4)
+    t43 = np.add(t42, t41, w4)
+    t44 = np.multiply(measurement_variance, t8, w3)
+    t46 = np.multiply(first_interval, 4.0, w1)
+    t47 = np.multiply(first_interval, t46, w1)
+    t48 = np.add(t14, t47, w6)
+    t49 = np.multiply(measurement_variance, t48, w6)
+    t50 = np.multiply(measurement_variance, t49, w6)
+    t51 = np.multiply(strength, t44, w3)
+    t52 = np.add(t51, t50, w3)
+    t53 = np.multiply(measurement_variance, t38, w2)
+    t54 = np.multiply(measurement_variance, 4.0, w1)
+    t55 = np.multiply(measurement_variance, t54, w1)
+    t56 = np.multiply(measurement_variance, t55, w1)
+    t57 = np.multiply(strength, t53, w2)
+    t58 = np.add(t57, t56, w2)
+    t59 = np.multiply(first_interval, interval, w1)
+    t60 = np.add(first_interval, interval, w5)
+    t61 = np.multiply(t59, t60, w1)
+    t62 = np.divide(t58, t43, diagonal_1)
+    t65 = np.divide(t43, t18, diagonal_2)
+    t67 = np.square(t61, w1)
+    t69 = np.divide(t37, t33, first_shear)
+    t71 = np.divide(t33, t18, second_shear)
+    t73 = np.divide(t18, t43, diagonal_3)
+    t74 = np.divide(t52, t33, third_shear)
+    t75 = np.multiply(t73, t74, third_shear)
+    np.multiply(t62, 0.5, diagonal_1)
+    np.multiply(t65, 2.0, diagonal_2)
+    np.divide(t18, t67, diagonal_3)
+    np.multiply(t69, 4.0, first_shear)
+    np.multiply(t71, 0.5, second_shear)
+    np.multiply(t75, 0.5, third_shear)
+
+
+_START_WIENER_ACCELERATION = Signature(
+    "start_wiener_acceleration",
+    (_FIRST_INTERVAL_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
+    10,
+    _start_wiener_acceleration_block,
+)
+
+
+class StartRandomJerk(NamedTuple):
+    """Result of `start_random_jerk`."""
+
+    diagonal_1: Real
+    """D1, variance of the position, velocity and acceleration known, m^2."""
+    diagonal_2: Real
+    """D2, variance of the velocity, acceleration known, m^2/s^2."""
+    diagonal_3: Real
+    """D3, variance of the acceleration, m^2/s^4."""
+    first_shear: Real
+    """A, s."""
+    second_shear: Real
+    """B, s."""
+    third_shear: Real
+    """C, s."""
+
+
+def start_random_jerk(
+    first_interval: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> StartRandomJerk:
+    """Factors of the covariance after the first three positions, random jerk.
+
+        r W W' + A Q(t) A' + B Q(s) B' = U D U' with the factors that come; the state is
+        W (z2, z1, z0)', the parabola through three positions, the newest first,
+        W = [1, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2]^-1,
+        A = W [0, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2],
+        B = W [0, 0, 0; 0, 0, 0; 1, -s, s^2/2],
+        Q(t) = [q t^6/36, q t^5/12, q t^4/6; q t^5/12, q t^4/4, q t^3/2; q t^4/6, q t^3/2, q t^2],
+        P = U diag(d1, d2, d3) U', U = [1, a + c, a b; 0, 1, b; 0, 0, 1]
+          = [1, a, 0; 0, 1, 0; 0, 0, 1] [1, 0, 0; 0, 1, b; 0, 0, 1] [1, c, 0; 0, 1, 0; 0, 0, 1]
+
+    first_interval: s, time between the first two positions, s; a number at least 1e-10 and at most
+        1e10, in float32 at least 1e-2 and at most 1e2.
+    interval: t, time between the last two positions, s; a number at least 1e-10 and at most 1e10,
+        in float32 at least 1e-2 and at most 1e2.
+    strength: q, variance of the jerk, which is constant over the interval; 0 or a number at least
+        1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-30 and at
+        most 1e30, in float32 at least 1e-4 and at most 1e5.
+
+    diagonal_1: d1, variance of the position, velocity and acceleration known, m^2. Relative error
+        at most 16.01 * 2^-52 (float64), 16.01 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, acceleration known, m^2/s^2. Relative error at most
+        15.00 * 2^-52 (float64), 14.98 * 2^-23 (float32), proved for every input.
+    diagonal_3: d3, variance of the acceleration, m^2/s^4. Relative error at most 11.00 * 2^-52
+        (float64), 10.98 * 2^-23 (float32), proved for every input.
+    first_shear: a, s. Relative error at most 10.51 * 2^-52 (float64), 10.48 * 2^-23 (float32),
+        proved for every input.
+    second_shear: b, s. Relative error at most 14.00 * 2^-52 (float64), 13.96 * 2^-23 (float32),
+        proved for every input.
+    third_shear: c, s. Relative error at most 30.00 * 2^-52 (float64), 29.95 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-three-states
+    """
+    return StartRandomJerk(
+        *evaluate(
+            _START_RANDOM_JERK,
+            (first_interval, interval, strength, measurement_variance),
+            out,
+        )
+    )
+
+
+def _start_random_jerk_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    first_interval, interval, strength, measurement_variance = given
+    diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
+    t5 = np.multiply(first_interval, 4.0, w0)
+    t6 = np.multiply(first_interval, t5, w0)
+    t8 = np.multiply(first_interval, 12.0, w1)
+    t9 = np.multiply(first_interval, t8, w1)
+    t10 = np.multiply(first_interval, t9, w1)
+    t11 = np.multiply(interval, t6, w0)
+    t12 = np.add(t11, t10, w0)
+    t14 = np.multiply(first_interval, 9.0, w1)
+    t15 = np.multiply(first_interval, t14, w1)
+    t16 = np.multiply(first_interval, t15, w1)
+    t17 = np.multiply(first_interval, t16, w2)
+    t18 = np.multiply(interval, t12, w0)
+    t19 = np.add(t18, t17, w0)
+    t20 = np.multiply(interval, t19, w0)
+    t21 = np.square(first_interval, w2)
+    t22 = np.multiply(first_interval, t21, w3)
+    t23 = np.multiply(first_interval, t22, w4)
+    t24 = np.multiply(first_interval, t23, w4)
+    t25 = np.multiply(first_interval, t24, w4)
+    t26 = np.multiply(interval, t20, w0)
+    t27 = np.add(t26, t25, w0)
+    t28 = np.multiply(interval, t27, w0)
+    t29 = np.multiply(interval, t28, w0)
+    t31 = np.multiply(first_interval, 72.0, w5)
+    t32 = np.multiply(interval, 72.0, w6)
+    t33 = np.add(t32, t31, w7)
+    t34 = np.multiply(first_interval, t31, w5)
+    t35 = np.multiply(interval, t33, w7)
+    t36 = np.add(t35, t34, w8)
+    t37 = np.multiply(measurement_variance, t36, w8)
+    t38 = np.multiply(strength, t29, w0)
+    t39 = np.add(t38, t37, w0)
+    t41 = np.multiply(first_interval, 2.0, w8)
+    t42 = np.multiply(first_interval, t41, w8)
+    t44 = np.multiply(first_interval, 7.0, w9)
+    t45 = np.multiply(first_interval, t44, w9)
+    t46 = np.multiply(first_interval, t45, w9)
+    t47 = np.multiply(interval, t42, w8)
+    t48 = np.add(t47, t46, w8)
+    t50 = np.multiply(first_interval, 6.0, w9)
+    t51 = np.multiply(first_interval, t50, w9)
+    t52 = np.multiply(first_interval, t51, w9)
+    t53 = np.multiply(first_interval, t52, w9)
+    t54 = np.multiply(interval, t48, w8)
+    t55 = np.add(t54, t53, w8)
+    t56 = np.multiply(interval, t55, w8)
+    t57 = np.multiply(interval, t56, w8)
+    t58 = np.add(t57, t25, w8)
+    t59 = np.multiply(interval, t58, w8)
+    t60 = np.multiply(interval, t59, w8)
+    t61 = np.multiply(interval, t60, w8)
+    t63 = np.multiply(first_interval, 108.0, w10)
+    t64 = np.add(t32, t63, w10)
+    t66 = np.multiply(first_interval, 180.0, w11)
+    t67 = np.multiply(first_interval, t66, w11)
+    t68 = np.multiply(interval, t64, w10)
+    t69 = np.add(t68, t67, w10)
+    t70 = np.multiply(first_interval, t34, w5)
+    t71 = np.multiply(interval, t69, w10)
+    t72 = np.add(t71, t70, w10)
+    t73 = np.multiply(measurement_variance, t72, w10)
+    t74 = np.multiply(strength, t61, w8)
+    t75 = np.add(t74, t73, w8)
+    t76 = np.multiply(interval, t21, w2)
+    t77 = np.add(t76, t22, w2)
+    t78 = np.multiply(interval, t77, w2)
+    t79 = np.multiply(measurement_variance, t78, w2)
+    t80 = np.multiply(interval, t25, w3)
+    t81 = np.multiply(interval, t80, w3)
+    t82 = np.multiply(interval, t81, w3)
+    t83 = np.multiply(interval, t82, w3)
+    t84 = np.multiply(interval, t83, w3)
+    t85 = np.multiply(interval, t84, w3)
+    t87 = np.multiply(first_interval, 216.0, w10)
+    t88 = np.add(t32, t87, w6)
+    t90 = np.multiply(first_interval, 864.0, w10)
+    t91 = np.multiply(first_interval, t90, w10)
+    t92 = np.multiply(interval, t88, w6)
+    t93 = np.add(t92, t91, w10)
+    t95 = np.multiply(first_interval, 1296.0, w11)
+    t96 = np.multiply(first_interval, t95, w11)
+    t97 = np.multiply(first_interval, t96, w11)
+    t98 = np.multiply(interval, t93, w10)
+    t99 = np.add(t98, t97, w10)
+    t101 = np.multiply(first_interval, 648.0, w11)
+    t102 = np.multiply(first_interval, t101, w11)
+    t103 = np.multiply(first_interval, t102, w11)
+    t104 = np.multiply(first_interval, t103, w12)
+    t105 = np.multiply(interval, t99, w10)
+    t106 = np.add(t105, t104, w10)
+    t107 = np.multiply(interval, t106, w10)
+    t108 = np.multiply(first_interval, t70, w5)
+    t109 = np.multiply(first_interval, t108, w5)
+    t110 = np.multiply(first_interval, t109, w5)
+    t111 = np.multiply(interval, t107, w10)
+    t112 = np.add(t111, t110, w10)
+    t113 = np.multiply(measurement_variance, t112, w10)
+    t114 = np.multiply(strength, t85, w5)
+    t115 = np.add(t114, t113, w5)
+    t117 = np.multiply(measurement_variance, 3888.0, w10)
+    t118 = np.multiply(measurement_variance, t117, w10)
+    t119 = np.multiply(strength, t115, w5)
+    t120 = np.add(t119, t118, w5)
+    t122 = np.multiply(first_interval, 3.0, w10)
+    t123 = np.multiply(first_interval, t122, w10)
+    t124 = np.multiply(interval, t123, w10)
+    t125 = np.add(t124, t16, w10)
+    t126 = np.multiply(interval, t125, w10)
+    t127 = np.add(t126, t53, w10)
+    t128 = np.multiply(interval, t127, w10)
+    t129 = np.multiply(interval, t128, w10)
+    t130 = np.add(t129, t25, w10)
+    t131 = np.multiply(interval, t130, w10)
+    t132 = np.multiply(interval, t131, w10)
+    t133 = np.multiply(measurement_variance, t132, w10)
+    t135 = np.multiply(first_interval, 36.0, w1)
+    t136 = np.multiply(first_interval, t135, w1)
+    t137 = np.add(t35, t136, w7)
+    t138 = np.multiply(measurement_variance, t137, w7)
+    t139 = np.multiply(measurement_variance, t138, w7)
+    t140 = np.multiply(strength, t133, w10)
+    t141 = np.add(t140, t139, w10)
+    t142 = np.multiply(measurement_variance, t85, w3)
+    t144 = np.multiply(first_interval, 540.0, w4)
+    t145 = np.multiply(first_interval, t144, w4)
+    t146 = np.add(t92, t145, w6)
+    t147 = np.multiply(interval, t146, w6)
+    t148 = np.add(t147, t103, w6)
+    t150 = np.multiply(first_interval, 324.0, w4)
+    t151 = np.multiply(first_interval, t150, w4)
+    t152 = np.multiply(first_interval, t151, w4)
+    t153 = np.multiply(first_interval, t152, w4)
+    t154 = np.multiply(interval, t148, w6)
+    t155 = np.add(t154, t153, w6)
+    t156 = np.multiply(interval, t155, w6)
+    t157 = np.multiply(first_interval, t136, w1)
+    t158 = np.multiply(first_interval, t157, w1)
+    t159 = np.multiply(first_interval, t158, w1)
+    t160 = np.multiply(first_interval, t159, w1)
+    t161 = np.multiply(interval, t156, w6)
+    t162 = np.add(t161, t160, w6)
+    t163 = np.multiply(measurement_variance, t162, w6)
+    t164 = np.multiply(measurement_variance, t163, w6)
+    t165 = np.multiply(strength, t142, w3)
+    t166 = np.add(t165, t164, w3)
+    t167 = np.multiply(measurement_variance, 1296.0, w1)
+    t168 = np.multiply(measurement_variance, t167, w1)
+    t169 = np.multiply(measurement_variance, t168, w1)
+    t170 = np.multiply(strength, t166, w3)
+    t171 = np.add(t170, t169, w3)
+    t172 = np.multiply(first_interval, interval, w1)
+    t173 = np.add(first_interval, interval, w4)
+    t174 = np.multiply(t172, t173, w1)
+    t176 = np.divide(t120, t39, diagonal_2)
+    t178 = np.divide(t39, 9.0, diagonal_3)
+    t179 = np.square(t174, w1)
+    t181 = np.divide(t79, t75, first_shear)
+    t183 = np.divide(t75, t39, second_shear)
+    t185 = np.divide(t39, t120, diagonal_1)
+    t186 = np.divide(t141, t75, third_shear)
+    t187 = np.multiply(t185, t186, third_shear)
+    np.divide(t171, t120, diagonal_1)
+    np.divide(t176, 36.0, diagonal_2)
+    np.divide(t178, t179, diagonal_3)
+    np.multiply(t181, 36.0, first_shear)
+    np.multiply(t183, 0.5, second_shear)
+    np.multiply(t187, 36.0, third_shear)
+
+
+_START_RANDOM_JERK = Signature(
+    "start_random_jerk",
+    (_FIRST_INTERVAL_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
+    13,
+    _start_random_jerk_block,
+)
+
+
+class StartContinuousWhiteJerk(NamedTuple):
+    """Result of `start_continuous_white_jerk`."""
+
+    diagonal_1: Real
+    """D1, variance of the position, velocity and acceleration known, m^2."""
+    diagonal_2: Real
+    """D2, variance of the velocity, acceleration known, m^2/s^2."""
+    diagonal_3: Real
+    """D3, variance of the acceleration, m^2/s^4."""
+    first_shear: Real
+    """A, s."""
+    second_shear: Real
+    """B, s."""
+    third_shear: Real
+    """C, s."""
+
+
+def start_continuous_white_jerk(
+    first_interval: ArrayLike,
+    interval: ArrayLike,
+    strength: ArrayLike,
+    measurement_variance: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> StartContinuousWhiteJerk:
+    """Factors of the covariance after the first three positions, continuous white jerk.
+
+        r W W' + A Q(t) A' + B Q(s) B' = U D U' with the factors that come; the state is
+        W (z2, z1, z0)', the parabola through three positions, the newest first,
+        W = [1, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2]^-1,
+        A = W [0, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2],
+        B = W [0, 0, 0; 0, 0, 0; 1, -s, s^2/2],
+        Q(t) = [q t^5/20, q t^4/8, q t^3/6; q t^4/8, q t^3/3, q t^2/2; q t^3/6, q t^2/2, q t],
+        P = U diag(d1, d2, d3) U', U = [1, a + c, a b; 0, 1, b; 0, 0, 1]
+          = [1, a, 0; 0, 1, 0; 0, 0, 1] [1, 0, 0; 0, 1, b; 0, 0, 1] [1, c, 0; 0, 1, 0; 0, 0, 1]
+
+    first_interval: s, time between the first two positions, s; a number at least 1e-10 and at most
+        1e10, in float32 at least 1e-2 and at most 1e2.
+    interval: t, time between the last two positions, s; a number at least 1e-10 and at most 1e10,
+        in float32 at least 1e-2 and at most 1e2.
+    strength: q, two-sided power density of the jerk; 0 or a number at least 1e-30 and at most 1e30,
+        in float32 at least 1e-4 and at most 1e4.
+    measurement_variance: r, variance of the measured position, m^2; a number at least 1e-30 and at
+        most 1e30, in float32 at least 1e-4 and at most 1e5.
+
+    diagonal_1: d1, variance of the position, velocity and acceleration known, m^2. Relative error
+        at most 18.01 * 2^-52 (float64), 18.01 * 2^-23 (float32), proved for every input.
+    diagonal_2: d2, variance of the velocity, acceleration known, m^2/s^2. Relative error at most
+        15.50 * 2^-52 (float64), 15.46 * 2^-23 (float32), proved for every input.
+    diagonal_3: d3, variance of the acceleration, m^2/s^4. Relative error at most 10.50 * 2^-52
+        (float64), 10.48 * 2^-23 (float32), proved for every input.
+    first_shear: a, s. Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32),
+        proved for every input.
+    second_shear: b, s. Relative error at most 13.00 * 2^-52 (float64), 12.97 * 2^-23 (float32),
+        proved for every input.
+    third_shear: c, s. Relative error at most 29.50 * 2^-52 (float64), 31.43 * 2^-23 (float32),
+        proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation recursion-three-states
+    """
+    return StartContinuousWhiteJerk(
+        *evaluate(
+            _START_CONTINUOUS_WHITE_JERK,
+            (first_interval, interval, strength, measurement_variance),
+            out,
+        )
+    )
+
+
+def _start_continuous_white_jerk_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    first_interval, interval, strength, measurement_variance = given
+    diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15 = work
+    t5 = np.multiply(first_interval, 8.0, w0)
+    t6 = np.multiply(first_interval, t5, w0)
+    t8 = np.multiply(first_interval, 20.0, w1)
+    t9 = np.multiply(first_interval, t8, w1)
+    t10 = np.multiply(first_interval, t9, w1)
+    t11 = np.multiply(interval, t6, w0)
+    t12 = np.add(t11, t10, w0)
+    t14 = np.multiply(first_interval, 15.0, w2)
+    t15 = np.multiply(first_interval, t14, w2)
+    t16 = np.multiply(first_interval, t15, w3)
+    t17 = np.multiply(first_interval, t16, w3)
+    t18 = np.multiply(interval, t12, w0)
+    t19 = np.add(t18, t17, w0)
+    t21 = np.multiply(first_interval, 3.0, w3)
+    t22 = np.multiply(first_interval, t21, w3)
+    t23 = np.multiply(first_interval, t22, w3)
+    t24 = np.multiply(first_interval, t23, w3)
+    t25 = np.multiply(first_interval, t24, w3)
+    t26 = np.multiply(interval, t19, w0)
+    t27 = np.add(t26, t25, w0)
+    t28 = np.multiply(interval, t27, w0)
+    t29 = np.multiply(interval, t28, w0)
+    t31 = np.multiply(first_interval, 120.0, w3)
+    t32 = np.multiply(interval, 120.0, w4)
+    t33 = np.add(t32, t31, w4)
+    t34 = np.multiply(first_interval, t31, w3)
+    t35 = np.multiply(interval, t33, w4)
+    t36 = np.add(t35, t34, w4)
+    t37 = np.multiply(measurement_variance, t36, w4)
+    t38 = np.multiply(strength, t29, w0)
+    t39 = np.add(t38, t37, w0)
+    t41 = np.multiply(first_interval, 7.0, w4)
+    t42 = np.multiply(first_interval, t41, w4)
+    t44 = np.multiply(first_interval, 21.0, w5)
+    t45 = np.multiply(first_interval, t44, w5)
+    t46 = np.multiply(first_interval, t45, w5)
+    t47 = np.multiply(interval, t42, w4)
+    t48 = np.add(t47, t46, w4)
+    t49 = np.multiply(first_interval, t10, w1)
+    t50 = np.multiply(interval, t48, w4)
+    t51 = np.add(t50, t49, w4)
+    t53 = np.multiply(first_interval, 6.0, w5)
+    t54 = np.multiply(first_interval, t53, w5)
+    t55 = np.multiply(first_interval, t54, w5)
+    t56 = np.multiply(first_interval, t55, w5)
+    t57 = np.multiply(first_interval, t56, w5)
+    t58 = np.multiply(interval, t51, w4)
+    t59 = np.add(t58, t57, w4)
+    t60 = np.multiply(interval, t59, w4)
+    t61 = np.multiply(interval, t60, w4)
+    t62 = np.multiply(interval, t61, w4)
+    t64 = np.multiply(first_interval, 360.0, w6)
+    t66 = np.multiply(interval, 240.0, w7)
+    t67 = np.add(t66, t64, w6)
+    t69 = np.multiply(first_interval, 600.0, w8)
+    t70 = np.multiply(first_interval, t69, w8)
+    t71 = np.multiply(interval, t67, w6)
+    t72 = np.add(t71, t70, w6)
+    t73 = np.multiply(first_interval, 240.0, w8)
+    t74 = np.multiply(first_interval, t73, w9)
+    t75 = np.multiply(first_interval, t74, w9)
+    t76 = np.multiply(interval, t72, w6)
+    t77 = np.add(t76, t75, w6)
+    t78 = np.multiply(measurement_variance, t77, w6)
+    t79 = np.multiply(strength, t62, w4)
+    t80 = np.add(t79, t78, w4)
+    t81 = np.square(first_interval, w6)
+    t82 = np.multiply(first_interval, t81, w9)
+    t83 = np.multiply(interval, t81, w6)
+    t84 = np.add(t83, t82, w6)
+    t85 = np.multiply(interval, t84, w6)
+    t86 = np.multiply(measurement_variance, t85, w6)
+    t88 = np.multiply(first_interval, 60.0, w9)
+    t89 = np.multiply(first_interval, t88, w9)
+    t90 = np.multiply(first_interval, t89, w9)
+    t91 = np.multiply(interval, t15, w2)
+    t92 = np.add(t91, t90, w2)
+    t94 = np.multiply(first_interval, 80.0, w9)
+    t95 = np.multiply(first_interval, t94, w9)
+    t96 = np.multiply(first_interval, t95, w9)
+    t97 = np.multiply(first_interval, t96, w9)
+    t98 = np.multiply(interval, t92, w2)
+    t99 = np.add(t98, t97, w2)
+    t101 = np.multiply(first_interval, 36.0, w9)
+    t102 = np.multiply(first_interval, t101, w9)
+    t103 = np.multiply(first_interval, t102, w9)
+    t104 = np.multiply(first_interval, t103, w9)
+    t105 = np.multiply(first_interval, t104, w9)
+    t106 = np.multiply(interval, t99, w2)
+    t107 = np.add(t106, t105, w2)
+    t108 = np.multiply(interval, t107, w2)
+    t109 = np.multiply(interval, t108, w2)
+    t110 = np.multiply(interval, t109, w2)
+    t111 = np.multiply(interval, t110, w2)
+    t112 = np.multiply(interval, t111, w2)
+    t114 = np.multiply(first_interval, 3600.0, w9)
+    t116 = np.multiply(interval, 1440.0, w10)
+    t117 = np.add(t116, t114, w10)
+    t119 = np.multiply(first_interval, 12000.0, w11)
+    t120 = np.multiply(first_interval, t119, w11)
+    t121 = np.multiply(interval, t117, w10)
+    t122 = np.add(t121, t120, w11)
+    t124 = np.multiply(first_interval, 14400.0, w12)
+    t125 = np.multiply(first_interval, t124, w12)
+    t126 = np.multiply(first_interval, t125, w12)
+    t127 = np.multiply(interval, t122, w11)
+    t128 = np.add(t127, t126, w11)
+    t130 = np.multiply(first_interval, 7200.0, w12)
+    t131 = np.multiply(first_interval, t130, w12)
+    t132 = np.multiply(first_interval, t131, w13)
+    t133 = np.multiply(first_interval, t132, w14)
+    t134 = np.multiply(interval, t128, w11)
+    t135 = np.add(t134, t133, w11)
+    t136 = np.multiply(first_interval, 1440.0, w14)
+    t137 = np.multiply(first_interval, t136, w14)
+    t138 = np.multiply(first_interval, t137, w14)
+    t139 = np.multiply(first_interval, t138, w14)
+    t140 = np.multiply(first_interval, t139, w14)
+    t141 = np.multiply(interval, t135, w11)
+    t142 = np.add(t141, t140, w11)
+    t143 = np.multiply(measurement_variance, t142, w11)
+    t144 = np.multiply(strength, t112, w14)
+    t145 = np.add(t144, t143, w14)
+    t147 = np.multiply(measurement_variance, 43200.0, w11)
+    t148 = np.multiply(measurement_variance, t147, w11)
+    t149 = np.multiply(strength, t145, w14)
+    t150 = np.add(t149, t148, w14)
+    t152 = np.multiply(first_interval, 10.0, w11)
+    t153 = np.multiply(first_interval, t152, w11)
+    t155 = np.multiply(first_interval, 25.0, w15)
+    t156 = np.multiply(first_interval, t155, w15)
+    t157 = np.multiply(first_interval, t156, w15)
+    t158 = np.multiply(interval, t153, w11)
+    t159 = np.add(t158, t157, w11)
+    t160 = np.multiply(interval, t159, w11)
+    t161 = np.add(t160, t49, w11)
+    t162 = np.multiply(interval, t161, w11)
+    t163 = np.add(t162, t57, w11)
+    t164 = np.multiply(interval, t163, w11)
+    t165 = np.multiply(interval, t164, w11)
+    t166 = np.multiply(measurement_variance, t165, w11)
+    t167 = np.add(t66, t73, w7)
+    t168 = np.multiply(interval, t167, w7)
+    t169 = np.add(t168, t34, w7)
+    t170 = np.multiply(measurement_variance, t169, w7)
+    t171 = np.multiply(measurement_variance, t170, w7)
+    t172 = np.multiply(strength, t166, w11)
+    t173 = np.add(t172, t171, w11)
+    t174 = np.multiply(measurement_variance, t112, w2)
+    t175 = np.add(t121, t131, w10)
+    t176 = np.multiply(interval, t175, w10)
+    t177 = np.add(t176, t132, w10)
+    t178 = np.multiply(first_interval, t114, w9)
+    t179 = np.multiply(first_interval, t178, w9)
+    t180 = np.multiply(first_interval, t179, w9)
+    t181 = np.multiply(interval, t177, w10)
+    t182 = np.add(t181, t180, w10)
+    t184 = np.multiply(first_interval, 720.0, w1)
+    t185 = np.multiply(first_interval, t184, w1)
+    t186 = np.multiply(first_interval, t185, w1)
+    t187 = np.multiply(first_interval, t186, w1)
+    t188 = np.multiply(first_interval, t187, w1)
+    t189 = np.multiply(interval, t182, w10)
+    t190 = np.add(t189, t188, w10)
+    t191 = np.multiply(measurement_variance, t190, w10)
+    t192 = np.multiply(measurement_variance, t191, w10)
+    t193 = np.multiply(strength, t174, w2)
+    t194 = np.add(t193, t192, w2)
+    t195 = np.multiply(measurement_variance, 14400.0, w1)
+    t196 = np.multiply(measurement_variance, t195, w1)
+    t197 = np.multiply(measurement_variance, t196, w1)
+    t198 = np.multiply(strength, t194, w2)
+    t199 = np.add(t198, t197, w2)
+    t200 = np.multiply(first_interval, interval, w1)
+    t201 = np.add(first_interval, interval, w3)
+    t202 = np.multiply(t200, t201, w1)
+    t204 = np.divide(t150, t39, diagonal_2)
+    t206 = np.divide(t39, 15.0, diagonal_3)
+    t207 = np.square(t202, w1)
+    t209 = np.divide(t86, t80, first_shear)
+    t211 = np.divide(t80, t39, second_shear)
+    t214 = np.divide(t39, t150, diagonal_1)
+    t215 = np.divide(t173, t80, third_shear)
+    t216 = np.multiply(t214, t215, third_shear)
+    np.divide(t199, t150, diagonal_1)
+    np.divide(t204, 240.0, diagonal_2)
+    np.divide(t206, t207, diagonal_3)
+    np.multiply(t209, 120.0, first_shear)
+    np.multiply(t211, 0.25, second_shear)
+    np.multiply(t216, 240.0, third_shear)
+
+
+_START_CONTINUOUS_WHITE_JERK = Signature(
+    "start_continuous_white_jerk",
+    (_FIRST_INTERVAL_DOMAIN, _INTERVAL_DOMAIN, _STRENGTH_DOMAIN, _MEASUREMENT_VARIANCE_DOMAIN),
+    ("diagonal_1", "diagonal_2", "diagonal_3", "first_shear", "second_shear", "third_shear"),
+    16,
+    _start_continuous_white_jerk_block,
 )
 
 

@@ -7,19 +7,31 @@ from gainproof.derive.expression import real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.recursion.triple_kernels import graphs
 from gainproof.derive.recursion.triple_module import kernel_module
-from gainproof.derive.recursion.triple_names import FACTORS, PARAMETERS, latex, predicted_names
+from gainproof.derive.recursion.triple_names import (
+    FACTORS,
+    PARAMETERS,
+    latex,
+    predicted_names,
+    start_names,
+)
 from gainproof.derive.recursion.triple_noise import TripleNoise, triple_noises
-from gainproof.derive.recursion.triple_steps import model_steps, update_steps
 from gainproof.derive.recursion.triple_steps_difference import difference_steps
+from gainproof.derive.recursion.triple_steps_hand_over import hand_over_steps
+from gainproof.derive.recursion.triple_steps_model import model_steps
 from gainproof.derive.recursion.triple_steps_predict import predict_steps
+from gainproof.derive.recursion.triple_steps_start import start_steps
+from gainproof.derive.recursion.triple_steps_update import update_steps
 from gainproof.derive.recursion.triple_towers import (
+    entries_tower,
     intervals_tower,
     pair_tower,
     predict_tower,
+    samples_tower,
+    start_tower,
     update_tower,
 )
 from gainproof.derive.relation import Relation
-from gainproof.derive.source import SPECTRAL
+from gainproof.derive.source import GAUSS_MARKOV, SPECTRAL
 from gainproof.derive.subject import Program, Subject
 
 NAME = "recursion-three-states"
@@ -38,15 +50,25 @@ def build() -> Subject:
         *model_steps(),
         *(step for noise in known for step in predict_steps(noise)),
         *update_steps(),
+        *start_steps(known),
         *difference_steps(),
+        *hand_over_steps(),
         *(_program(name, graph, known) for name, graph in made.items()),
     )
-    towers = (update_tower(), intervals_tower(), *map(predict_tower, known), pair_tower())
+    towers = (
+        update_tower(),
+        intervals_tower(),
+        entries_tower(),
+        *map(predict_tower, known),
+        start_tower(known),
+        pair_tower(),
+        samples_tower(),
+    )
     return Subject(
         name=NAME,
         title=TITLE,
         model=None,
-        derivation=Derivation(OPENING, steps, (SPECTRAL.key,), latex(known)),
+        derivation=Derivation(OPENING, steps, (SPECTRAL.key, GAUSS_MARKOV.key), latex(known)),
         towers={tower.name: tower for tower in towers},
         programs={
             name: Program({entry: PARAMETERS[entry] for entry in _symbols(graph)}, graph)
@@ -58,10 +80,12 @@ def build() -> Subject:
 
 
 def _program(name: str, graph: Graph, known: tuple[TripleNoise, ...]) -> Step:
-    noise = next((each for each in known if name == f"predict_{each.name}"), None)
+    noise = next((each for each in known if name.endswith(each.name)), None)
+    starts = name.startswith("start")
     names = {output: output for output in graph["outputs"]}
     if noise is not None:
-        names = dict(zip(FACTORS, predicted_names(noise), strict=True))
+        meant = start_names(noise) if starts else predicted_names(noise)
+        names = dict(zip(FACTORS, meant, strict=True))
     elif name == "update":
         names = {output: f"updated_{output}" for output in FACTORS}
     outputs = {output: real(meant) for output, meant in names.items()}
@@ -70,7 +94,7 @@ def _program(name: str, graph: Graph, known: tuple[TripleNoise, ...]) -> Step:
         f"The kernel {name} computes what it says.",
         Relation("program", {"program": name, "outputs": outputs}),
         "Evaluate the kernel's graph as a rational function.",
-        tower=noise.name if noise is not None else "main",
+        tower="main" if noise is None else "start" if starts else noise.name,
         hint={"graph": graph},
         shown=False,
     )

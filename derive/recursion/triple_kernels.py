@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.recursion import triple_forms as forms
-from gainproof.derive.recursion.triple_names import ENTRIES, FACTORS, GAINS
+from gainproof.derive.recursion.triple_names import ENTRIES, FACTORS, GAINS, Q, R, S, T
 from gainproof.derive.recursion.triple_noise import TripleNoise
+from gainproof.derive.recursion.triple_start import started
 
 MEASURED = "measurement_variance"
 
@@ -17,7 +18,11 @@ def graphs(noises: tuple[TripleNoise, ...]) -> dict[str, Graph]:
         "gains": gains_graph(),
         "update": update_graph(),
     }
-    return {**found, **{f"predict_{noise.name}": predict_graph(noise) for noise in noises}}
+    for noise in noises:
+        found[f"start_{noise.name}"] = start_graph(noise)
+    for noise in noises:
+        found[f"predict_{noise.name}"] = predict_graph(noise)
+    return found
 
 
 def _given(builder: GraphBuilder) -> forms.Triple:
@@ -44,6 +49,14 @@ def update_graph() -> Graph:
     """Factors after a measurement."""
     builder = GraphBuilder()
     return builder.graph(_factors(forms.updated(_given(builder), builder.symbol(MEASURED)).factors))
+
+
+def start_graph(noise: TripleNoise) -> Graph:
+    """Factors after the first three positions."""
+    builder = GraphBuilder()
+    names = {S: "first_interval", T: "interval", Q: "strength", R: MEASURED}
+    given = {symbol: builder.symbol(name) for symbol, name in names.items()}
+    return builder.graph(_factors(started(noise, given)))
 
 
 def predict_graph(noise: TripleNoise) -> Graph:

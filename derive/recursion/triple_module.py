@@ -54,6 +54,13 @@ EQUATIONS = {
 PREDICTION = (
     "F P F' + Q = U D U' with the factors that come, F = [1, t, t^2/2; 0, 1, t; 0, 0, 1],",
 )
+START = (
+    "r W W' + A Q(t) A' + B Q(s) B' = U D U' with the factors that come; the state is",
+    "W (z2, z1, z0)', the parabola through three positions, the newest first,",
+    "W = [1, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2]^-1,",
+    "A = W [0, 0, 0; 1, -t, t^2/2; 1, -(s + t), (s + t)^2/2],",
+    "B = W [0, 0, 0; 0, 0, 0; 1, -s, s^2/2],",
+)
 
 
 def kernel_module(
@@ -70,25 +77,34 @@ def kernel_module(
 
 
 def _kernel(name: str, kernel: str, graph: Graph, noises: tuple[TripleNoise, ...]) -> Kernel:
-    noise = next((each for each in noises if kernel == f"predict_{each.name}"), None)
+    noise = next((each for each in noises if kernel.endswith(each.name)), None)
     symbols = [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
     if noise is None:
         summary, equations = SUMMARIES[kernel], EQUATIONS[kernel]
     else:
-        title = noise.name.replace("_", " ")
-        summary = f"Factors of the covariance after an interval, {title}."
-        equations = (*PREDICTION, *_covariance(noise), *PLAIN)
+        summary, equations = _of_noise(kernel, noise)
     results = {"covariance": "Covariance", "gains": "Gains", "update": "Update"}
     return Kernel(
         name=kernel,
         result=results.get(kernel, "".join(word.capitalize() for word in kernel.split("_"))),
         summary=summary,
         equations=equations,
-        inputs=tuple(_input(entry, noise) for entry in PARAMETERS if entry in symbols),
+        inputs=tuple(_input(kernel, entry, noise) for entry in PARAMETERS if entry in symbols),
         outputs=tuple(Output(entry, MEANINGS[entry]) for entry in graph["outputs"]),
         graph=graph,
         source=f"derivation {name}",
     )
+
+
+def _of_noise(kernel: str, noise: TripleNoise) -> tuple[str, tuple[str, ...]]:
+    """Summary and equations of a kernel with process noise."""
+    title = noise.name.replace("_", " ")
+    covariance = _covariance(noise)
+    if kernel.startswith("start"):
+        summary = f"Factors of the covariance after the first three positions, {title}."
+        return summary, (*START, *(line.replace("Q =", "Q(t) =") for line in covariance), *PLAIN)
+    summary = f"Factors of the covariance after an interval, {title}."
+    return summary, (*PREDICTION, *covariance, *PLAIN)
 
 
 def _covariance(noise: TripleNoise) -> tuple[str, ...]:
@@ -100,9 +116,13 @@ def _covariance(noise: TripleNoise) -> tuple[str, ...]:
     return (f"Q = [{'; '.join(rows)}],",)
 
 
-def _input(entry: str, noise: TripleNoise | None) -> Input:
+def _input(kernel: str, entry: str, noise: TripleNoise | None) -> Input:
     if entry.endswith("shear"):
         return closed(entry, MEANINGS[entry], *SHEAR, zero=True)
+    if entry == "first_interval":
+        return closed(entry, "s, time between the first two positions, s", *TIME)
+    if entry == "interval" and kernel.startswith("start"):
+        return closed(entry, "t, time between the last two positions, s", *TIME)
     if entry == "interval":
         return closed(entry, "t, time since the covariance given, s", *TIME)
     if entry == "strength":

@@ -6,8 +6,8 @@ import sympy as sp
 
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
-from gainproof.derive.recursion.triple_names import ENTRIES, R, filled
-from gainproof.derive.recursion.triple_steps import rest
+from gainproof.derive.recursion.triple_names import ENTRIES, GAINS, R, T, filled, transition
+from gainproof.derive.recursion.triple_steps_update import rest
 from gainproof.derive.relation import equal
 
 
@@ -20,6 +20,8 @@ def difference_steps() -> list[Step]:
     gap = sp.ImmutableDenseMatrix(p - b)
     share = sp.ImmutableDenseMatrix(g[:, 0] / (g[0, 0] + R))
     left = rest(tuple(share))
+    z, gains = real("z"), tuple(map(real, GAINS))
+    loop = transition(T) * rest(gains)
     return [
         Step(
             "difference",
@@ -72,7 +74,32 @@ def difference_steps() -> list[Step]:
             "`P11 - B11` and the variance of `B`'s innovation.)",
             tower="pair",
         ),
+        Step(
+            "poles",
+            "The poles of a closed loop `A = F (I - K H)` are the roots of this polynomial. With "
+            "the steady gains of equal intervals its roots lie inside the unit circle, as the "
+            "derivations of the four steady states prove.",
+            equal((z * sp.eye(3) - loop).det(), _polynomial(z, gains), free=("z", *GAINS)),
+            "The determinant of `z I - F (I - K H)`.",
+            tower="pair",
+        ),
+        Step(
+            "poles-product",
+            "So the determinant of the difference shrinks by `1 - K1` and `1 - C1` from sample to "
+            "sample, near the steady state by the square of the product of its poles.",
+            equal(loop.det(), 1 - gains[0], free=(GAINS[0],)),
+            "That of `F` is 1; take determinants in step @difference.",
+            tower="pair",
+        ),
     ]
+
+
+def _polynomial(z: sp.Expr, gains: tuple[sp.Expr, ...]) -> sp.Expr:
+    """Sorted by powers of z."""
+    loop = transition(T) * rest(gains)
+    found = sp.Poly((z * sp.eye(3) - loop).det(), z)
+    _, square, linear, last = found.all_coeffs()
+    return z**3 - sp.expand(-square) * z**2 + sp.expand(linear) * z - sp.expand(-last)
 
 
 def _updated(p: sp.ImmutableDenseMatrix) -> sp.ImmutableDenseMatrix:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.expression import real
 from gainproof.derive.recursion import triple_forms as forms
 from gainproof.derive.recursion.triple_names import (
     D1,
@@ -19,10 +20,13 @@ from gainproof.derive.recursion.triple_names import (
     C,
     Q,
     R,
+    S,
     T,
     predicted_names,
+    start_names,
 )
 from gainproof.derive.recursion.triple_noise import TripleNoise
+from gainproof.derive.recursion.triple_start import MATRICES, entry_names, started
 
 Elements = dict[str, sp.Expr]
 GIVEN = forms.Triple(D1, D2, D3, A, B, C)
@@ -87,4 +91,34 @@ def intervals_tower() -> Tower:
 
 def pair_tower() -> Tower:
     """Any two covariances, whose entries are free, under the same measurement."""
-    return Tower("pair", positive("r"), (), {})
+    return Tower("pair", (*positive("r"), *from_zero("t")), (), {})
+
+
+def entries_tower() -> Tower:
+    """A covariance from its last entries, two minors and the determinant."""
+    last, near, far, minor, mixed, determinant = map(
+        real, ("c33", "c23", "c13", "minor", "mixed", "det")
+    )
+    middle = (minor + near**2) / last
+    cross = (mixed + far * middle) / near
+    first = (determinant + cross * (cross * last - far * near) - far * mixed) / minor
+    parameters = (*positive("c33", "c23", "minor", "det"), *from_zero("c13", "mixed"))
+    return Tower("entries", parameters, (), {"c22": middle, "c12": cross, "c11": first})
+
+
+def start_tower(noises: tuple[TripleNoise, ...]) -> Tower:
+    """Three positions, intervals above zero apart."""
+    at = {symbol: symbol for symbol in (Q, S, T, R)}
+    elements: Elements = {}
+    for prefix in MATRICES:
+        elements |= entry_names(prefix)
+    for noise in noises:
+        elements |= dict(zip(start_names(noise), values_of(started(noise, at)), strict=True))
+    return Tower("start", (*positive("s", "t", "r"), *from_zero("q")), (), elements)
+
+
+def samples_tower() -> Tower:
+    """k >= 2: the newest sample of a parabola fitted by least squares."""
+    k = real("k")
+    alpha = 3 * (3 * k**2 + 3 * k + 2) / ((k + 1) * (k + 2) * (k + 3))
+    return Tower("samples", (Parameter("k", above=None, start="2"),), (), {"alpha": alpha})

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -15,32 +14,16 @@ from hypothesis import strategies as st
 from printed_kernels import DTYPES, EPSILON
 from printed_pairs import pairs_of
 from recursion_tracks import transition
+from recursion_triples import NOISES, ROW, covariance, factors, move, unit_noise
 
 import gainproof.generated
 from gainproof.generated import recursion_three_states
-from gainproof.verify.oracles import noise
-from gainproof.verify.oracles.matrices import Matrix, identity, matrix, product, scale, transpose
-from gainproof.verify.oracles.multiprecision import fraction
+from gainproof.verify.oracles.matrices import identity, scale
 from gainproof.verify.oracles.riccati import predict, update
 from gainproof.verify.oracles.state_space import StateSpace
-from gainproof.verify.oracles.trajectory import Move, last_covariance
+from gainproof.verify.oracles.trajectory import last_covariance
 
-ROW = matrix([[1, 0, 0]], Fraction)
 kernels: Any = recursion_three_states
-NOISES = (
-    "acceleration_increments",
-    "wiener_acceleration",
-    "random_jerk",
-    "continuous_white_jerk",
-)
-FACTORS = (
-    "diagonal_1",
-    "diagonal_2",
-    "diagonal_3",
-    "first_shear",
-    "second_shear",
-    "third_shear",
-)
 BOUNDS = {
     (kernel.name, output): stated.bound
     for folder in gainproof.generated.__path__
@@ -50,43 +33,6 @@ BOUNDS = {
 SIZE = st.floats(-3, 3).map(lambda e: 10.0**e)
 SHEAR = st.one_of(st.just(0.0), st.floats(-2, 2).map(lambda e: 10.0**e))
 TIME = st.floats(-1.9, 1.9).map(lambda e: 10.0**e)
-
-
-@cache
-def unit_noise(name: str, interval: Fraction) -> Matrix:
-    """One unit of a noise over an interval: integrated, or what it does until the end."""
-    a, b = noise.chain(3)
-    move = transition(interval, 3)
-    if name == "continuous_white_jerk":
-        return matrix(noise.white(a, b, interval, 60), fraction)
-    if name == "random_jerk":
-        return matrix(noise.held(a, b, interval, 60), fraction)
-    # an acceleration from the interval's start on is carried by the motion; else it comes last
-    column = tuple((row[2],) for row in move) if name == "wiener_acceleration" else b
-    return product(column, transpose(column))
-
-
-def covariance(values: Sequence[float]) -> Matrix:
-    """U D U' with U the product of the three shears, exactly."""
-    d1, d2, d3, a, b, c = map(Fraction, values)
-    one, zero = Fraction(1), Fraction(0)
-    first = ((one, a, zero), (zero, one, zero), (zero, zero, one))
-    second = ((one, zero, zero), (zero, one, b), (zero, zero, one))
-    third = ((one, c, zero), (zero, one, zero), (zero, zero, one))
-    u = product(first, second, third)
-    diagonal = ((d1, zero, zero), (zero, d2, zero), (zero, zero, d3))
-    return product(u, diagonal, transpose(u))
-
-
-def factors(p: Matrix) -> dict[str, Fraction]:
-    """The factors by elimination from the last state, then the shears from the first row."""
-    d3 = p[2][2]
-    u13, u23 = p[0][2] / d3, p[1][2] / d3
-    d2 = p[1][1] - u23 * u23 * d3
-    u12 = (p[0][1] - u13 * u23 * d3) / d2
-    d1 = p[0][0] - u12 * u12 * d2 - u13 * u13 * d3
-    a = u13 / u23 if u23 else Fraction(0)
-    return dict(zip(FACTORS, (d1, d2, d3, a, u23, u12 - a), strict=True))
 
 
 def held(kernel: str, found: Any, truth: dict[str, Fraction], dtype: str) -> None:
@@ -155,13 +101,7 @@ def test_a_whole_track(name: str, missed: Sequence[int]) -> None:
         f = getattr(kernels, f"predict_{name}")(*f, interval, q)
         if number not in missed:
             f = kernels.update(*f, r)
-        whole = scale(Fraction(q), unit_noise(name, Fraction(interval)))
-        if name == "continuous_white_jerk":
-            moves.append(Move(transition(Fraction(interval), 3), identity(3, Fraction(1)), whole))
-        else:
-            last = whole[2][2]
-            shape = tuple((row[2] / last,) for row in whole)
-            moves.append(Move(transition(Fraction(interval), 3), shape, ((last,),)))
+        moves.append(move(name, Fraction(interval), Fraction(q)))
     measured = [True, *(number not in missed for number in range(len(INTERVALS)))]
     truth = last_covariance(covariance(start), moves, measured, ROW, Fraction(r))
     found = covariance([float(x) for x in f])
@@ -171,3 +111,32 @@ def test_a_whole_track(name: str, missed: Sequence[int]) -> None:
     nearly = Fraction(r) * (1 + Fraction(1, 10**12))
     wrong = last_covariance(covariance(start), moves, measured, ROW, nearly)
     assert abs(float(found[0][0] / wrong[0][0] - 1)) > worst
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("name", NOISES)
+@settings(max_examples=25, deadline=None)
+@given(TIME, TIME, st.one_of(st.just(0.0), SIZE), SIZE)
+def test_start(name: str, dtype: str, s: float, t: float, q: float, r: float) -> None:
+    """Against the normal equations of three positions and a state of which nothing is known."""
+    kind = np.dtype(dtype).type
+    given_ = [kind(x) for x in (s, t, q, r)]
+    s_, t_, q_, r_ = (Fraction(float(x)) for x in given_)
+    found = getattr(kernels, f"start_{name}")(*given_)
+    unknown = scale(Fraction(10) ** 70, identity(3, Fraction(1)))
+    least = q_ or Fraction(1, 10**70)  # the normal equations divide by it
+    moves = [move(name, s_, least), move(name, t_, least)]
+    held(
+        f"start_{name}", found, factors(last_covariance(unknown, moves, [True] * 3, ROW, r_)), dtype
+    )
+
+
+def test_a_start_of_something_else_is_seen() -> None:
+    """Of another noise, and with the intervals the other way round."""
+    found = kernels.start_random_jerk(1.0, 2.0, 1.0, 1.0)
+    unknown = scale(Fraction(10) ** 70, identity(3, Fraction(1)))
+    for name, times in (("wiener_acceleration", (1, 2)), ("random_jerk", (2, 1))):
+        moves = [move(name, Fraction(t), Fraction(1)) for t in times]
+        truth = factors(last_covariance(unknown, moves, [True] * 3, ROW, Fraction(1)))
+        with pytest.raises(AssertionError):
+            held("start_random_jerk", found, truth, "float64")

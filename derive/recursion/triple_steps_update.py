@@ -1,4 +1,4 @@
-"""Steps on three states: the factored covariance and its update."""
+"""Steps on the gain of three states and the update: textbook form, Joseph's form and factors."""
 
 from __future__ import annotations
 
@@ -16,76 +16,10 @@ from gainproof.derive.recursion.triple_names import (
     B,
     C,
     R,
-    T,
-    first_shear,
-    rows,
-    second_shear,
     sheared,
     symmetric,
-    transition,
-    upper,
 )
-from gainproof.derive.relation import Relation, described, equal, positive
-
-
-def model_steps() -> list[Step]:
-    """What is filtered, and how its covariance is kept."""
-    s = real("s")
-    return [
-        Step(
-            "model",
-            "A target's position, velocity and acceleration are estimated; the position is "
-            "measured with variance `r`, at any times, an interval `t` apart; `H = [1, 0, 0]`.",
-            described("position, velocity and acceleration, position measured, over any interval"),
-            "All in units that fit together. What disturbs the acceleration is the process noise "
-            "`Q`, below.",
-            heading="The model and its covariance",
-        ),
-        Step(
-            "intervals-add",
-            "The motion `F` over two intervals, one after the other, is that over their sum.",
-            equal(
-                sp.MatMul(transition(T), transition(s), evaluate=False),
-                transition(s + T),
-            ),
-            "Multiply out.",
-            tower="intervals",
-        ),
-        Step(
-            "motion",
-            "`F` is a product of three shears: some of the velocity to the position, some of the "
-            "acceleration to the velocity, and the first once more.",
-            equal(
-                transition(T),
-                sp.MatMul(first_shear(T / 2), second_shear(T), first_shear(T / 2), evaluate=False),
-            ),
-            "Multiply out.",
-            tower="intervals",
-        ),
-        Step(
-            "shears",
-            "The covariance is kept like this: `P = U diag(d1, d2, d3) U'`, where `U` is a product "
-            "of the same three shears by `a`, `b` and `c`, none of them negative.",
-            equal(
-                upper(A, B, C),
-                sp.MatMul(first_shear(A), second_shear(B), first_shear(C), evaluate=False),
-            ),
-            "Multiply out. The entries of `U` alone will not do, as the update shows.",
-        ),
-        Step(
-            "factors",
-            "Its entries are sums without a minus sign.",
-            equal(symmetric("covariance"), sheared((D1, D2, D3, A, B, C))),
-            "Multiply out.",
-        ),
-        Step(
-            "definite",
-            "With `d1`, `d2` and `d3` above zero it is positive definite, whatever the shears; no "
-            "rounding can take that away.",
-            Relation("positive_definite", {"matrix": rows("covariance")}),
-            "Its leading minors have no minus sign.",
-        ),
-    ]
+from gainproof.derive.relation import equal, positive
 
 
 def rest(gains: tuple[sp.Expr, ...]) -> sp.ImmutableDenseMatrix:
