@@ -133,7 +133,8 @@ def points_in(kernel: PrintedPair, dtype: str, span: str, count: int, seed: int)
     """
     box, generator = kernel.domain[dtype], np.random.default_rng(seed)
     if span == "grid" and len(box) > 2:
-        points = 10.0 ** (generator.integers(-12, 13, (len(box), 4 * count)) / 2)
+        halves = [_half_decades(*ends) for ends in box]
+        points = 10.0 ** np.stack([generator.choice(each, 2 * count) for each in halves])
     elif span == "grid":
         rows = np.meshgrid(*[10.0 ** np.arange(-6, 6.25, 0.5)] * len(box), indexing="ij")
         points = np.stack([row.ravel() for row in rows])
@@ -149,6 +150,13 @@ def points_in(kernel: PrintedPair, dtype: str, span: str, count: int, seed: int)
     points = points[:, np.logical_and.reduce(inside)]
     points[(generator.random(points.shape) < 0.2) & np.array(kernel.zeros)[:, None]] = 0
     return points
+
+
+def _half_decades(low: float, high: float) -> NDArray[Any]:
+    """The exponents of the half decades of 1e-6..1e6 in a domain."""
+    exponents = np.arange(-6, 6.25, 0.5)
+    places = 10.0**exponents
+    return exponents[(places >= low) & (places <= high)]
 
 
 def measure_pairs(kernels: Sequence[PrintedPair], dtype: str, points_of: Any) -> Table:
