@@ -1,35 +1,80 @@
-"""The subjects of the catalogue, each derived once in a process, whatever tests ask for it."""
+"""The subjects of the catalogue, each derived once in a session, whatever tests ask for it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import os
+import sqlite3
+from collections.abc import Iterator, Mapping
+from contextlib import closing, contextmanager
 from functools import cache
+from pathlib import Path
 from typing import Any
 
+import pytest
+
+from gainproof import derivations, workers
+from gainproof.cache import default_folder
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.subject import Subject
 from gainproof.derived import Derived
-from gainproof.deriving import plain_subject
+from gainproof.workshop import open_workshop
+
+OTHER_SEED = "4242"
+LONGEST_WAIT = 3600.0  # seconds: only for a process that hangs; one that ends lets others go on
 
 
 @cache
 def subject(name: str) -> Subject:
-    """The subject of that name; ValueError if the catalogue has none."""
+    """The subject of that name, derived in this process; ValueError if the catalogue has none.
+
+    For its towers and matrices: what is plain data comes from `derived`.
+    """
     (entry,) = (entry for entry in CATALOGUE if entry.name == name)
     return entry.build()
 
 
 @cache
 def derived(name: str) -> Derived:
-    """The subject as plain data, with its certificate."""
-    return plain_subject(subject(name))
+    """The subject as plain data, with its certificate; nobody changes it.
+
+    Where tests run in several processes all subjects are derived by the first that asks for one.
+    """
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        prepare_all()
+    return derivations.known(name, open_workshop(quiet=True))
 
 
 def certificate(name: str) -> Mapping[str, Any]:
-    """The certificate of a subject, written once in a process; nobody changes it."""
+    """The certificate of a subject."""
     return derived(name).certificate
 
 
 def models() -> list[Mapping[str, Any]]:
     """The models of all subjects that have one, in the order of the catalogue."""
-    return [data for entry in CATALOGUE if (data := subject(entry.name).model_data)]
+    return [data for entry in CATALOGUE if (data := derived(entry.name).model)]
+
+
+@cache
+def prepare_all() -> None:
+    """Every subject with its files is in the shared cache, made in one go by one process only.
+
+    Made with another hash seed than `gainproof run` has: that both come to the committed files
+    shows that no order of a set is in them.
+    """
+    shop = open_workshop(quiet=True)
+    assert workers.REPRODUCIBLE["PYTHONHASHSEED"] != OTHER_SEED
+    with pytest.MonkeyPatch.context() as changed:
+        changed.setitem(workers.REPRODUCIBLE, "PYTHONHASHSEED", OTHER_SEED)
+        with _one_process_at_a_time(default_folder() / "deriving.lock"):
+            jobs = [derivations.everything_job(name) for name in derivations.catalogue(shop)]
+            shop.ahead(jobs, lambda _: [])
+
+
+@contextmanager
+def _one_process_at_a_time(path: Path) -> Iterator[None]:
+    """SQLite's lock of a file: it works on every system and ends with the process that has it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    connection = sqlite3.connect(path, timeout=LONGEST_WAIT, isolation_level=None)
+    with closing(connection) as lock:
+        lock.execute("BEGIN EXCLUSIVE")
+        yield

@@ -75,5 +75,4 @@ def judged(
     setting: str, *claims: tuple[str, str], more: str = "", **options: Any
 ) -> list[ClaimVerdict]:
     """The verdicts on c0, c1, ..."""
-    known = {} if "seconds" in options else {"solved": SOLVED}
-    return list(judge_file(claim_file(setting, claims, more), MODELS, **known, **options))
+    return list(judge_file(claim_file(setting, claims, more), MODELS, solved=SOLVED, **options))

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 from typing import Any
 
-from catalogue_subjects import certificate, subject
+from catalogue_subjects import certificate, derived
 
 from gainproof.derive.catalogue import CATALOGUE, Entry
 from gainproof.verify.judge.derivations.fixed_point import ROOTED
@@ -55,7 +55,7 @@ def judged(name: str, numbers: Sequence[int] | None = None) -> Iterator[tuple[st
     """The id of each chosen statement and what is wrong with its verdict, or nothing."""
     written = certificate(name)
     degree = DEGREES.get(name)
-    model = subject(name).model_data if degree is None else None
+    model = derived(name).model if degree is None else None
 
     environment = steady_state(model) if model is not None else None
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import mpmath
-from catalogue_subjects import subject
+from catalogue_subjects import derived
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.judge.claim.file import read_claim_file
@@ -18,6 +18,7 @@ from gainproof.verify.judge.derivations.relation import judge_relation
 from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.formula import Relation as Printed
 from gainproof.verify.judge.judge import judge_setting
+from gainproof.verify.judge.setting.quantities import steady_state
 from gainproof.verify.judge.verdict import Finding
 from mutation.campaign import INDEX_POINTS, SAMPLE_POINTS, Relation
 from mutation.evaluator import Subject, memory_subject, steady_subject
@@ -37,15 +38,16 @@ def derived_relations() -> Iterator[Relation]:
     measured.
     """
     for entry in CATALOGUE:
-        derived = subject(entry.name)
+        found = derived(entry.name)
         degree = DEGREES.get(entry.name)
-        model = derived.model_data if degree is None else None
+        model = found.model if degree is None else None
         if degree is None and (model is None or not _of_one_measurement(model)):
             continue
-        certificate = derived.certificate()
-        towers = certificate["towers"]
-        around = {n: surroundings(model, degree, tower) for n, tower in towers.items()}
-        for statement in certificate["statements"]:
+        written = found.certificate
+        towers = written["towers"]
+        solved = steady_state(model) if model else None
+        around = {n: surroundings(model, degree, tower, solved) for n, tower in towers.items()}
+        for statement in written["statements"]:
             place = statement["tower"]
             states = len(model["transition"]) if model else 0
             if statement["kind"] == "equal" and _known(statement, towers[place], states):
@@ -145,7 +147,7 @@ def claimed_relations() -> Iterator[Relation]:
     """Identities of the claim files about gains; for a searched model a mutant must be false under
     all models.
     """
-    built = [subject(e.name).model_data for e in CATALOGUE if e.name not in DEGREES]
+    built = [derived(e.name).model for e in CATALOGUE if e.name not in DEGREES]
     models = [model for model in built if model is not None and _of_one_measurement(model)]
     for path in sorted(CLAIMS.glob("*.toml")):
         claim_file = read_claim_file(path)

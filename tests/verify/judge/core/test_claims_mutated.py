@@ -17,7 +17,7 @@ from claim_campaign.run import accepted, processors, report, run
 from claim_campaign.subject import Subject
 
 SEED = 7
-SAMPLE = 8
+SAMPLE = 5
 HAND_PICKED = (
     "kosuge-slides table-ab-RV",
     "kosuge-slides line-beta",

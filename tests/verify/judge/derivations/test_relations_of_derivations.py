@@ -10,7 +10,7 @@ from typing import Any
 
 import judged_statements
 import pytest
-from catalogue_subjects import certificate, subject
+from catalogue_subjects import certificate, derived
 from judged_statements import OF_ONE_INDEX, SAMPLED, judged, sample
 
 from gainproof.verify.judge.derivations.relation import judge_relation, judge_statement
@@ -59,7 +59,7 @@ def test_a_wrong_verdict_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_relation_of_another_family_is_refuted() -> None:
-    other = subject("random-acceleration").model_data
+    other = derived("random-acceleration").model
     assert other is not None
     left = {
         "nodes": [["symbol", "alpha"], ["symbol", "beta"], ["add", 0, 1], ["mul", 0, 2]],

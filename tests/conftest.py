@@ -1,0 +1,34 @@
+"""One cache for all tests, apart from the user's own."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+import pytest
+from catalogue_subjects import prepare_all
+
+from gainproof.cache import FOLDER_VARIABLE
+
+
+@pytest.fixture(scope="session", autouse=True)
+def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Derivations are made once a session; they depend on the code alone.
+
+    Processes of pytest-xdist share one folder: it lies beside those of their own.
+    """
+    base = tmp_path_factory.getbasetemp()
+    place = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+    before = os.environ.get(FOLDER_VARIABLE)
+    os.environ[FOLDER_VARIABLE] = str(place / "shared-cache")
+    yield
+    if before is None:
+        del os.environ[FOLDER_VARIABLE]
+    else:
+        os.environ[FOLDER_VARIABLE] = before
+
+
+@pytest.fixture(scope="session")
+def all_derived(shared_cache: None) -> None:
+    """Every subject with its files is in the shared cache."""
+    prepare_all()
