@@ -8,14 +8,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 from recursion_tracks import transition
 
 from gainproof.verify.oracles import noise
 from gainproof.verify.oracles.matrices import Matrix, identity, matrix, product, scale, transpose
 from gainproof.verify.oracles.multiprecision import fraction
-from gainproof.verify.oracles.trajectory import Move
+from gainproof.verify.oracles.state_space import StateSpace
+from gainproof.verify.oracles.trajectory import Move, last_covariance
 
+ONE = Fraction(1)
 ROW = matrix([[1, 0, 0]], Fraction)
 NOISES = (
     "acceleration_increments",
@@ -57,7 +60,7 @@ def move(name: str, interval: Fraction, strength: Fraction) -> Move:
     return Move(transition(interval, 3), shape, ((last,),))
 
 
-def covariance(values: Sequence[float]) -> Matrix:
+def covariance(values: Sequence[Any]) -> Matrix:
     """U D U' with U the product of the three shears, exactly."""
     d1, d2, d3, a, b, c = map(Fraction, values)
     one, zero = Fraction(1), Fraction(0)
@@ -78,3 +81,24 @@ def factors(p: Matrix) -> dict[str, Fraction]:
     d1 = p[0][0] - u12 * u12 * d2 - u13 * u13 * d3
     a = u13 / u23 if u23 else Fraction(0)
     return dict(zip(FACTORS, (d1, d2, d3, a, u23, u12 - a), strict=True))
+
+
+@cache
+def model(name: str, index: Fraction) -> StateSpace:
+    """A filter in units of the interval and of the measured position's deviation."""
+    noisy = matrix(
+        unit_noise(name.replace("-", "_"), ONE), lambda x: _rounded(Fraction(x)) * index**2
+    )
+    return StateSpace(transition(ONE, 3), noisy, ROW, ((ONE,),))
+
+
+def _rounded(value: Fraction) -> Fraction:
+    """The number that 60 digits of the oracle's noise stand for."""
+    return value.limit_denominator(10**6)
+
+
+def three_positions(name: str, index: Fraction) -> Matrix:
+    """The covariance after three positions, by normal equations of all three."""
+    unknown = scale(Fraction(10) ** 70, identity(3, ONE))
+    moves = [move(name.replace("-", "_"), ONE, index**2)] * 2
+    return last_covariance(unknown, moves, [True] * 3, ROW, ONE)

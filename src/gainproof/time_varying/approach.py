@@ -6,13 +6,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gainproof.time_varying.covariance import Factors, Reals
-from gainproof.time_varying.process_noise import DEFAULT, Noise, noise_called
+from gainproof.time_varying.process_noise import DEFAULT, noise_called
+from gainproof.time_varying.settling import last_outside, least_run
 from gainproof.time_varying.track import step
-
-# samples run at most, some seconds for one track
-MOST = 2_000_000
-# the run goes on until what is left is this part of the share asked for
-REST = 1e-3
 
 
 def error_ratio(tracking_index: ArrayLike, process_noise: str = DEFAULT) -> np.float64 | Reals:
@@ -45,40 +41,15 @@ def samples_to_steady_gains(
     samples again, and until `error_ratio` leaves a thousandth of the share. Raises ValueError for
     a share out of range, and where that takes more than 2,000,000 samples.
     """
-    if not 1e-12 < share < 1:
-        raise ValueError(f"share must lie above 1e-12 and below 1, got {share!r}")
     noise = noise_called(process_noise)
     index = np.asarray(tracking_index, np.float64)
-    steady = noise.steady.gains(index)
-    with np.errstate(divide="ignore"):
-        least = np.log(share * REST) / np.log(error_ratio(index, process_noise))
-    longest = float(np.max(np.abs(least), initial=0.0))
-    if not longest < MOST:
-        raise ValueError(f"steady gains within {share} may take {longest:.3g} samples, over {MOST}")
-    return _last_outside(noise, index, steady, share, int(longest) + 1, after, process_noise)
-
-
-def _last_outside(
-    noise: Noise,
-    index: Reals,
-    steady: tuple[Reals, Reals],
-    share: float,
-    least: int,
-    after: Factors | None,
-    process_noise: str,
-) -> NDArray[np.int64]:
+    least = least_run(share, error_ratio(index, process_noise))
     one, strength = np.ones(()), index * index
     factors = Factors(*noise.kernel("start")(one, strength, one)) if after is None else after
-    last = np.zeros(np.broadcast_shapes(index.shape, *(np.shape(x) for x in factors)), np.int64)
-    count = 0
-    while count < least or count < 2 * int(np.max(last, initial=0)):
-        if count >= MOST:
-            raise ValueError(
-                f"gains are not within {share} of the steady ones after {MOST} samples"
-            )
-        found = step(factors, one, strength, one, process_noise=process_noise)
-        factors, count = found.factors, count + 1
-        gains = found.position_gain, found.velocity_gain
-        near = [np.abs(x - y) <= share * y for x, y in zip(gains, steady, strict=True)]
-        last[~(near[0] & near[1])] = count
-    return last
+
+    def advance(kept: Factors) -> tuple[Factors, tuple[Reals, Reals]]:
+        found = step(kept, one, strength, one, process_noise=process_noise)
+        return found.factors, (np.asarray(found.position_gain), np.asarray(found.velocity_gain))
+
+    shape = np.broadcast_shapes(index.shape, *(np.shape(x) for x in factors))
+    return last_outside(advance, factors, noise.steady.gains(index), share, least, shape)

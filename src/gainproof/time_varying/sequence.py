@@ -50,6 +50,19 @@ def gain_sequence(
     Raises ValueError for intervals without a first axis and for lists that do not fit; else as
     `step`.
     """
+    lengths, seen = samples_of(intervals, detected)
+    first = update(predicted, measurement_variance)
+    if not seen[0].all():
+        first = _missed(first, predicted, seen[0])
+    steps = [first]
+    for interval, now in zip(lengths, seen[1:], strict=True):
+        before = steps[-1].factors
+        steps.append(step(before, interval, strength, measurement_variance, now, process_noise))
+    return _together(steps)
+
+
+def samples_of(intervals: ArrayLike, detected: ArrayLike) -> tuple[Samples, NDArray[Any]]:
+    """Intervals, and for each sample what was detected; ValueError for lists that do not fit."""
     lengths = np.asarray(intervals)
     if lengths.ndim == 0:
         raise ValueError("intervals need a first axis, one entry fewer than samples; got a number")
@@ -59,14 +72,7 @@ def gain_sequence(
         seen = np.broadcast_to(seen, (count,))
     if len(seen) != count:
         raise ValueError(f"{count - 1} intervals need {count} samples, detected has {len(seen)}")
-    first = update(predicted, measurement_variance)
-    if not seen[0].all():
-        first = _missed(first, predicted, seen[0])
-    steps = [first]
-    for interval, now in zip(lengths, seen[1:], strict=True):
-        before = steps[-1].factors
-        steps.append(step(before, interval, strength, measurement_variance, now, process_noise))
-    return _together(steps)
+    return lengths, seen
 
 
 def _missed(found: Step, predicted: Factors, seen: Any) -> Step:
