@@ -32,6 +32,7 @@ from kernel_errors import Worst, log_uniform, measure, near_supremum
 from printed_kernels import DTYPES, common_domain, groups, printed_kernels
 from printed_pairs import measure_pairs, pair_groups, points_in, printed_pairs
 from saved_state import save
+from spoken_lines import say, tell
 
 import gainproof.generated
 
@@ -202,15 +203,14 @@ def main() -> int:
     with ProcessPoolExecutor(options.jobs) as pool:
         for count, (task, found) in enumerate(finished(pool, todo, options.jobs), 1):
             note(state, task, found)
-            if count % 20 == 0 or count == len(todo):
-                save(options.state, state)
+            if count % 20 and count < len(todo):
+                continue
+            save(options.state, state)
             left = (time.monotonic() - start) / count * (len(todo) - count)
-            text = f"\r{count}/{len(todo)} chunks, about {left / 60:.1f} min left "
-            sys.stderr.write(text)
-            sys.stderr.flush()
+            tell(f"{count}/{len(todo)} chunks, about {left / 60:.1f} min left", count == len(todo))
     lines, kept = table(state, options.only)
-    sys.stderr.write("\n")
-    sys.stdout.write("\n".join(lines) + "\n")
+    for line in lines:
+        say(line)
     return 0 if kept else 1
 
 

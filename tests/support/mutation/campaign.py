@@ -72,17 +72,19 @@ def run(relations: Iterable[Relation], count: int, seed: int) -> list[Result]:
     """Judges `count` mutants of each relation; those that the evaluator cannot tell from true ones
     are left out.
     """
+    return [result for relation in relations for result in mutants_of(relation, count, seed)]
+
+
+def mutants_of(relation: Relation, count: int, seed: int) -> list[Result]:
+    """The same of one relation; its mutants do not depend on the others."""
+    random = Random(f"{seed} {relation.name}")
+    tried = sample(relation.left, relation.right, relation.variable, count, random)
     found = []
-    for relation in relations:
-        random = Random(f"{seed} {relation.name}")
-        tried = sample(relation.left, relation.right, relation.variable, count, random)
-        for name, near, left, right in tried:
-            if is_false(relation, left, right):
-                finding = relation.judge(left, right)
-                first = finding.reach == 1
-                found.append(
-                    Result(relation.name, name, near, finding.verdict, finding.reason, first)
-                )
+    for name, near, left, right in tried:
+        if is_false(relation, left, right):
+            finding = relation.judge(left, right)
+            first = finding.reach == 1
+            found.append(Result(relation.name, name, near, finding.verdict, finding.reason, first))
     return found
 
 

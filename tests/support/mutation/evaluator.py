@@ -17,6 +17,7 @@ import mpmath
 from gainproof.verify.oracles import doubling, least_squares
 from gainproof.verify.oracles.state_space import state_space
 from mutation.arithmetic import NoValue, plus, product, real, root, times
+from mutation.three_states import of_three_states
 from mutation.tree import Tree
 
 DIGITS = 90
@@ -127,6 +128,9 @@ def _steady(model: tuple[tuple[str, Any], ...], point: Fraction) -> Values:
             for i, row in enumerate(matrix):
                 for j, entry in enumerate(row):
                     values[f"{which}_{i + 1}{j + 1}"] = mpmath.mpf(entry)
+        if len(gain) == 3:
+            motion = [[real(Fraction(entry)) for entry in row] for row in transition]
+            values |= of_three_states(motion, gain)
         return values
 
 
