@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from catalogue_subjects import subject
+from catalogue_subjects import derived
 
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.oracles import noise
@@ -48,8 +48,8 @@ DESCRIPTIONS |= TRIPLE_DESCRIPTIONS
 
 @pytest.fixture(scope="module")
 def models() -> Models:
-    subjects = [subject(entry.name) for entry in CATALOGUE]
-    return {s.name: s.model_data for s in subjects if s.model_data is not None}
+    found = {entry.name: derived(entry.name).model for entry in CATALOGUE}
+    return {name: model for name, model in found.items() if model is not None}
 
 
 def test_every_model_of_the_catalogue_is_described(models: Models) -> None:

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from gainproof import derivations, workers
+from gainproof.bad_input import BadInputError
 from gainproof.cache import default_folder
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.subject import Subject
@@ -54,13 +55,27 @@ def models() -> list[Mapping[str, Any]]:
     return [data for entry in CATALOGUE if (data := derived(entry.name).model)]
 
 
-@cache
 def prepare_all() -> None:
     """Every subject with its files is in the shared cache, made in one go by one process only.
 
     Made with another hash seed than `gainproof run` has: that both come to the committed files
-    shows that no order of a set is in them.
+    shows that no order of a set is in them. What fails is not tried again.
     """
+    failure = _preparing()
+    if failure is not None:
+        raise failure
+
+
+@cache
+def _preparing() -> Exception | None:
+    try:
+        _prepare()
+    except (BadInputError, workers.JobError) as error:
+        return error
+    return None
+
+
+def _prepare() -> None:
     shop = open_workshop(quiet=True)
     assert workers.REPRODUCIBLE["PYTHONHASHSEED"] != OTHER_SEED
     with pytest.MonkeyPatch.context() as changed:
