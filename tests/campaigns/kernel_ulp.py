@@ -22,13 +22,13 @@ import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from kernel_errors import Worst, log_uniform, measure, near_supremum
+from kernel_table import table
 from printed_kernels import DTYPES, common_domain, groups, printed_kernels
 from printed_pairs import measure_pairs, pair_groups, points_in, printed_pairs
 from saved_state import save
@@ -37,7 +37,6 @@ from spoken_lines import say, tell
 import gainproof.generated
 
 CHUNK = 500
-SPANS = ("domain", "near", "grid")
 Found = dict[str, tuple[float, Any, int]]
 HELP = "worst error of every kernel output over very many points, beside its stated bound"
 
@@ -133,60 +132,6 @@ def note(state: dict[str, Any], task: Task, found: Found) -> None:
         before = Worst(*state["worst"].get(key, (0.0, 0.0, 0)))
         state["worst"][key] = list(vars(before.joined(Worst(*measured))).values())
     state["done"].append(task.key)
-
-
-class Said(NamedTuple):
-    """What a docstring says of one output in one format; `argument` as in the key of a task."""
-
-    kernel: str
-    argument: str
-    output: str
-    dtype: str
-    where: str
-    bound: Fraction
-
-    def chosen(self, only: str) -> bool:
-        """Whether any chunk of this output has the text in its key, as `tasks` chooses them."""
-        family = self.kernel.split(".")[0]
-        return any(only in f"{family}/{self.argument}/{self.dtype}/{span}" for span in SPANS)
-
-
-def statements() -> Iterator[Said]:
-    """The bounds of all outputs in both formats."""
-    for kernel in printed_kernels():
-        for dtype in DTYPES:
-            for output in kernel.outputs:
-                promise = kernel.promises[dtype][output]
-                where = f"{promise.lowest:.3g}..{promise.highest:.3g}"
-                yield Said(kernel.id, kernel.argument, output, dtype, where, promise.bound)
-    for pair in printed_pairs():
-        for dtype in DTYPES:
-            where = " x ".join(f"{low:.3g}..{high:.3g}" for low, high in pair.domain[dtype])
-            for output, stated in pair.outputs.items():
-                arguments = ",".join(pair.arguments)
-                yield Said(pair.id, arguments, output, dtype, where, stated.bound[dtype])
-
-
-def table(state: dict[str, Any], only: str) -> tuple[list[str], bool]:
-    """Lines of the table, and whether every measured error keeps its bound."""
-    head = ("output", "format", "range of the bound", "bound", "domain", "1e-6..1e6", "grid")
-    rows, kept = [], True
-    for said in statements():
-        start = f"{said.kernel.replace('.', '/', 1)}.{said.output}/{said.dtype}"
-        measured = [Worst(*state["worst"].get(f"{start}/{span}", (0.0, 0.0, 0))) for span in SPANS]
-        count = sum(worst.points for worst in measured)
-        if not count or not said.chosen(only):
-            continue
-        kept &= all(worst.error <= said.bound for worst in measured)
-        name = f"{said.kernel}.{said.output}"
-        errors = (f"{w.error:.2f}" if w.points else "" for w in measured)
-        rows.append((name, said.dtype, said.where, f"{float(said.bound):.2f}", *errors, str(count)))
-    widths = [max(map(len, column)) for column in zip((*head, "points"), *rows, strict=True)]
-    lines = [
-        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
-        for row in ((*head, "points"), *rows)
-    ]
-    return ["errors in units of 2^-52 (float64) and 2^-23 (float32)", *lines], kept
 
 
 def main() -> int:
