@@ -2,8 +2,8 @@
 
 `predict`, `update` and `step` carry covariances over any intervals, `gain_sequence` whole tracks;
 `samples_to_steady_gains` says when the steady gains will do, `hand_over_sample` and `gain_schedule`
-how long least squares does. The numbers come from the printed kernels; NumPy is all that is
-imported.
+how long least squares does. `gainproof.time_varying.three_states` has the same for position,
+velocity and acceleration. The numbers come from the printed kernels; NumPy is all that is imported.
 """
 
 from gainproof.time_varying.approach import error_ratio, samples_to_steady_gains

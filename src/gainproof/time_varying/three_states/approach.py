@@ -33,9 +33,10 @@ def error_ratio(tracking_index: ArrayLike, process_noise: str = DEFAULT) -> np.f
 def _hurwitz_roots(noise: Noise, index: Reals) -> NDArray[np.complex128]:
     """(z + 1)/(z - 1) for the poles z, along the last axis: they lie left of zero.
 
-    They solve x^3 + b x^2 + c x + d = 0, whose coefficients are taken from the steady gains; the
-    last is the closed loop's polynomial at z = -1 over that at z = 1, from the spectrum. So poles
-    that crowd at z = 1 are told apart.
+    They solve x^3 + xi x^2 + eta x + delta = 0 with the xi, eta and delta of the derivations of the
+    four steady states (steps on the ratios of gains and on the three equations): xi = 2 beta/gamma,
+    eta = 4 alpha/gamma - 1, and delta^2 = 64 (1/Lambda^2 + h Q h') with h = H (z I - F)^-1 at
+    z = -1. So poles that crowd at z = 1 are told apart.
     """
     alpha, beta, gamma = (np.asarray(x) for x in noise.steady.gains(index))
     with np.errstate(over="ignore"):
@@ -64,7 +65,8 @@ def samples_to_steady_gains(
 
     The gains are run, not estimated: past the last one that is further off, for at least as many
     samples again, and until `error_ratio` leaves a thousandth of the share. Raises ValueError for
-    a share out of range, and where that takes more than 2,000,000 samples.
+    a share out of range, where that takes more than 2,000,000 samples, and as `step` where a shear
+    leaves the range of the kernels (with noise that is smooth enough above an index of some 1e8).
     """
     index = np.asarray(tracking_index, np.float64)
     least = least_run(share, error_ratio(index, process_noise))
