@@ -5,6 +5,7 @@ change that makes one is no misprint undone, however true the formula then is.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.repair.construct import ONE, places
@@ -34,6 +35,7 @@ def _is_sum(formula: Printed, *sides: int) -> bool:
     return any(formula.sides[n].kind == "add" for n in sides)
 
 
+@lru_cache(maxsize=1 << 15)  # the changes of one formula share nearly all of their parts
 def _at_node(node: Expr) -> int:
     match node.kind:
         case "add":

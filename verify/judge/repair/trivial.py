@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 from random import Random
 
 import flint
@@ -92,6 +93,7 @@ def sorted_key(expr: Expr) -> bytes:
     return _sorted(expr).key
 
 
+@lru_cache(maxsize=1 << 15)  # the changes of one formula share nearly all of their parts
 def _sorted(expr: Expr) -> Expr:
     parts = [_sorted(part) for part in expr.parts]
     if expr.kind in ("add", "mul"):
