@@ -15,6 +15,8 @@ def cofactors(tower: Tower, poly: Poly) -> list[Poly]:
     Raises NotInIdeal when a remainder is left.
     """
     quotients: list[Poly] = [tower.ring.zero] * len(tower.generators)
+    if any(generator.partner for generator in tower.generators):
+        raise NotInIdeal(f"tower {tower.name} has coupled generators: no division in order")
     for position in reversed(range(len(tower.generators))):
         index = len(tower.parameters) + position
         power, radicand = tower.generators[position].power, tower.radicands[position]

@@ -20,17 +20,40 @@ def derivative(tower: Tower, expression: Any, variable: str) -> Fraction:
 
 
 def _rates(tower: Tower, parameter: str) -> list[Fraction]:
-    """The derivative of every variable of the tower: y' = radicand'/(n y^(n-1))."""
+    """The derivative of every variable of the tower: y' = radicand'/(n y^(n-1)), or by pairs."""
     zero, one = tower.ring.zero, tower.ring.one
     rates = [
         Fraction(one if entry.symbol == parameter else zero, one) for entry in tower.parameters
     ]
     for number, generator in enumerate(tower.generators):
+        if generator.partner:
+            if tower.starts_pair(number):
+                rates += _pair_rates(tower, number, rates)
+            continue
         slope = _of_poly(tower, tower.radicands[number], rates)
         root = tower.ring.gens[len(tower.parameters) + number]
         power = generator.power
         rates.append(tower.make(slope.num, slope.den * root ** (power - 1) * sp.QQ(power)))
     return rates
+
+
+def _pair_rates(tower: Tower, number: int, rates: list[Fraction]) -> list[Fraction]:
+    """x' and y' of x^2 = a + b y, y^2 = c + e x by Cramer's rule.
+
+    The determinant times x y is 4 a c + 4 a e x + 4 b c y + 3 b e x y.
+    """
+    place = len(tower.parameters) + number
+    x, y = tower.ring.gens[place : place + 2]
+    (a, b), (c, e) = tower.couplings(number), tower.couplings(number + 1)
+    below = 4 * a * c + 4 * a * e * x + 4 * b * c * y + 3 * b * e * x * y
+    da, db, dc, de = (_of_poly(tower, entry, rates) for entry in (a, b, c, e))
+    one = tower.make(da.num * db.den + db.num * da.den * y, da.den * db.den)
+    two = tower.make(dc.num * de.den + de.num * dc.den * x, dc.den * de.den)
+    found = []
+    for own, other, root, slope in ((one, two, y, b), (two, one, x, e)):
+        top = 2 * root * own.num * other.den + slope * other.num * own.den
+        found.append(tower.make(x * y * top, below * own.den * other.den))
+    return found
 
 
 def _along(tower: Tower, value: Fraction, rates: list[Fraction]) -> Fraction:

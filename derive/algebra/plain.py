@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gainproof.derive.algebra.tower import Fraction, Generator, Parameter, Poly, Tower
+from gainproof.derive.algebra.tower import Fraction, Parameter, Poly, Tower
 
 
 def poly_data(poly: Poly) -> list[list[Any]]:
@@ -23,8 +23,9 @@ def tower_data(tower: Tower) -> dict[str, Any]:
     return {
         "parameters": [_parameter(entry) for entry in tower.parameters],
         "generators": [
-            _generator(entry, radicand)
-            for entry, radicand in zip(tower.generators, tower.radicands, strict=True)
+            _generator(tower, number)
+            for number in range(len(tower.generators))
+            if number == 0 or not tower.starts_pair(number - 1)
         ],
         "elements": {name: fraction_data(value) for name, value in tower.elements.items()},
     }
@@ -36,5 +37,14 @@ def _parameter(entry: Parameter) -> dict[str, Any]:
     return {"symbol": entry.symbol, "above": entry.above}
 
 
-def _generator(entry: Generator, radicand: Poly) -> dict[str, Any]:
-    return {"symbol": entry.symbol, "power": entry.power, "radicand": poly_data(radicand)}
+def _generator(tower: Tower, number: int) -> dict[str, Any]:
+    entry = tower.generators[number]
+    if not tower.starts_pair(number):
+        radicand = poly_data(tower.radicands[number])
+        return {"symbol": entry.symbol, "power": entry.power, "radicand": radicand}
+    first, second = tower.couplings(number), tower.couplings(number + 1)
+    return {
+        "coupled": [entry.symbol, entry.partner],
+        "free": [poly_data(first[0]), poly_data(second[0])],
+        "slopes": [poly_data(first[1]), poly_data(second[1])],
+    }

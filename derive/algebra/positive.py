@@ -70,7 +70,8 @@ def _signed(tower: Tower, poly: Poly) -> tuple[int, Fraction]:
 def _by_conjugate(tower: Tower, poly: Poly) -> tuple[int, Fraction]:
     for position in reversed(range(len(tower.generators))):
         index = len(tower.parameters) + position
-        if tower.generators[position].power != 2 or poly.degree(index) < 1:
+        single = tower.generators[position].power == 2 and not tower.generators[position].partner
+        if not single or poly.degree(index) < 1:
             continue
         generator = tower.ring.gens[index]
         constant, linear = tower.ring.zero, tower.ring.zero

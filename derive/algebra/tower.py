@@ -35,11 +35,26 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Generator:
-    """The positive `power`-th root of `radicand`, an expression in earlier variables."""
+    """The positive `power`-th root of `radicand`, an expression in earlier variables.
+
+    Of a coupled pair x^2 = a + b y, y^2 = c + e x two generators follow each other, of power 2; in
+    the radicand of each stands the other, its `partner`.
+    """
 
     symbol: str
     radicand: sp.Expr
     power: int = 2
+    partner: str = ""
+
+
+def coupled(
+    first: tuple[str, sp.Expr, sp.Expr], second: tuple[str, sp.Expr, sp.Expr]
+) -> tuple[Generator, Generator]:
+    """The pair of (x, a, b) and (y, c, e); all four positive or, a and c alone, 0."""
+    (x, a, b), (y, c, e) = first, second
+    one = Generator(x, a + b * sp.Symbol(y, real=True), partner=y)
+    other = Generator(y, c + e * sp.Symbol(x, real=True), partner=x)
+    return one, other
 
 
 class Tower:
@@ -85,21 +100,41 @@ class Tower:
 
     def reduce(self, poly: Poly) -> Poly:
         """Normal form modulo the relations."""
-        first = len(self.parameters)
         for position in reversed(range(len(self.radicands))):
-            index = first + position
-            power, radicand = self.generators[position].power, self.radicands[position]
-            while poly.degree(index) >= power:
-                low, high = self.ring.zero, self.ring.zero
-                for exponents, coefficient in poly.terms():
-                    if exponents[index] >= power:
-                        lowered = list(exponents)
-                        lowered[index] -= power
-                        high += self.ring.term_new(tuple(lowered), coefficient)
-                    else:
-                        low += self.ring.term_new(exponents, coefficient)
-                poly = low + high * radicand
+            poly = self._reduce_by(position, poly)
+            if self.starts_pair(position):
+                # a product of the two's powers: each replacement lowers the degree in both
+                while poly.degree(len(self.parameters) + position + 1) > 1:
+                    poly = self._reduce_by(position, self._reduce_by(position + 1, poly))
         return poly
+
+    def _reduce_by(self, position: int, poly: Poly) -> Poly:
+        index = len(self.parameters) + position
+        power, radicand = self.generators[position].power, self.radicands[position]
+        while poly.degree(index) >= power:
+            low, high = self.ring.zero, self.ring.zero
+            for exponents, coefficient in poly.terms():
+                if exponents[index] >= power:
+                    lowered = list(exponents)
+                    lowered[index] -= power
+                    high += self.ring.term_new(tuple(lowered), coefficient)
+                else:
+                    low += self.ring.term_new(exponents, coefficient)
+            poly = low + high * radicand
+        return poly
+
+    def starts_pair(self, position: int) -> bool:
+        """Whether two coupled generators start at this place, both known."""
+        following = self.generators[position + 1 : len(self.radicands)]
+        return bool(following) and following[0].symbol == self.generators[position].partner
+
+    def couplings(self, position: int) -> tuple[Poly, Poly]:
+        """The part of a coupled radicand without the partner, and what the partner is times."""
+        radicand = self.radicands[position]
+        symbol = sp.Symbol(self.generators[position].partner)
+        partner = self.ring.gens[self.ring.symbols.index(symbol)]
+        slope = radicand.diff(partner)
+        return radicand - slope * partner, slope
 
     def make(self, num: Poly, den: Poly) -> Fraction:
         """A reduced fraction, common factors of the polynomials cancelled while signs stay plain.
@@ -160,7 +195,14 @@ class Tower:
         for position, name in enumerate(self.variables):
             if poly.degree(position) > 0:
                 number = position - len(self.parameters)
-                found |= {name} if number < 0 else self.depends_on(self.radicands[number])
+                if number < 0:
+                    found |= {name}
+                    continue
+                parts = [self.radicands[number]]
+                if self.generators[number].partner:
+                    other = number + (1 if self.starts_pair(number) else -1)
+                    parts = [*self.couplings(number), *self.couplings(other)]
+                found = found.union(*map(self.depends_on, parts))
         return frozenset(found)
 
     def parameter_of(self, name: str) -> str:

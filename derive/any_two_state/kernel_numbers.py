@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from gainproof.derive.any_two_state.shape import Shape
+from gainproof.derive.any_two_state.shape import MeasuredFirst
 from gainproof.derive.model import ModelError
 from gainproof.derive.printer.graph import GraphBuilder
 
@@ -20,7 +20,7 @@ class Numbers:
     exact but for one rounding.
     """
 
-    def __init__(self, builder: GraphBuilder, shape: Shape) -> None:
+    def __init__(self, builder: GraphBuilder, shape: MeasuredFirst) -> None:
         self.builder, self.shape = builder, shape
         self.below = {
             entry.quantity.symbol for entry in shape.numbers.parameters if entry.below_one
@@ -52,7 +52,7 @@ class Numbers:
         poly = sp.Poly(factor, *symbols)
         if all(entry > 0 for entry in poly.coeffs()):
             return self._sum(poly, {})
-        if poly.total_degree() == 1 and len(symbols) == 1:
+        if poly.total_degree() == 1 and len(symbols) == 1 and _exact(poly, symbols[0]):
             return self._line(poly, symbols[0])
         mixed = {symbol: poly.degree(symbol) for symbol in symbols if symbol in self.below}
         other = {symbol: sp.Symbol(f"{symbol}_rest", real=True) for symbol in mixed}
@@ -73,7 +73,7 @@ class Numbers:
         return self._sum(spread, {rest: symbol for symbol, rest in other.items()})
 
     def _line(self, poly: sp.Poly, symbol: sp.Symbol) -> Any:
-        """a + b r of an exact input: one rounding."""
+        """a + b r of an exact input, b r exact: one rounding."""
         slope, constant = (self._rational(poly.coeff_monomial(m)) for m in (symbol, 1))
         node = self.builder.symbol(symbol.name)
         if slope == -1:
@@ -105,3 +105,9 @@ class Numbers:
     def _rational(value: Any) -> Fraction:
         number = sp.Rational(value)
         return Fraction(int(number.p), int(number.q))
+
+
+def _exact(poly: sp.Poly, symbol: sp.Symbol) -> bool:
+    """Whether the slope is a power of two, so that its product with an input is exact."""
+    slope = abs(sp.Rational(poly.coeff_monomial(symbol)))
+    return all(number & (number - 1) == 0 for number in (int(slope.p), int(slope.q)))

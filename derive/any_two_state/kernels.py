@@ -14,7 +14,7 @@ from gainproof.derive.any_two_state.basis import Basis
 from gainproof.derive.any_two_state.excess import rises
 from gainproof.derive.any_two_state.kernel_numbers import Numbers
 from gainproof.derive.any_two_state.names import INDEX
-from gainproof.derive.any_two_state.shape import Shape
+from gainproof.derive.any_two_state.shape import MeasuredFirst, Shape
 from gainproof.derive.any_two_state.signed import Signed
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 
@@ -102,7 +102,7 @@ def _end_root(x: Basis, builder: GraphBuilder, names: dict[str, Node], number: i
     return names[root] * x.index
 
 
-def plain_root(shape: Shape, noise: sp.Expr) -> sp.Expr | None:
+def plain_root(shape: MeasuredFirst, noise: sp.Expr) -> sp.Expr | None:
     """The positive root of a number of the model where it is rational in the parameters."""
     top, bottom = (square_root(part) for part in sp.fraction(sp.together(noise)))
     if top[1] != 1 or bottom[1] != 1:

@@ -18,8 +18,8 @@ from gainproof.derive.model import Model, ModelError, ScaledModel
 
 
 @dataclass(frozen=True)
-class Shape:
-    """A scaled model with H = [1, 0], R = 1, and the signs of what it is made of."""
+class MeasuredFirst:
+    """A scaled model with H = [1, 0, ...], R = 1, and the signs of what it is made of."""
 
     model: ScaledModel
     numbers: FreeNumbers
@@ -36,25 +36,6 @@ class Shape:
     def determinant(self) -> sp.Expr:
         """det F."""
         return sp.factor(self.model.transition.det())
-
-    @cached_property
-    def open_loop(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-        """f0, f1, f2."""
-        one, matrix = sp.eye(2), self.model.transition
-        return (
-            self.readable((one - matrix).det()),
-            self.readable(2 * (1 - matrix.det())),
-            self.readable((one + matrix).det()),
-        )
-
-    @cached_property
-    def noise_ends(self) -> tuple[sp.Expr, sp.Expr]:
-        """n0 and n1."""
-        return self.readable(self._numerator(1)), self.readable(self._numerator(-1))
-
-    def _numerator(self, z: int) -> sp.Expr:
-        line = self.model.measurement * (z * sp.eye(2) - self.model.transition).adjugate()
-        return sp.expand((line * self.model.process_noise * line.T)[0, 0])
 
     def sign(self, expression: sp.Expr) -> int:
         """1, 0 or -1. Raises ModelError, naming the expression, where no sign is shown."""
@@ -100,6 +81,30 @@ class Shape:
             return Signed()
         size = self.readable(expression if sign > 0 else -expression)
         return Signed(size) if sign > 0 else Signed(None, size)
+
+
+@dataclass(frozen=True)
+class Shape(MeasuredFirst):
+    """The same of two states."""
+
+    @cached_property
+    def open_loop(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+        """f0, f1, f2."""
+        one, matrix = sp.eye(2), self.model.transition
+        return (
+            self.readable((one - matrix).det()),
+            self.readable(2 * (1 - matrix.det())),
+            self.readable((one + matrix).det()),
+        )
+
+    @cached_property
+    def noise_ends(self) -> tuple[sp.Expr, sp.Expr]:
+        """n0 and n1."""
+        return self.readable(self._numerator(1)), self.readable(self._numerator(-1))
+
+    def _numerator(self, z: int) -> sp.Expr:
+        line = self.model.measurement * (z * sp.eye(2) - self.model.transition).adjugate()
+        return sp.expand((line * self.model.process_noise * line.T)[0, 0])
 
 
 def shape_of(model: Model, scaled: ScaledModel) -> Shape:

@@ -3,28 +3,42 @@
 from __future__ import annotations
 
 import re
+from typing import Protocol
 
 import sympy as sp
 
-from gainproof.derive.any_two_state.context import Context
 from gainproof.derive.any_two_state.names import INDEX, ODDS
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
+from gainproof.derive.model import Model, ScaledModel
 from gainproof.derive.relation import Relation, definition, described, equal
 
+COUNTS = {2: "two", 3: "three"}
 
-def model_steps(c: Context) -> list[Step]:
+
+class Described(Protocol):
+    """What these steps speak of: the model as it came, and scaled."""
+
+    @property
+    def original(self) -> Model: ...
+
+    @property
+    def model(self) -> ScaledModel: ...
+
+
+def model_steps(c: Described) -> list[Step]:
     """From the model in its own units to the index and the parameters."""
     return [*_own_model(c), *_scaling(c), *_parameters(c)]
 
 
-def _own_model(c: Context) -> list[Step]:
+def _own_model(c: Described) -> list[Step]:
     model = c.original
     listed = ", ".join(f"`{plain(q.latex)}` the {q.meaning}" for q in model.quantities)
     return [
         Step(
             "model",
-            "The state `x` has two entries, of which the first is measured as `y`. From one sample "
+            f"The state `x` has {COUNTS[model.transition.rows]} entries, of which the first is "
+            "measured as `y`. From one sample "
             "to the next the state moves by `F` and is shaken by process noise. Both noises are "
             "white and independent of each other.",
             described("`x(k+1) = F x(k)` + process noise of covariance `Q`"),
@@ -47,7 +61,7 @@ def _own_model(c: Context) -> list[Step]:
     ]
 
 
-def _scaling(c: Context) -> list[Step]:
+def _scaling(c: Described) -> list[Step]:
     forward = sp.diag(*c.model.state_scale).as_immutable()
     backward = sp.diag(*(1 / entry for entry in c.model.state_scale)).as_immutable()
     noise = sp.ImmutableDenseMatrix(c.model.noise_ratio * c.model.process_noise)
@@ -77,7 +91,7 @@ def _scaling(c: Context) -> list[Step]:
 
 
 def _scaled(
-    c: Context, factors: tuple[sp.ImmutableDenseMatrix, ...], wanted: sp.ImmutableDenseMatrix
+    c: Described, factors: tuple[sp.ImmutableDenseMatrix, ...], wanted: sp.ImmutableDenseMatrix
 ) -> Relation:
     own = {entry.quantity.name for entry in c.original.parameters}
     found = {str(symbol) for factor in factors for symbol in factor.free_symbols} - own
@@ -86,7 +100,7 @@ def _scaled(
     return equal(sp.MatMul(*factors, evaluate=False), wanted, free)
 
 
-def _parameters(c: Context) -> list[Step]:
+def _parameters(c: Described) -> list[Step]:
     steps: list[Step] = []
     for entry in c.original.parameters:
         name, meaning = entry.quantity.name, entry.quantity.meaning

@@ -8,14 +8,13 @@ would leave a minus sign in the radicand.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 
 from gainproof.derive.algebra.leading import Edge, edge, square_root
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower, is_manifestly_positive
-from gainproof.derive.any_two_state.domain import FreeNumbers
+from gainproof.derive.any_two_state.denominators import common_denominator, over_parameters
 from gainproof.derive.any_two_state.names import D0, D1, D2, DEVIATION, INDEX, ROOT
 from gainproof.derive.any_two_state.shape import Shape
 from gainproof.derive.expression import real
@@ -116,9 +115,9 @@ def _roots(shape: Shape) -> Roots:
     numbers = shape.numbers
     open_loop, (near, far) = shape.open_loop, shape.noise_ends
     name, index = variable(shape)
-    below = _denominator(numbers, open_loop, (near, far))
-    f0, f1, f2 = (sp.cancel(entry * below) for entry in map(_plain(numbers), open_loop))
-    n0, n1 = (sp.cancel(entry * below**2) for entry in map(_plain(numbers), (near, far)))
+    below = common_denominator(numbers, open_loop, (near, far))
+    f0, f1, f2 = (sp.cancel(entry * below) for entry in map(over_parameters(numbers), open_loop))
+    n0, n1 = (sp.cancel(entry * below**2) for entry in map(over_parameters(numbers), (near, far)))
     generators: list[Generator] = []
     known: dict[str, sp.Expr] = {}
 
@@ -171,23 +170,3 @@ def _sized(shape: Shape, number: int) -> sp.Expr:
     """The size of f0 or f2."""
     own = shape.open_loop[number]
     return own if shape.sign(own) > 0 else -own
-
-
-def _plain(numbers: FreeNumbers) -> Callable[[sp.Expr], sp.Expr]:
-    """Expressions over the tower's parameters."""
-    known = {sp.Symbol(name, real=True): value for name, value in numbers.elements.items()}
-    return lambda entry: sp.cancel(sp.sympify(entry).subs(known))
-
-
-def _denominator(
-    numbers: FreeNumbers, whole: tuple[sp.Expr, ...], squared: tuple[sp.Expr, ...]
-) -> sp.Expr:
-    """The least e with e f and e^2 n polynomials with whole coefficients."""
-    powers: dict[sp.Expr, int] = {}
-    for entries, share in ((whole, 1), (squared, 2)):
-        for entry in entries:
-            number, factors = sp.factor_list(sp.denom(sp.together(_plain(numbers)(entry))))
-            primes = [(sp.Integer(prime), n) for prime, n in sp.factorint(number).items()]
-            for factor, power in (*factors, *primes):
-                powers[factor] = max(powers.get(factor, 0), -(-power // share))
-    return sp.Mul(*(factor**power for factor, power in powers.items()))

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import sympy as sp
 
+from gainproof.derive.any_three_state.any_three_state import derive_any_three_state
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
 from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import require_first_measured
@@ -42,28 +45,16 @@ def _two_states(model: Model, scaled: ScaledModel) -> Subject:
     """Kinematic ones by the method of the catalogue where that reaches."""
     require_first_measured(model, scaled)
     if scaled.transition == KINEMATIC and not model.parameters:
-        try:
+        with suppress(ModelError):
             return derive_two_state(model, ())
-        except ModelError:
-            pass
     return derive_any_two_state(model)
 
 
 def _three_states(model: Model, scaled: ScaledModel) -> Subject:
-    """Kinematic ones; d(s) of three states has no radicals in general."""
+    """Kinematic ones by the method of the catalogue where that reaches."""
     require_first_measured(model, scaled)
-    if scaled.transition != KINEMATIC_3 or model.parameters:
-        raise ModelError(
-            f"model {model.name}: of three states a position, its rate and the rate of that are in "
-            f"reach, F = {KINEMATIC_3.tolist()} in units T = 1 without free numbers; it is "
-            f"{scaled.transition.tolist()}, whose spectrum is a cubic without a tower here"
-        )
-    try:
-        return derive_three_state(model, ())
-    except ModelError:
-        raise
-    except (ValueError, ArithmeticError) as error:
-        raise ModelError(
-            f"model {model.name}: the process noise {scaled.process_noise.tolist()} is outside the "
-            f"reach of the method for three states: {error}"
-        ) from error
+    if scaled.transition == KINEMATIC_3 and not model.parameters:
+        # it refuses with errors of several kinds; the other method names the reason
+        with suppress(ValueError, ArithmeticError):
+            return derive_three_state(model, ())
+    return derive_any_three_state(model)

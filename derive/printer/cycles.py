@@ -141,7 +141,7 @@ class Cycles:
         """The start, and what is known of the fixed point before any step."""
         image = chain(self.program, cycle.iterates[-1], cycle.map_value)
         slope = float(cycle.convergence.slope)
-        value, factor = enclosed(self.forward, image, slope, expression)
+        value, factor = enclosed(self.forward, image, slope, expression, cycle.known)
         far = (1.0 + expression.drift) * np.maximum(factor[1], 1.0 / factor[0]) * UP
         bad = ~(far <= 1.0 + float(cycle.within)) | astray(expression) | (expression.sign <= 0)
         value.invalid = failed(value) | bad | self._failed(cycle.iterates[0])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -71,8 +72,12 @@ def astray(value: Value) -> Mask:
     return mask
 
 
-def enclosed(forward: Forward, image: Chain, slope: float, start: Value) -> tuple[Value, Interval]:
+def enclosed(
+    forward: Forward, image: Chain, slope: float, start: Value, known: Fraction | None = None
+) -> tuple[Value, Interval]:
     """The fixed point with its slopes, and an enclosure of its ratio to the start's exact value.
+
+    `known` is a factor within which the start is known to lie, whatever the inputs.
 
     The start x encloses the fixed point X by (2) of `newton`: log(X/x) lies between log(g(x)/x) and
     that over 1 - K. Its slope by an input is that of the map with x held, over 1 - k. The map of an
@@ -82,6 +87,9 @@ def enclosed(forward: Forward, image: Chain, slope: float, start: Value) -> tupl
     value, bad = image.followed(forward, start)
     power = np.full(forward.grid.count, 1.0 / (1.0 - slope) * UP)
     factor = _powers(ratio(value, start, forward.grid.width), power)
+    if known is not None:
+        most = np.full(forward.grid.count, float(known) * UP)
+        factor = _both(factor, (1.0 / most / UP, most))
     size = interval.multiply(start.size, factor)
     # held: the same range at every corner, or slopes would be read from a number that moves
     held = np.broadcast_to(size[0][0], size[0].shape), np.broadcast_to(size[1][0], size[1].shape)
@@ -97,7 +105,8 @@ def enclosed(forward: Forward, image: Chain, slope: float, start: Value) -> tupl
         if _same(before, root):
             break
     root.invalid = bad
-    return root, ratio(root, start, forward.grid.width)
+    found = ratio(root, start, forward.grid.width)
+    return root, found if known is None else _both(found, factor)
 
 
 def _powers(t: Interval, power: interval.Array) -> Interval:

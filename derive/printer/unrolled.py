@@ -10,12 +10,13 @@ iterate anew; what does not hold it comes first and is computed once.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from gainproof.derive.printer.derivative import Sum, Term, derivative, over_one
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import Graph, GraphNode, fraction_text, operands
+from gainproof.derive.printer.nested import known_factor
 from gainproof.derive.printer.newton import Convergence, slopes
 
 CALLS = ("unknown", "fixed_point", "near_cbrt")
@@ -25,18 +26,20 @@ CALLS = ("unknown", "fixed_point", "near_cbrt")
 class Cycle:
     """One fixed point: numbers of its iterates, start first and root last, and of the map there.
 
-    The start lies within a factor 1 + `within` of the fixed point.
+    The start lies within a factor 1 + `within` of the fixed point; `known`: without its roundings
+    within this factor for all inputs, by the shape of the graph.
     """
 
     iterates: tuple[int, ...]
     map_value: int
     within: Fraction
     convergence: Convergence
+    known: Fraction | None = None
 
     def at(self, place: Mapping[int, int]) -> Cycle:
         """The same with other numbers."""
         iterates = tuple(place[number] for number in self.iterates)
-        return Cycle(iterates, place[self.map_value], self.within, self.convergence)
+        return replace(self, iterates=iterates, map_value=place[self.map_value])
 
 
 def unrolled(graph: Graph) -> tuple[Graph, tuple[Cycle, ...]]:
@@ -67,10 +70,7 @@ class _Unrolling:
         graph: Graph = {"nodes": self.nodes, "outputs": outputs}
         if "names" in self.graph:
             graph["names"] = {name: self.place[end] for name, end in self.graph["names"].items()}
-        found = [
-            Cycle(c.iterates, self.place[self.maps[u]], c.within, c.convergence)
-            for u, c in self.cycles.items()
-        ]
+        found = [replace(c, map_value=self.place[self.maps[u]]) for u, c in self.cycles.items()]
         return graph, tuple(found)
 
     def _is(self, number: int, name: str) -> bool:
@@ -167,7 +167,8 @@ class _Unrolling:
         for step in range(count):
             value = self._newton(unknown, chain, iterates[-1])
             iterates.append(self._put("call", "root" if step == count - 1 else "iterate", value))
-        self.cycles[unknown] = Cycle(tuple(iterates), -1, within, convergence)
+        known = known_factor(self.old, unknown, start, end)
+        self.cycles[unknown] = Cycle(tuple(iterates), -1, within, convergence, known)
         return iterates[-1]
 
     def _chain(self, unknown: int, end: int) -> list[int]:

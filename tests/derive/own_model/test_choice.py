@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 import sympy as sp
 from own_models import T, free_number, own_model
 
+from gainproof.derive.any_three_state import module as three_state_module
 from gainproof.derive.any_two_state import module
 from gainproof.derive.expression import real
 from gainproof.derive.families.random_acceleration import STRENGTH
@@ -18,6 +20,8 @@ from gainproof.derive.vector_measurement.model import measured_model
 
 KINEMATIC = [[1, 1], [0, 1]]
 HALF = sp.Rational(1, 2)
+KINEMATIC_3 = [[1, 1, HALF], [0, 1, 1], [0, 0, 1]]
+SQUARE = sp.Matrix([HALF / 2, HALF, 1])
 
 
 def kernels(subject: Subject) -> set[str]:
@@ -34,7 +38,8 @@ def both_measured() -> Model:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Bounds of kernels are not looked at here."""
-    monkeypatch.setattr(module, "prove", lambda _kernel, _form: None)
+    for entry in (module, three_state_module):
+        monkeypatch.setattr(entry, "prove", lambda _kernel, _form: None)
 
 
 def test_kinematic_models_keep_poles_and_inverses() -> None:
@@ -69,8 +74,24 @@ def test_both_measured_and_not_kinematic_is_refused() -> None:
         derive_own_model(replace(both_measured(), transition=fading))
 
 
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize(
+    ("transition", "noise", "options"),
+    [
+        ([[1, 1, HALF], [0, 1, 1], [0, 0, HALF]], sp.diag(0, 0, 1), {}),
+        (KINEMATIC_3, sp.diag(0, real("r"), 1), {"parameters": (free_number("r"),)}),
+        (KINEMATIC_3, SQUARE * SQUARE.T, {}),
+    ],
+    ids=["fading", "a free ratio", "a noise that the catalogue's method cannot hold"],
+)
+def test_three_states_of_the_general_method(
+    transition: list[list[Any]], noise: sp.MatrixBase, options: dict[str, Any]
+) -> None:
+    found = kernels(derive_own_model(own_model(transition, noise.tolist(), **options)))
+    assert found == {"gains", "predicted_covariance", "updated_covariance", "gain_derivatives"}
+
+
 def test_three_kinematic_states() -> None:
-    transition = [[1, 1, HALF], [0, 1, 1], [0, 0, 1]]
     for noise in (sp.diag(0, 0, 1), sp.diag(0, 5, 1)):
-        model = own_model(transition, noise.tolist())
+        model = own_model(KINEMATIC_3, noise.tolist())
         assert "gains" in kernels(derive_own_model(model))

@@ -33,6 +33,7 @@ MODELS = sorted(path.stem for path in FOLDER.glob("*.py"))
 INDICES = (0.0078125, 0.3, 1.0, 2.7, 900.0)
 PARAMETERS = (0.0625, 0.5, 0.9)
 DIGITS = 60
+GAINS = ("alpha", "beta", "gamma")
 STEP = Fraction(1, 10**10)
 """Of differences, relative: their error is its square, and 10^-DIGITS over its square."""
 
@@ -98,8 +99,9 @@ def truth(
 
 def named(state: SteadyState) -> dict[str, flint.arb]:
     """The entries by the names of the kernels' outputs."""
-    places = {"11": (0, 0), "12": (0, 1), "22": (1, 1)}
-    found = {"alpha": state.gain[0][0], "beta": state.gain[1][0]}
+    size = len(state.gain)
+    places = {f"{i + 1}{j + 1}": (i, j) for i in range(size) for j in range(i, size)}
+    found = dict(zip(GAINS, (row[0] for row in state.gain), strict=False))
     for word, matrix in (("predicted", state.predicted), ("updated", state.updated)):
         found |= {f"{word}_{key}": matrix[i][j] for key, (i, j) in places.items()}
     return found
@@ -116,7 +118,8 @@ def slopes(subject: Subject, point: Mapping[str, float], degree: int) -> dict[st
         return {
             name: sum((w * v[name] for w, v in zip(weights, values, strict=True)), flint.arb(0))
             * over
-            for name in ("alpha", "beta")
+            for name in GAINS
+            if name in values[0]
         }
 
 
@@ -161,13 +164,15 @@ def test_kernels_are_as_true_as_they_say(name: str, tmp_path: Path) -> None:
                 assert error <= float(bounds[output.name]) * 2.0**-52, (kernel.name, output, point)
 
 
-def test_the_gallery_holds_five_kinds_of_model() -> None:
+def test_the_gallery_holds_seven_kinds_of_model() -> None:
     assert MODELS == [
+        "correlated_acceleration",
         "correlated_velocity",
         "drifting_platform",
         "half_intervals",
         "heaving_buoy",
         "held_pointer",
+        "towed_sled",
     ]
 
 

@@ -16,6 +16,7 @@ from gainproof.derive.quantity import METRE, Quantity
 KINEMATIC = [[1, 1], [0, 1]]
 LAST = [[0, 0], [0, 1]]
 HALF = sp.Rational(1, 2)
+FADING = [[1, 1, HALF], [0, 1, 1], [0, 0, HALF]]
 R = real("r")
 
 
@@ -112,8 +113,34 @@ REFUSED: list[tuple[Model, str]] = [
         "a unit for each of 2 entries of the state is wanted, there are 1",
     ),
     (
-        own_model([[1, 1, HALF], [0, 1, 1], [0, 0, HALF]], sp.diag(0, 0, 1).tolist()),
-        "of three states a position, its rate and the rate of that are in reach",
+        own_model([[1, 1, 0], [0, 1, 0], [0, 0, HALF]], sp.eye(3).tolist()),
+        r"\(F, H\) should be observable, the rank of H, H F, ... is 2 of 3: a state is never seen",
+    ),
+    (
+        own_model(FADING, [[0, 0, 1], [0, 0, 0], [1, 0, 1]]),
+        "process_noise should be positive semidefinite; .* its minor of rows 1, 3 is -1",
+    ),
+    (
+        own_model(FADING, sp.diag(0, 1, 0).tolist()),
+        "drive every state, the process noise never drives the mode 1/2 of F, which dies out",
+    ),
+    (
+        own_model([[1, 1, HALF], [0, 1, 1], [0, 0, 1]], sp.diag(1, 1, 0).tolist()),
+        (
+            "should drive every state, the process noise never drives the mode 1 of F, which lies "
+            "on the unit circle"
+        ),
+    ),
+    (
+        own_model([[0, 1, 0], [-1, 0, 1], [0, 0, 1]], sp.diag(0, 0, 1).tolist()),
+        (
+            "of three states coefficients of the spectrum that are not negative are in reach, f2 = "
+            "-32: poles off the real axis"
+        ),
+    ),
+    (
+        own_model([[1, 1, HALF], [0, 1, 1], [0, 0, 0]], sp.diag(0, 0, 1).tolist()),
+        "of three states a transition with an inverse is in reach, det F = 0",
     ),
     (
         own_model(

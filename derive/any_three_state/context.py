@@ -1,0 +1,53 @@
+"""What all groups of steps of one three-state model share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.any_three_state.basis import Basis, symbolic_basis
+from gainproof.derive.any_three_state.names import LATEX
+from gainproof.derive.any_three_state.quantities import Quantities
+from gainproof.derive.any_three_state.shape import Shape
+from gainproof.derive.any_three_state.towers import main_tower
+from gainproof.derive.any_two_state.names import ODDS
+from gainproof.derive.model import Model, ScaledModel
+
+
+@dataclass(frozen=True)
+class Context:
+    """A model with its scaled shape; tower and forms are made once."""
+
+    original: Model
+    shape: Shape
+
+    @property
+    def model(self) -> ScaledModel:
+        """The scaled model."""
+        return self.shape.model
+
+    @cached_property
+    def tower(self) -> Tower:
+        """The tower of the steady state."""
+        return main_tower(self.shape)
+
+    @cached_property
+    def basis(self) -> Basis:
+        """The basis of the stable forms over the named quantities."""
+        return symbolic_basis(self.shape)
+
+    @cached_property
+    def quantities(self) -> Quantities:
+        """The stable forms."""
+        return Quantities(self.tower)
+
+    def latex(self) -> dict[str, str]:
+        """LaTeX of all symbols, the model's own included."""
+        own = {quantity.name: quantity.latex for quantity in self.original.quantities}
+        for entry in self.original.parameters:
+            name = entry.quantity.name
+            own[name] = entry.quantity.latex
+            if entry.below_one:
+                own[f"{name}{ODDS}"] = rf"x_{{{entry.quantity.latex}}}"
+        return {**LATEX, **own}
