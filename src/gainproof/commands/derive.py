@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 HELP = "print a derivation, each step checked"
 DESCRIPTION = """\
@@ -20,14 +22,33 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
 
 
+@contextmanager
+def _word_of_long_work(text: str) -> Iterator[None]:
+    """A line on the terminal, if somebody can be looking on, once the work takes a while."""
+    import sys
+    from threading import Timer
+
+    from gainproof.progress import EVERY, Progress
+
+    progress = Progress(quiet=not sys.stderr.isatty())
+    timer = Timer(EVERY, progress.say, (text,))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
+
 def run(options: argparse.Namespace) -> int:
     """0 if the checker accepts every step, else 1."""
     from gainproof import derivations, lecture, lecture_latex, page
     from gainproof.workshop import open_workshop
 
     shop = open_workshop(fresh=options.fresh, quiet=True)
-    derived = derivations.one(options.subject, shop)
-    report = derivations.own_report(derived, shop)
+    with _word_of_long_work(f"deriving {options.subject}"):
+        derived = derivations.one(options.subject, shop)
+        report = derivations.own_report(derived, shop)
     if options.latex:
         print(lecture_latex.document(derived, report), end="")
     else:
