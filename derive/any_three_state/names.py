@@ -34,6 +34,7 @@ LATEX = {
     "process_noise": "Q",
     "measurement_matrix": "H",
     "measurement_noise": "R",
+    **{f"n{k}": f"n_{k}" for k in range(3)},
     "z": "z",
     "s": "s",
     **{f"predicted_{place}": rf"M_{{{place}}}" for place in PLACES},

@@ -8,6 +8,7 @@ from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.covariances import hidden_entries
 from gainproof.derive.any_three_state.names import DEVIATION, GAINS, INDEX
 from gainproof.derive.any_two_state.names import row
+from gainproof.derive.any_two_state.steps_derivatives import followed, left_out
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import equal
@@ -81,10 +82,10 @@ def form_steps(c: Context) -> list[Step]:
             f"The same in forms for a computer. {text}",
             relation,
             "Times sums of the roots, and by the equations of step @roots, each is a sum of terms "
-            "of one sign.",
+            "of one sign." + left_out(value.value for value in found.values()),
             heading="Forms for a computer",
         ),
-        *(joined(name, entry) for name, entry in others),
+        *(followed(name, entry) for name, entry in others),
     ]
 
 
@@ -102,10 +103,11 @@ def derivative_steps(c: Context) -> list[Step]:
             "The gains change with the index like this.",
             relation,
             "Differentiate the equations of step @roots: two of them are linear equations for the "
-            "derivatives of `d1` and `d2`, whose determinant is that of step @hurwitz.",
+            "derivatives of `d1` and `d2`, whose determinant is that of step @hurwitz."
+            + left_out(value.value for value in found.values()),
             heading="How the steady state changes with the index",
         ),
-        *(joined(name, entry) for name, entry in others),
+        *(followed(name, entry) for name, entry in others),
     ]
 
 

@@ -16,6 +16,7 @@ from gainproof.derive.any_three_state.names import (
     Z,
 )
 from gainproof.derive.any_two_state.names import row
+from gainproof.derive.any_two_state.steps_spectrum import named_numbers
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.relation import equal, positive
 
@@ -69,8 +70,9 @@ def _open_loop(c: Context) -> list[Step]:
             "`H adj(z I - F) Q0 adj(I/z - F)' H'`. As a function of `s`:",
             equal(noise, sp.ImmutableDenseMatrix([[numerator]]), free=("s",)),
             "The inverse of `z I - F` is its adjugate over its determinant; the adjugate holds "
-            "`z` to the second power.",
+            "`z` to the second power. The numerator is `n0 - n1 s^2 + n2 s^4`.",
         ),
+        *named_numbers("n", (n0, n1, n2)),
     ]
 
 

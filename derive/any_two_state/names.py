@@ -35,6 +35,7 @@ LATEX = {
     "process_noise": "Q",
     "measurement_matrix": "H",
     "measurement_noise": "R",
+    **{f"n{k}": f"n_{k}" for k in range(3)},
     "z": "z",
     "s": "s",
     **{f"predicted_{ij}": rf"M_{{{ij}}}" for ij in ("11", "12", "22")},

@@ -29,7 +29,8 @@ def covariance_steps(c: Context) -> list[Step]:
         Step(
             "covariances",
             "The covariance of the predicted state's error is `M`, that of the updated state's "
-            "error `X`. Their first rows are the gains; the last entries follow.",
+            "error `X`. Their first rows hold the gains. The last entry of `M` follows from that "
+            "of `X`, which step @stable-updated-22 gives.",
             equal(
                 row(m11, m12, x11, x12, m22),
                 row(square - 1, BETA * square, ALPHA, BETA, x22 + BETA**2 * square),
@@ -64,11 +65,11 @@ def _form_steps(c: Context) -> list[Step]:
     return [
         Step(
             first,
-            f"The same in forms for a computer. {text}",
+            f"Gains and covariances in forms for a computer. {text}",
             relation,
-            "`d_i^2 - f_i^2` is known from step @roots, so `d_i - f_i` is that over a sum; the "
-            "second gain comes from the spectrum at the place `z` where the second state's own "
-            "motion cancels.",
+            "Let `f_i` be the coefficients of step @open-loop. Step @roots gives `d_i^2 - f_i^2`, "
+            "and `d_i - f_i` is that over a sum. The second gain comes from the spectrum at "
+            "`z = F22`, where the second state's own motion cancels.",
         ),
         *(joined(name, entry) for name, entry in others),
     ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
@@ -13,7 +13,10 @@ from gainproof.derive.any_two_state.signed import Signed
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.model import ModelError
-from gainproof.derive.relation import equal
+from gainproof.derive.relation import Relation, equal
+
+LONGEST = 250
+"""Operations of what stands on a page: about fifteen lines."""
 
 
 def derivative_steps(c: Context) -> list[Step]:
@@ -37,7 +40,8 @@ def derivative_steps(c: Context) -> list[Step]:
         second,
         2,
         "And their derivatives in turn.",
-        "Differentiate once more; what is added and what is taken away stand apart.",
+        "Differentiate once more; what is added and what is taken away stand apart."
+        + left_out(value.value for value in second.values()),
         "",
     )
 
@@ -53,5 +57,19 @@ def _opened(
     )
     return [
         Step(first, sentence, relation, reason, heading=heading),
-        *(joined(name, entry) for name, entry in others),
+        *(followed(name, entry) for name, entry in others),
     ]
+
+
+def left_out(values: Iterable[sp.Expr]) -> str:
+    """A sentence on those that are not shown, if there are any."""
+    if all(sp.count_ops(value) <= LONGEST for value in values):
+        return ""
+    return " What would fill half a page is checked like the rest and not shown."
+
+
+def followed(name: str, relation: Relation) -> Step:
+    """A step that joins the one before it; one too long for a page is not shown."""
+    if sp.count_ops(relation.parts["right"]) <= LONGEST:
+        return joined(name, relation)
+    return Step(name, "", relation, "", shown=False)

@@ -144,8 +144,9 @@ def _definite(c: Context) -> list[Step]:
                 f"definite-{word}",
                 "Both covariances are positive definite for every positive index.",
                 Relation("positive_definite", {"matrix": _square(names)}),
-                "The first entry and the determinant are made of sums without a minus sign: "
-                "`det M = S det X`, and `M = F X F' + Lambda^2 Q0` gives both.",
+                "The first entry and the determinant are made of sums without a minus sign. That "
+                "of the determinants follows from `det M = sigma^2 det X`, by step @covariances, "
+                "and from `M = F X F' + Lambda^2 Q0`.",
                 hint={"minors": [first, factor * determinant]},
             )
             definite_evidence(step, c.tower)

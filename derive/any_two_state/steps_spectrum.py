@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import sympy as sp
 
 from gainproof.derive.any_two_state.context import Context
@@ -20,7 +22,7 @@ from gainproof.derive.any_two_state.names import (
 from gainproof.derive.any_two_state.towers import AREA, starts_with_half_powers
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
-from gainproof.derive.relation import equal, increasing_onto, positive
+from gainproof.derive.relation import definition, equal, increasing_onto, positive
 
 PLACE = (1 + S) / (1 - S)
 
@@ -31,9 +33,8 @@ def spectrum_steps(c: Context) -> list[Step]:
 
 
 def _determinant(matrix: sp.MatrixBase) -> sp.Expr:
-    return sp.Add(
-        sp.Mul(matrix[0, 0], matrix[1, 1]), sp.Mul(-1, matrix[0, 1], matrix[1, 0]), evaluate=False
-    )
+    products = sp.Mul(matrix[0, 0], matrix[1, 1]), sp.Mul(-1, matrix[0, 1], matrix[1, 0])
+    return sp.Add(*(entry for entry in products if entry != 0), evaluate=False)
 
 
 def _open_loop(c: Context) -> list[Step]:
@@ -68,9 +69,18 @@ def _open_loop(c: Context) -> list[Step]:
                 sp.ImmutableDenseMatrix([[(n0 - n1 * S**2) / ((1 - S) * (1 + S))]]),
                 free=("s",),
             ),
-            "The inverse of `z I - F` is its adjugate over its determinant. The two numbers are "
-            "the numerator at `z = 1` and at `z = -1`.",
+            "The inverse of `z I - F` is its adjugate over its determinant. `n0` and `n1` are the "
+            "numerator at `z = 1` and at `z = -1`; with them it is `(n0 - n1 s^2)/(1 - s^2)`.",
         ),
+        *named_numbers("n", (n0, n1)),
+    ]
+
+
+def named_numbers(letter: str, values: Iterable[sp.Expr]) -> list[Step]:
+    """Numbers of the model with their names, shown with the step before."""
+    return [
+        joined(f"number-{letter}{k}", definition(real(f"{letter}{k}"), value))
+        for k, value in enumerate(values)
     ]
 
 

@@ -32,13 +32,28 @@ def derive_own_model(model: Model) -> Subject:
     require_steady_state(model, scaled)
     states, measured = model.transition.rows, model.measurement.rows
     if (states, measured) == (2, 2):
-        return derive_position_velocity(model, ())
+        return _both_measured(model, scaled)
     if measured != 1 or states not in (2, 3):
         raise ModelError(
             f"model {model.name}: two or three states with one measured, or two with both "
             f"measured, are wanted; {states} states and {measured} measurements came"
         )
     return _two_states(model, scaled) if states == 2 else _three_states(model, scaled)
+
+
+def _both_measured(model: Model, scaled: ScaledModel) -> Subject:
+    """A position and its rate by the method of the catalogue."""
+    try:
+        return derive_position_velocity(model, ())
+    except ModelError as error:
+        reason = str(error).removeprefix(f"model {model.name}: ")
+    except (ValueError, TypeError, ArithmeticError):
+        reason = f"it is {scaled.process_noise.tolist()}"
+    raise ModelError(
+        f"model {model.name}: of two states that are both measured, a position and its rate with a "
+        "process noise Q12 = Q22/2, Q11 from Q22/4 to below Q22/2, or Q11 = Q12 = 0 (in units "
+        f"T = 1) is in reach: {reason}"
+    )
 
 
 def _two_states(model: Model, scaled: ScaledModel) -> Subject:

@@ -68,6 +68,25 @@ def test_both_measured() -> None:
     assert "known_velocity" in found
 
 
+@pytest.mark.parametrize(
+    ("noise", "reason"),
+    [
+        ([[1, 1], [1, 1]], "they are 1 and 1"),
+        ([[5, 1], [1, 1]], "they are 1 and 17"),
+        ([[HALF, HALF], [HALF, 1]], r"it is \[\["),
+    ],
+)
+def test_both_measured_with_other_noises_is_refused(noise: list[list[Any]], reason: str) -> None:
+    """The last one lies on the border of what is in reach, where the method's numbers vanish."""
+    (a, b), (_, c) = noise
+    shape = sp.ImmutableDenseMatrix([[a * T**4, b * T**3], [b * T**3, c * T**2]])
+    model = measured_model("both", "Both", STRENGTH.symbol**2 * shape, STRENGTH)
+    with pytest.raises(
+        ModelError, match=r"Q12 = Q22/2, Q11 from Q22/4 to below Q22/2, or.*" + reason
+    ):
+        derive_own_model(model)
+
+
 def test_both_measured_and_not_kinematic_is_refused() -> None:
     fading = sp.ImmutableDenseMatrix([[1, T], [0, HALF]])
     with pytest.raises(ModelError, match="a position and its rate, both measured, are wanted"):
