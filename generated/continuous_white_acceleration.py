@@ -108,8 +108,8 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.04 * 2^-52 (float64),
-        3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
+        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -169,11 +169,11 @@ def gain_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 10.50 * 2^-52 (float64), 10.50 *
+    alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.46 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64) and
         1e-45 <= tracking_index <= 6.49139e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 11.00
-        * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.99
+        * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -240,15 +240,15 @@ def gains_with_derivatives(
     alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.04 * 2^-52 (float64),
-        3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
+        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 10.46 * 2^-52 (float64), 10.46
+    d_alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.46
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -315,11 +315,11 @@ def predictor_gains(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 3.77 * 2^-52 (float64),
-        3.77 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 3.76 * 2^-52 (float64),
+        3.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.04 *
-        2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.03 *
+        2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -452,15 +452,15 @@ def predicted_covariance(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 5.79 *
-        2^-52 (float64), 5.79 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 5.78 *
+        2^-52 (float64), 5.78 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7000419237042198e154 (float64) and 1e-45 <= tracking_index <= 2.3389442e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 3.54 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.53 * 2^-52 (float64), 3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.5097627491058368e154 (float64) and 1.1754944e-38 <= tracking_index <=
         2.0771551e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        5.26 * 2^-52 (float64), 4.77 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
+        5.26 * 2^-52 (float64), 4.76 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
         tracking_index <= 1.181098330382244e154 (float64) and 4.1033358e-26 <= tracking_index <=
         1.6249736e19 (float32).
 
@@ -528,15 +528,15 @@ def predicted_covariance_derivatives(
         finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 7.76 * 2^-52 (float64), 7.78 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 7.76 * 2^-52 (float64), 7.76 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.4450712711759723e308 (float64) and 1e-45 <= tracking_index <=
         2.7353304e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 4.06 * 2^-52 (float64), 4.06 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 4.06 * 2^-52 (float64), 4.07 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.1396917792938073e308 (float64) and 1e-45 <= tracking_index <=
         2.157287e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 6.93 * 2^-52 (float64), 6.94 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.93 * 2^-52 (float64), 6.92 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.974966330158624e307 (float64) and 1e-45 <= tracking_index <=
         1.3202697e38 (float32).
 
@@ -625,14 +625,14 @@ def updated_covariance(
         finite.
 
     updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.26 * 2^-52
-        (float64), 3.27 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.04 * 2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.03 * 2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 4.45 *
-        2^-52 (float64), 4.44 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 4.44 *
+        2^-52 (float64), 4.45 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
         <= 2.4954742419024312e154 (float64) and 4.1033358e-26 <= tracking_index <= 3.4333126e19
         (float32).
 
@@ -695,14 +695,14 @@ def updated_covariance_derivatives(
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 10.50 * 2^-52 (float64), 10.50 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 10.42 * 2^-52 (float64), 10.46 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 5.247628584236248e102 (float64) and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 9.352083952218625e102 (float64) and 1e-45 <= tracking_index <=
         1.1568659e13 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
-        error at most 6.47 * 2^-52 (float64), 6.47 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 6.42 * 2^-52 (float64), 6.42 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -787,12 +787,12 @@ def gain_second_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 17.25 * 2^-52
-        (float64), 17.21 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 17.20 * 2^-52
+        (float64), 17.19 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
         1.442954478563842e77 (float64) and 1.0258392e-26 <= tracking_index <= 5.3522156e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 15.99 * 2^-52 (float64), 15.93 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index <= 8.2554844e09
         (float32).
 
@@ -893,11 +893,11 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 19.28 * 2^-52 (float64), 19.26 * 2^-23 (float32), proved for 1.5697348409117308e-206
+        at most 19.21 * 2^-52 (float64), 19.20 * 2^-23 (float32), proved for 1.5697348409117308e-206
         <= tracking_index <= 2.318063502250569e77 (float64) and 1.0258392e-26 <= tracking_index <=
         8.598175e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 15.95 * 2^-52 (float64), 15.92 * 2^-23 (float32), proved for
+        beta. Relative error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index <=
         8.2554844e09 (float32).
 
@@ -1143,15 +1143,15 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 17.25 * 2^-52 (float64), 17.21 * 2^-23 (float32), proved for
+        Relative error at most 17.20 * 2^-52 (float64), 17.19 * 2^-23 (float32), proved for
         1.5697348409117308e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
         1.0258392e-26 <= tracking_index <= 5.3522156e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 15.99 * 2^-52 (float64), 15.93 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index
         <= 8.2554844e09 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
-        T^2/sigma_v^2. Relative error at most 13.30 * 2^-52 (float64), 13.28 * 2^-23 (float32),
+        T^2/sigma_v^2. Relative error at most 13.26 * 2^-52 (float64), 13.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
 
@@ -1278,14 +1278,14 @@ def closed_loop_poles(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 10.73 * 2^-52
-        (float64), 10.66 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 10.70 * 2^-52
+        (float64), 10.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
         most 8.15 * 2^-52 (float64), 8.15 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 10.73 * 2^-52
-        (float64), 10.66 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 10.70 * 2^-52
+        (float64), 10.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
         most 8.15 * 2^-52 (float64), 8.15 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=

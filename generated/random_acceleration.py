@@ -292,8 +292,8 @@ def predictor_gains(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 4.04 * 2^-52 (float64),
-        4.04 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 4.02 * 2^-52 (float64),
+        4.02 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 4.01 *
         2^-52 (float64), 4.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
@@ -350,8 +350,8 @@ def predictor_gain_derivatives(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 11.61 *
-        2^-52 (float64), 11.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 11.57 *
+        2^-52 (float64), 11.60 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
         error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <=
@@ -423,7 +423,7 @@ def predicted_covariance(
         tracking_index <= 1.8961503816218218e154 (float64) and 1.1754944e-38 <= tracking_index <=
         2.6087534e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        3.51 * 2^-52 (float64), 3.02 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
+        3.51 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for 6.278939363646863e-206 <=
         tracking_index <= 1.34078079299425e154 (float64) and 4.1033358e-26 <= tracking_index <=
         1.8446673e19 (float32).
 
@@ -702,12 +702,12 @@ def gain_second_derivatives(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 15.06 * 2^-52
-        (float64), 15.06 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 15.01 * 2^-52
+        (float64), 15.02 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
         1.8122441335979363e77 (float64) and 1.0258392e-26 <= tracking_index <= 6.721987e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 13.02 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 13.01 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index <=
         1.1082382e13 (float32).
 
@@ -780,11 +780,11 @@ def predictor_gain_second_derivatives(
         and finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 15.61 * 2^-52 (float64), 15.65 * 2^-23 (float32), proved for 1.5697348409117308e-206
+        at most 15.53 * 2^-52 (float64), 15.65 * 2^-23 (float32), proved for 1.5697348409117308e-206
         <= tracking_index <= 8.958978968711217e102 (float64) and 1.0258392e-26 <= tracking_index <=
         1.1082382e13 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 13.02 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved for
+        beta. Relative error at most 13.01 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index <=
         1.1082382e13 (float32).
 
@@ -866,15 +866,15 @@ def predicted_covariance_second_derivatives(
         and finite.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Relative error at most 10.24 * 2^-52 (float64), 10.34 * 2^-23 (float32), proved
+        sigma_v^2. Relative error at most 10.28 * 2^-52 (float64), 10.37 * 2^-23 (float32), proved
         for 1.5697348409117308e-206 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32).
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
-        times T/sigma_v^2. Relative error at most 3.90 * 2^-52 (float64), 3.90 * 2^-23 (float32),
+        times T/sigma_v^2. Relative error at most 3.88 * 2^-52 (float64), 3.88 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     predicted_22: second derivative by Lambda of the variance of the predicted velocity times
-        T^2/sigma_v^2. Relative error at most 10.06 * 2^-52 (float64), 10.03 * 2^-23 (float32),
+        T^2/sigma_v^2. Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
 
@@ -968,15 +968,15 @@ def updated_covariance_second_derivatives(
         and finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 15.06 * 2^-52 (float64), 15.06 * 2^-23 (float32), proved for
+        Relative error at most 15.01 * 2^-52 (float64), 15.02 * 2^-23 (float32), proved for
         1.5697348409117308e-206 <= tracking_index <= 1.8122441335979363e77 (float64) and
         1.0258392e-26 <= tracking_index <= 6.721987e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 13.02 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 13.01 * 2^-52 (float64), 13.01 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 8.958978968711217e102 (float64) and 1e-45 <= tracking_index
         <= 1.1082382e13 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
-        T^2/sigma_v^2. Relative error at most 9.59 * 2^-52 (float64), 9.60 * 2^-23 (float32), proved
+        T^2/sigma_v^2. Relative error at most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45 <= tracking_index
         <= 1.3962927e13 (float32).
 
@@ -1066,13 +1066,13 @@ def closed_loop_poles(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 8.59 * 2^-52
-        (float64), 8.57 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 8.53 * 2^-52
+        (float64), 8.54 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
         most 7.61 * 2^-52 (float64), 7.61 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 8.59 * 2^-52
+    second_real: real part of the second pole. Error over second_modulus at most 8.58 * 2^-52
         (float64), 8.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <= 1.8446744e19 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at

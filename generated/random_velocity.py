@@ -108,8 +108,8 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.04 * 2^-52 (float64),
-        3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
+        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -169,7 +169,7 @@ def gain_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 9.26 * 2^-52 (float64), 9.28 *
+    alpha: derivative of the position gain. Relative error at most 9.26 * 2^-52 (float64), 9.26 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
         1e-45 <= tracking_index <= 5.541191e12 (float32).
     beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.35
@@ -239,11 +239,11 @@ def gains_with_derivatives(
     alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.04 * 2^-52 (float64),
-        3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
+        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 9.27 * 2^-52 (float64), 9.27 *
+    d_alpha: derivative of the position gain. Relative error at most 9.26 * 2^-52 (float64), 9.26 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
         1e-45 <= tracking_index <= 5.541191e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
@@ -316,8 +316,8 @@ def predictor_gains(
     position: position entry of F K, alpha + beta. Relative error at most 2.26 * 2^-52 (float64),
         2.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.04 *
-        2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.03 *
+        2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -448,11 +448,11 @@ def predicted_covariance(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 5.79 *
-        2^-52 (float64), 5.79 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 5.78 *
+        2^-52 (float64), 5.78 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.34078079299425e154 (float64) and 1e-45 <= tracking_index <= 1.8446673e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 3.54 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.53 * 2^-52 (float64), 3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.34078079299425e154 (float64) and 1.1754944e-38 <= tracking_index <=
         1.8446673e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
@@ -521,7 +521,7 @@ def predicted_covariance_derivatives(
         finite.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 7.27 * 2^-52 (float64), 7.27 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 7.26 * 2^-52 (float64), 7.26 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 8.988465674311451e307 (float64) and 1e-45 <= tracking_index <=
         1.7013988e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
@@ -610,10 +610,10 @@ def updated_covariance(
         finite.
 
     updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.26 * 2^-52
-        (float64), 3.27 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.04 * 2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.03 * 2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
     updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.76 *
@@ -764,12 +764,12 @@ def gain_second_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 13.38 * 2^-52
-        (float64), 13.38 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 13.29 * 2^-52
+        (float64), 13.29 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
         1.2814501160326402e77 (float64) and 1.0258392e-26 <= tracking_index <= 4.753162e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 12.77 * 2^-52 (float64), 12.79 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <= 6.2555136e09
         (float32).
 
@@ -861,11 +861,11 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 13.88 * 2^-52 (float64), 13.89 * 2^-23 (float32), proved for 1.5697348409117308e-206
+        at most 13.80 * 2^-52 (float64), 13.80 * 2^-23 (float32), proved for 1.5697348409117308e-206
         <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258392e-26 <= tracking_index <=
         6.721987e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 12.77 * 2^-52 (float64), 12.80 * 2^-23 (float32), proved for
+        beta. Relative error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <=
         6.2555136e09 (float32).
 
@@ -1085,11 +1085,11 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 13.38 * 2^-52 (float64), 13.38 * 2^-23 (float32), proved for
+        Relative error at most 13.29 * 2^-52 (float64), 13.29 * 2^-23 (float32), proved for
         1.5697348409117308e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
         1.0258392e-26 <= tracking_index <= 4.753162e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 12.77 * 2^-52 (float64), 12.79 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index
         <= 6.2555136e09 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
@@ -1203,17 +1203,17 @@ def closed_loop_poles(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 7.07 * 2^-52
-        (float64), 7.07 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 7.04 * 2^-52
+        (float64), 7.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 4.63 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 4.62 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 7.07 * 2^-52
-        (float64), 7.07 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 7.04 * 2^-52
+        (float64), 7.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 4.63 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 4.62 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1271,7 +1271,7 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
 
     alpha: position gain; a number above 0 and below 1.
 
-    tracking_index: tracking index Lambda. Relative error at most 3.54 * 2^-52 (float64), 3.54 *
+    tracking_index: tracking index Lambda. Relative error at most 3.52 * 2^-52 (float64), 3.52 *
         2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999 (float64)
         and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 

@@ -6,21 +6,16 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from gainproof.derive.printer.arithmetic import Arithmetic, literal
-from gainproof.derive.printer.bound import KernelBound, prove
+from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.docstring import docstring, wanted_text
-from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.layout import WIDTH, call, listed, row
+from gainproof.derive.printer.together import prove_all
 
 
 def module_source(module: Module) -> str:
     """The text of one generated module; PrintingError where a kernel's bound cannot be proved."""
-    return printed(module, [prove_both(kernel) for kernel in module.kernels])
-
-
-def prove_both(kernel: Kernel) -> tuple[KernelBound, ...]:
-    """The kernel's bounds in float64 and float32."""
-    return tuple(prove(kernel, form) for form in FORMATS)
+    return printed(module, prove_all(module.kernels))
 
 
 def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:

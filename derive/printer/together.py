@@ -1,0 +1,84 @@
+"""The bounds of a module's kernels, those of one input proved together.
+
+They compute much in common and their outputs have bounds of their own, whatever stands beside them:
+one program with the outputs of all is walked once for all, and its finer boxes serve each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from gainproof.derive.printer.bound import KernelBound, prove
+from gainproof.derive.printer.formats import FORMATS
+from gainproof.derive.printer.graph import GraphBuilder, Node, operands
+from gainproof.derive.printer.kernel import Kernel, Output
+from gainproof.derive.printer.value import PrintingError
+
+Bounds = tuple[KernelBound, ...]
+"""In every format."""
+
+
+def prove_all(kernels: Sequence[Kernel]) -> list[Bounds]:
+    """The bounds of each kernel in float64 and float32.
+
+    PrintingError, naming the kernel and the node, where one cannot be proved.
+    """
+    found: dict[str, Bounds] = {}
+    for group in _groups(kernels):
+        try:
+            found |= _together(group)
+        except PrintingError:
+            # which kernel it is, and at which of its nodes, is said when each is proved by itself
+            found |= {kernel.name: _alone(kernel) for kernel in group}
+    return [found[kernel.name] for kernel in kernels]
+
+
+def _groups(kernels: Sequence[Kernel]) -> Iterator[list[Kernel]]:
+    """Kernels of the same one input; others, and those with differences, by themselves."""
+    groups: dict[str, list[Kernel]] = {}
+    for kernel in kernels:
+        if len(kernel.inputs) > 1 or kernel.cancellations:
+            yield [kernel]
+        else:
+            groups.setdefault(repr(kernel.inputs), []).append(kernel)
+    yield from groups.values()
+
+
+def _alone(kernel: Kernel) -> Bounds:
+    return tuple(prove(kernel, form) for form in FORMATS)
+
+
+def _together(kernels: Sequence[Kernel]) -> dict[str, Bounds]:
+    if len(kernels) == 1:
+        return {kernels[0].name: _alone(kernels[0])}
+    bounds = _alone(_joined(kernels))
+    return {kernel.name: tuple(_part(kernel, bound) for bound in bounds) for kernel in kernels}
+
+
+def _joined(kernels: Sequence[Kernel]) -> Kernel:
+    """One kernel with the outputs of all; what several compute it computes once."""
+    builder = GraphBuilder()
+    ends: dict[str, Node] = {}
+    outputs: list[Output] = []
+    for kernel in kernels:
+        made: list[Node] = []
+        for node in kernel.graph["nodes"]:
+            made.append(builder.operation_of(node, [made[part] for part in operands(node)]))
+        ends |= {_named(kernel, name): made[end] for name, end in kernel.graph["outputs"].items()}
+        for output in kernel.outputs:
+            scale = output.relative_to
+            of_all = None if scale is None else _named(kernel, scale)
+            outputs.append(replace(output, name=_named(kernel, output.name), relative_to=of_all))
+    return replace(kernels[0], outputs=tuple(outputs), graph=builder.graph(ends))
+
+
+def _part(kernel: Kernel, bound: KernelBound) -> KernelBound:
+    known = {output.name: output for output in bound.outputs}
+    own = (replace(known[_named(kernel, o.name)], name=o.name) for o in kernel.outputs)
+    return replace(bound, outputs=tuple(own))
+
+
+def _named(kernel: Kernel, output: str) -> str:
+    """An output's name among those of all kernels."""
+    return f"{kernel.name}.{output}"

@@ -1,0 +1,68 @@
+"""Kernels proved together have the bounds that they have alone, or better ones."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+from graph_kernels import kernel_of
+
+from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.formats import FORMATS
+from gainproof.derive.printer.graph import Graph, GraphBuilder
+from gainproof.derive.printer.kernel import Kernel, Output
+from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.value import PrintingError
+
+ROUNDED_UP = Fraction(1, 100)
+"""Bounds are stated in hundredths."""
+
+
+def graphs() -> dict[str, Graph]:
+    b = GraphBuilder()
+    x = b.symbol("x")
+    root = b.sqrt(x) + 3
+    share = 4 / (1 + root)
+    c = GraphBuilder()
+    y = c.symbol("x")
+    again = c.sqrt(y) + 3
+    return {
+        "roots": b.graph({"y": root, "w": share}),
+        "sums": c.graph({"y": again / 3, "w": again / (1 + again)}),
+        "small": b.graph({"y": b.sqrt(x) / 3 / 7}),
+    }
+
+
+def kernels(changed: dict[str, Graph]) -> list[Kernel]:
+    found = []
+    for name, graph in changed.items():
+        outputs = tuple(Output(key, "a value") for key in graph["outputs"])
+        found.append(replace(kernel_of(graph), name=name, outputs=outputs))
+    return found
+
+
+def test_each_has_the_bounds_that_it_has_alone_or_better_ones() -> None:
+    made = kernels(graphs())
+    for kernel, bounds in zip(made, prove_all(made), strict=True):
+        for form, bound in zip(FORMATS, bounds, strict=True):
+            alone = prove(kernel, form)
+            assert bound.format is form
+            assert bound.inputs == alone.inputs
+            for mine, own in zip(bound.outputs, alone.outputs, strict=True):
+                assert (mine.name, mine.domain) == (own.name, own.domain)
+                assert own.bound * Fraction(9, 10) <= mine.bound <= own.bound + ROUNDED_UP
+
+
+def test_an_output_of_the_same_name_is_another_in_another_kernel() -> None:
+    made = kernels(graphs())
+    roots, _, small = prove_all(made)
+    assert roots[0].outputs[0].bound != small[0].outputs[0].bound
+
+
+def test_the_kernel_that_cannot_be_proved_is_named() -> None:
+    b = GraphBuilder()
+    x = b.symbol("x")
+    bad = b.graph({"y": (b.sqrt(x) + 1) - b.sqrt(x)})
+    with pytest.raises(PrintingError, match=r"worse \(float64\): node .*loses digits"):
+        prove_all(kernels({**graphs(), "worse": bad}))
