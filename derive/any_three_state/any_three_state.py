@@ -14,6 +14,7 @@ from gainproof.derive.any_three_state.steps_forms import (
     derivative_steps,
     form_steps,
 )
+from gainproof.derive.any_three_state.steps_limits import limit_steps, root_steps
 from gainproof.derive.any_three_state.steps_proof import proof_steps
 from gainproof.derive.any_three_state.steps_spectrum import spectrum_steps
 from gainproof.derive.any_three_state.towers import Roots, roots_of
@@ -50,11 +51,13 @@ def derive_any_three_state(model: Model) -> Subject:
         raise ModelError(f"model {model.name}: no kernel has a proved bound: {reasons}")
     steps = (
         *model_steps(c),
+        *root_steps(c),
         *spectrum_steps(c),
         *covariance_steps(c),
         *form_steps(c),
         *proof_steps(c),
         *derivative_steps(c),
+        *limit_steps(c),
         *_program_steps(roots, found),
         *_refused_steps(found),
     )

@@ -13,7 +13,7 @@ from math import lcm
 
 import sympy as sp
 
-from gainproof.derive.algebra.leading import square_root
+from gainproof.derive.algebra.leading import Edge, edge, square_root
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower, coupled
 from gainproof.derive.any_three_state.covariances import hidden_entries
 from gainproof.derive.any_three_state.names import (
@@ -42,11 +42,15 @@ class Roots:
 
 
 def powers_of_root(shape: Shape) -> int:
-    """k, for p^k = Lambda: m poles of the model at z = 1 or -1 part like the m-th root of it."""
-    signs = [shape.sign(entry) for entry in shape.open_loop]
-    near = next(number for number, sign in enumerate(signs) if sign)
-    far = next(number for number, sign in enumerate(reversed(signs)) if sign)
-    return lcm(max(near, 1), max(far, 1))
+    """k, for p^k = Lambda: m poles of the model at z = 1 or -1 part like the m-th root of it where
+    it is small, and m zeros of the noise there where it is large.
+    """
+    found = 1
+    for numbers in (shape.open_loop, shape.shaken):
+        signs = [shape.sign(entry) for entry in numbers]
+        for ordered in (signs, signs[::-1]):
+            found = lcm(found, max(1, next(n for n, sign in enumerate(ordered) if sign)))
+    return found
 
 
 def variable(shape: Shape) -> tuple[str, sp.Expr]:
@@ -97,6 +101,21 @@ def roots_of(shape: Shape) -> Roots:
     generators += coupled((one, inner[0], 2 * first), (two, inner[1], 2 * last))
     values = tuple(entry / below for entry in (first, real(one), real(two), last))
     return Roots(tuple(generators), values, known)
+
+
+def edges(shape: Shape, tower: Tower) -> tuple[Edge, Edge]:
+    """Both ends of the index. Raises NoLeadingTerm where a root has no leading term."""
+    open_loop = [over_parameters(shape.numbers)(entry) for entry in shape.open_loop]
+    below = common_denominator(shape.numbers, shape.open_loop, (*shape.still, *shape.shaken))
+    own = {g.symbol for g in tower.generators}
+    names = [f"d{k}" if f"d{k}" in own else f"d{k}_scaled" for k in (1, 2)]
+    likely: dict[str, sp.Expr] = {}
+    if all(shape.sign(shape.open_loop[k]) > 0 for k in (1, 2)):  # zeros solve, and are no limit
+        likely = {name: sp.cancel(open_loop[k] * below) for k, name in enumerate(names, 1)}
+    return (
+        edge(tower, at_infinity=False, likely=likely),
+        edge(tower, at_infinity=True),
+    )
 
 
 def main_tower(shape: Shape) -> Tower:

@@ -68,8 +68,8 @@ def _limit(
     fractions = [c.tower.elements[name]]
     if form is not None and not form.is_zero and not form.cancels:
         fractions.append(c.tower.fraction(form.value))
-    found = _first_leading(edge, fractions)
-    if found is None or not _known(edge, found[0].coefficient):
+    found = first_leading(edge, fractions)
+    if found is None or not known_limit(edge, found[0].coefficient):
         return None
     leading, needed = found
     expression = real(name) / _power(c, leading.order)
@@ -80,7 +80,7 @@ def _limit(
     return joined(f"{word}-{name.replace('_', '-')}", relation, hint=hint)
 
 
-def _first_leading(edge: Edge, fractions: list[Fraction]) -> tuple[Leading, bool] | None:
+def first_leading(edge: Edge, fractions: list[Fraction]) -> tuple[Leading, bool] | None:
     """The leading term of the first that shows one, and whether it is a later one."""
     for number, fraction in enumerate(fractions):
         try:
@@ -90,9 +90,11 @@ def _first_leading(edge: Edge, fractions: list[Fraction]) -> tuple[Leading, bool
     return None
 
 
-def _known(edge: Edge, value: sp.Expr) -> bool:
+def known_limit(edge: Edge, value: sp.Expr) -> bool:
     """Whether each root in a limit is one of the edge's own, which the checker knows."""
-    inside = {root.args[0] for root in edge.roots.values()}
+    inside = {root.args[0] for root in edge.roots.values() if root.args}
+    if value.free_symbols & {root for root in edge.roots.values() if not root.args}:
+        return False  # a coupled pair of constants has no form
     return all(entry.base in inside for entry in value.atoms(sp.Pow) if not entry.exp.is_Integer)
 
 

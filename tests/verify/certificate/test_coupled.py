@@ -32,11 +32,14 @@ from tests.verify.certificate.coupled_toy import (
     program,
     statements,
     tends,
+    tower,
 )
 from tests.verify.certificate.toy_writer import expectations, fraction, graph, poly, statement
 
 from gainproof.verify.certificate import check
 from gainproof.verify.certificate.alteration import Campaign
+from gainproof.verify.certificate.rejection import Meter
+from gainproof.verify.certificate.tower import read_tower
 
 
 def why(*listed: Data, pair: Data | None = None) -> str:
@@ -123,6 +126,23 @@ def test_a_pair_that_is_none(changes: Data, because: str) -> None:
     found = why(equality("square", X**2, X**2), pair=altered(**changes))
     assert found
     assert because in found
+
+
+def test_powers_come_down_to_products_of_both() -> None:
+    """Reduced at once: a power of the one brings powers of the other, whose own bring it back."""
+    field = read_tower(tower(), Meter(), "main").field
+    here = values(mp.mpf("0.7"), mp.mpf("1.9"))
+    for powers in ({3: 7}, {4: 6}, {3: 5, 4: 5}, {2: 3, 3: 4, 4: 1}, {3: 1, 4: 1}):
+        reduced = field.reduce(field.ring.monomial(powers))
+        assert all(reduced.degree(place) <= 1 for place in (2, 3, 4))
+        found = mp.fsum(
+            mp.mpf(c.numerator)
+            / c.denominator
+            * mp.fprod(here[v] ** e for v, e in zip(PLACES, monomial, strict=True))
+            for monomial, c in reduced.coefficients()
+        )
+        wanted = mp.fprod(here[PLACES[place]] ** power for place, power in powers.items())
+        assert abs(found / wanted - 1) < 1e-12
 
 
 def test_a_missing_field() -> None:
