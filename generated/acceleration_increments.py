@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "GainDerivatives",
+    "GainSecondDerivatives",
     "Gains",
     "GainsFromAlpha",
     "GainsWithDerivatives",
@@ -24,10 +25,16 @@ __all__ = [
     "InnovationDeviation",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
+    "PredictedCovarianceSecondDerivatives",
+    "PredictedPositionSecondDerivatives",
     "PredictorGainDerivatives",
+    "PredictorGainSecondDerivatives",
     "PredictorGains",
     "UpdatedCovariance",
+    "UpdatedCovarianceDerivatives",
+    "UpdatedCovarianceSecondDerivatives",
     "gain_derivatives",
+    "gain_second_derivatives",
     "gains",
     "gains_from_alpha",
     "gains_with_derivatives",
@@ -35,9 +42,14 @@ __all__ = [
     "innovation_deviation",
     "predicted_covariance",
     "predicted_covariance_derivatives",
+    "predicted_covariance_second_derivatives",
+    "predicted_position_second_derivatives",
     "predictor_gain_derivatives",
+    "predictor_gain_second_derivatives",
     "predictor_gains",
     "updated_covariance",
+    "updated_covariance_derivatives",
+    "updated_covariance_second_derivatives",
 ]
 
 _TRACKING_INDEX_DOMAIN = Domain(
@@ -57,6 +69,12 @@ _TRACKING_INDEX_DOMAIN_3 = Domain(
     "a number above 0 and at most 2^1000, in float32 above 0 and at most 2^120",
     (5e-324, 1.0715086071862673e301),
     (1.401298464324817e-45, 1.329227995784916e36),
+)
+_TRACKING_INDEX_DOMAIN_4 = Domain(
+    "tracking_index",
+    "a number at least 2^-750 and at most 2^480, in float32 at least 2^-80 and at most 2^56",
+    (1.688508503057271e-226, 3.1217485503159922e144),
+    (8.271806125530277e-25, 7.205759403792794e16),
 )
 _ALPHA_DOMAIN = Domain(
     "alpha",
@@ -88,14 +106,14 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.18 * 2^-52 (float64), 6.18 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
         6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.56
-        * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.55
+        * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -229,14 +247,14 @@ def gain_derivatives(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 14.76 * 2^-52 (float64), 14.75 *
+    alpha: derivative of the position gain. Relative error at most 14.71 * 2^-52 (float64), 14.71 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
     beta: derivative of the velocity gain times the sampling interval. Relative error at most 15.78
-        * 2^-52 (float64), 15.79 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        * 2^-52 (float64), 15.77 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 13.16 * 2^-52 (float64), 13.16 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 13.15 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <=
         3.689349e19 (float32).
 
@@ -410,24 +428,24 @@ def gains_with_derivatives(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.18 * 2^-52 (float64), 6.18 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
         6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.56
-        * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.55
+        * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 14.74 * 2^-52 (float64), 14.74
+    d_alpha: derivative of the position gain. Relative error at most 14.71 * 2^-52 (float64), 14.71
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        15.78 * 2^-52 (float64), 15.79 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        15.78 * 2^-52 (float64), 15.77 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 13.16 * 2^-52 (float64), 13.16 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 13.15 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <=
         3.689349e19 (float32).
 
@@ -598,14 +616,14 @@ def predictor_gains(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.22 * 2^-52
-        (float64), 6.22 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.18 * 2^-52
+        (float64), 6.18 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     acceleration: acceleration entry of F K times the square of the sampling interval, gamma.
-        Relative error at most 4.56 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for
+        Relative error at most 4.55 * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.1754945e-38 <= tracking_index <= 3.4028235e38 (float32).
 
@@ -743,14 +761,14 @@ def predictor_gain_derivatives(
         finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 15.72 * 2^-52 (float64), 15.72 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 15.73 * 2^-52 (float64), 15.72 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <= 3.689349e19 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 14.86 * 2^-52 (float64), 14.87 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 14.87 * 2^-52 (float64), 14.87 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 3.2842287997601345e154 (float64) and 1e-45 <= tracking_index <=
         4.5185108e19 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 13.16 * 2^-52 (float64), 13.16 * 2^-23 (float32),
+        interval, gamma. Relative error at most 13.15 * 2^-52 (float64), 13.14 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <=
         tracking_index <= 3.689349e19 (float32).
 
@@ -922,7 +940,7 @@ def innovation_deviation(
         finite.
 
     innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
-        4.41 * 2^-52 (float64), 4.41 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        4.40 * 2^-52 (float64), 4.40 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1058,18 +1076,18 @@ def predicted_covariance(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         at most 2^511, in float32 above 0 and at most 2^63.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.58 *
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.56 *
         2^-52 (float64), 9.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 9.43 * 2^-52 (float64), 9.44 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 9.42 * 2^-52 (float64), 9.43 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
         error at most 4.91 * 2^-52 (float64), 4.91 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 6.703903964971299e153 (float64) and
         1.1754944e-38 <= tracking_index <= 9.223372e18 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        12.33 * 2^-52 (float64), 12.36 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        12.32 * 2^-52 (float64), 12.31 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
         tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
         9.223372e18 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
@@ -1077,7 +1095,7 @@ def predicted_covariance(
         1.0832677820940206e-231 <= tracking_index <= 6.703903964971299e153 (float64) and
         2.122721e-29 <= tracking_index <= 9.223372e18 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
-        5.93 * 2^-52 (float64), 5.93 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        5.92 * 2^-52 (float64), 5.92 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
         tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
         9.223372e18 (float32).
 
@@ -1501,16 +1519,16 @@ def updated_covariance(
         at most 4.56 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308
         <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
         9.223372e18 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 42.28 *
-        2^-52 (float64), 42.29 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
-        9.223372e18 (float32).
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 6.26 *
+        2^-52 (float64), 6.26 * 2^-23 (float32), proved for 7.416912861690675e-309 <= tracking_index
+        <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <= 9.223372e18
+        (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
-        at most 18.48 * 2^-52 (float64), 18.47 * 2^-23 (float32), proved for 1.0832677820940206e-231
+        at most 4.76 * 2^-52 (float64), 4.76 * 2^-23 (float32), proved for 1.0832677820940206e-231
         <= tracking_index <= 6.703903964971299e153 (float64) and 2.122721e-29 <= tracking_index <=
         9.223372e18 (float32).
     updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
-        9.23 * 2^-52 (float64), 9.22 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        4.76 * 2^-52 (float64), 4.76 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
         tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
         9.223372e18 (float32).
 
@@ -1530,7 +1548,7 @@ def updated_covariance(
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1, w2, w3 = work
     p = np.sqrt(tracking_index, updated_13)
     r = np.sqrt(p, updated_11)
     t4 = np.divide(1.0, p, updated_12)
@@ -1539,116 +1557,1480 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: 
     t9 = np.multiply(p, 0.5, w1)
     t11 = np.multiply(tracking_index, 0.0625, w2)
     t12 = np.multiply(p, r, w3)
-    t13 = np.multiply(t12, 1.0, w4)
-    t15 = np.divide(8.0, r, updated_22)
-    t16 = np.add(t13, t15, w4)
-    t17 = near_cbrt(t16, w4, single)
-    t20 = np.multiply(t7, t17, updated_22)
-    t21 = np.add(t20, t11, updated_22)
-    t22 = np.sqrt(t21, updated_23)
-    t23 = np.multiply(t22, 2.0, updated_22)
-    t24 = np.add(t23, t9, updated_22)
-    t25 = np.sqrt(t24, updated_33)
-    t26 = np.multiply(t7, 0.5, updated_22)
-    t27 = np.multiply(t22, t25, updated_23)
-    t28 = np.multiply(t25, t27, updated_33)
-    t29 = np.multiply(t26, t17, w4)
-    t30 = np.subtract(t28, t29, updated_33)
-    t31 = np.subtract(t27, t26, updated_23)
-    t32 = np.divide(t30, t31, updated_33)
-    t34 = np.multiply(t7, t32, w4)
-    t35 = np.add(t34, t11, w4)
-    t36 = np.sqrt(t35, w4)
-    t37 = np.multiply(t36, 2.0, updated_23)
-    t38 = np.add(t37, t9, updated_23)
-    t39 = np.sqrt(t38, updated_23)
-    t40 = np.multiply(t36, t39, w4)
-    t41 = np.multiply(t39, t40, updated_23)
-    t42 = np.multiply(t26, t32, updated_33)
-    t43 = np.subtract(t41, t42, updated_23)
-    t44 = np.subtract(t40, t26, w4)
-    t45 = np.divide(t43, t44, updated_23)
-    t47 = np.multiply(t7, t45, w4)
-    t48 = np.add(t47, t11, w4)
-    t49 = np.sqrt(t48, w4)
-    t50 = np.multiply(t49, 2.0, updated_33)
-    t51 = np.add(t50, t9, updated_33)
-    t52 = np.sqrt(t51, updated_33)
-    t53 = np.multiply(t49, t52, w4)
-    t54 = np.multiply(t52, t53, updated_33)
-    t55 = np.multiply(t26, t45, updated_23)
-    t56 = np.subtract(t54, t55, updated_33)
-    t57 = np.subtract(t53, t26, w4)
-    t58 = np.divide(t56, t57, updated_33)
-    t60 = np.multiply(t7, t58, w4)
-    t61 = np.add(t60, t11, w4)
-    t62 = np.sqrt(t61, w4)
-    t63 = np.multiply(t62, 2.0, updated_23)
-    t64 = np.add(t63, t9, updated_23)
-    t65 = np.sqrt(t64, updated_23)
-    t66 = np.multiply(t62, t65, w4)
-    t67 = np.multiply(t65, t66, updated_23)
-    t68 = np.multiply(t26, t58, updated_33)
-    t69 = np.subtract(t67, t68, updated_23)
-    t70 = np.subtract(t66, t26, w4)
-    t71 = np.divide(t69, t70, updated_23)
+    t13 = np.multiply(t12, 1.0, w3)
+    t15 = np.divide(8.0, r, updated_33)
+    t16 = np.add(t13, t15, w3)
+    t17 = near_cbrt(t16, w3, single)
+    t20 = np.multiply(t7, t17, updated_33)
+    t21 = np.add(t20, t11, updated_33)
+    t22 = np.sqrt(t21, updated_22)
+    t23 = np.multiply(t22, 2.0, updated_33)
+    t24 = np.add(t23, t9, updated_33)
+    t25 = np.sqrt(t24, updated_23)
+    t26 = np.multiply(t7, 0.5, updated_33)
+    t27 = np.multiply(t22, t25, updated_22)
+    t28 = np.multiply(t25, t27, updated_23)
+    t29 = np.multiply(t26, t17, w3)
+    t30 = np.subtract(t28, t29, updated_23)
+    t31 = np.subtract(t27, t26, updated_22)
+    t32 = np.divide(t30, t31, updated_23)
+    t34 = np.multiply(t7, t32, w3)
+    t35 = np.add(t34, t11, w3)
+    t36 = np.sqrt(t35, w3)
+    t37 = np.multiply(t36, 2.0, updated_22)
+    t38 = np.add(t37, t9, updated_22)
+    t39 = np.sqrt(t38, updated_22)
+    t40 = np.multiply(t36, t39, w3)
+    t41 = np.multiply(t39, t40, updated_22)
+    t42 = np.multiply(t26, t32, updated_23)
+    t43 = np.subtract(t41, t42, updated_22)
+    t44 = np.subtract(t40, t26, w3)
+    t45 = np.divide(t43, t44, updated_22)
+    t47 = np.multiply(t7, t45, w3)
+    t48 = np.add(t47, t11, w3)
+    t49 = np.sqrt(t48, w3)
+    t50 = np.multiply(t49, 2.0, updated_23)
+    t51 = np.add(t50, t9, updated_23)
+    t52 = np.sqrt(t51, updated_23)
+    t53 = np.multiply(t49, t52, w3)
+    t54 = np.multiply(t52, t53, updated_23)
+    t55 = np.multiply(t26, t45, updated_22)
+    t56 = np.subtract(t54, t55, updated_23)
+    t57 = np.subtract(t53, t26, w3)
+    t58 = np.divide(t56, t57, updated_23)
+    t60 = np.multiply(t7, t58, w3)
+    t61 = np.add(t60, t11, w3)
+    t62 = np.sqrt(t61, w3)
+    t63 = np.multiply(t62, 2.0, updated_22)
+    t64 = np.add(t63, t9, updated_22)
+    t65 = np.sqrt(t64, updated_22)
+    t66 = np.multiply(t62, t65, w3)
+    t67 = np.multiply(t65, t66, updated_22)
+    t68 = np.multiply(t26, t58, updated_23)
+    t69 = np.subtract(t67, t68, updated_22)
+    t70 = np.subtract(t66, t26, w3)
+    t71 = np.divide(t69, t70, updated_22)
     t73 = np.multiply(t7, t71, w0)
     t74 = np.add(t73, t11, w0)
     e = np.sqrt(t74, w0)
     t76 = np.multiply(e, 2.0, w2)
     t77 = np.add(t76, t9, w2)
     x = np.sqrt(t77, w2)
-    t79 = np.multiply(e, x, w1)
-    t80 = np.multiply(x, p, w4)
-    t82 = np.multiply(t80, 0.25, w4)
-    t83 = np.multiply(e, r, updated_22)
-    t84 = np.multiply(t83, 1.0, updated_22)
-    t85 = np.multiply(t12, 0.25, w3)
-    t86 = np.add(t79, t82, w1)
-    t87 = np.add(t86, t84, w1)
-    t88 = np.add(t87, t85, w1)
-    t89 = np.multiply(x, 8.0, w3)
-    t90 = np.divide(t89, t4, w3)
-    t91 = np.divide(t90, t88, w3)
-    t92 = np.divide(t91, tracking_index, w1)
-    t93 = np.multiply(t91, 0.5, w4)
-    t94 = np.add(t93, tracking_index, w4)
-    t95 = np.multiply(t92, 0.125, updated_22)
-    t96 = np.add(t95, 0.25, updated_22)
-    t97 = np.multiply(t91, t96, updated_23)
-    t98 = np.multiply(e, 0.5, updated_22)
-    t99 = np.add(t4, t98, updated_12)
-    t100 = np.multiply(x, r, updated_22)
-    t101 = np.multiply(t100, 0.25, updated_33)
-    t102 = np.multiply(p, 0.125, w5)
-    t103 = np.add(t101, t102, updated_33)
-    t104 = np.add(t99, t103, updated_33)
-    t105 = np.multiply(p, 0.25, w5)
-    t106 = np.add(e, t105, w0)
-    t111 = np.multiply(t92, 0.046875, w5)
-    t112 = np.add(t111, 0.25, w5)
-    t113 = np.multiply(t92, t112, w1)
-    t115 = np.add(t113, 0.4375, w1)
-    t116 = np.multiply(r, 0.5, updated_11)
-    t117 = np.divide(t116, x, updated_11)
-    t118 = np.multiply(t91, t117, w2)
-    t119 = np.multiply(t91, t115, w3)
-    t120 = np.multiply(tracking_index, 0.25, w1)
-    t121 = np.add(t119, t120, w3)
-    np.divide(t106, t104, updated_11)
-    np.divide(t100, t104, updated_12)
-    np.divide(p, t104, updated_13)
-    np.multiply(t118, t121, updated_22)
-    np.multiply(tracking_index, t97, updated_23)
-    np.multiply(tracking_index, t94, updated_33)
+    t79 = np.multiply(e, 0.5, w1)
+    t80 = np.add(t4, t79, updated_12)
+    t81 = np.multiply(x, r, w1)
+    t83 = np.multiply(t81, 0.25, w3)
+    t84 = np.multiply(p, 0.125, updated_22)
+    t85 = np.add(t83, t84, w3)
+    t86 = np.add(t80, t85, w3)
+    t87 = np.multiply(p, 0.25, updated_12)
+    t88 = np.add(e, t87, w0)
+    t92 = np.divide(x, r, updated_12)
+    t93 = np.multiply(t92, tracking_index, updated_22)
+    t95 = np.add(x, r, updated_12)
+    t96 = np.divide(8.0, t95, updated_23)
+    t97 = np.divide(t96, x, updated_23)
+    t98 = np.divide(t97, t81, updated_23)
+    t99 = np.add(t98, 2.0, updated_23)
+    t100 = np.divide(x, t95, w2)
+    t101 = np.multiply(t99, t100, updated_23)
+    t103 = np.divide(r, t95, updated_11)
+    t105 = np.multiply(t103, 4.0, w2)
+    np.divide(t88, t86, updated_11)
+    np.divide(t81, t86, updated_12)
+    np.divide(p, t86, updated_13)
+    np.multiply(tracking_index, t93, updated_33)
+    np.multiply(tracking_index, t101, updated_22)
+    np.multiply(tracking_index, t105, updated_23)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
     (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    6,
+    4,
     _updated_covariance_block,
+)
+
+
+class UpdatedCovarianceDerivatives(NamedTuple):
+    """Result of `updated_covariance_derivatives`."""
+
+    updated_11: Real
+    """Derivative of the variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Derivative of the covariance of updated position and velocity times T/sigma_v^2."""
+    updated_13: Real
+    """Derivative of the covariance of updated position and acceleration times T^2/sigma_v^2."""
+    updated_22: Real
+    """Derivative of the variance of the updated velocity times T^2/sigma_v^2."""
+    updated_23: Real
+    """Derivative of the covariance of updated velocity and acceleration times T^3/sigma_v^2."""
+    updated_33: Real
+    """Derivative of the variance of the updated acceleration times T^4/sigma_v^2."""
+
+
+def updated_covariance_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> UpdatedCovarianceDerivatives:
+    """First derivatives of the updated covariance.
+
+        delta = 8/Lambda,
+        xi = sqrt(2 + 2 eta), eta = sqrt(1 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
+        at most 2^1000, in float32 above 0 and at most 2^120.
+
+    updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
+        most 14.71 * 2^-52 (float64), 14.71 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        <= 7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.7960925e12 (float32).
+    updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
+        Relative error at most 15.78 * 2^-52 (float64), 15.79 * 2^-23 (float32), proved for 5e-324
+        <= tracking_index <= 1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <=
+        2.6087635e19 (float32).
+    updated_13: derivative of the covariance of updated position and acceleration times
+        T^2/sigma_v^2. Relative error at most 13.16 * 2^-52 (float64), 13.16 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <=
+        tracking_index <= 3.689349e19 (float32).
+    updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
+        error at most 9.24 * 2^-52 (float64), 9.23 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+    updated_23: derivative of the covariance of updated velocity and acceleration times
+        T^3/sigma_v^2. Relative error at most 8.64 * 2^-52 (float64), 8.64 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
+        <= 1.329228e36 (float32).
+    updated_33: derivative of the variance of the updated acceleration times T^4/sigma_v^2. Relative
+        error at most 7.63 * 2^-52 (float64), 7.63 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation acceleration-increments
+    """
+    return UpdatedCovarianceDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    p = np.sqrt(tracking_index, updated_11)
+    r = np.sqrt(p, updated_12)
+    t4 = np.divide(1.0, p, updated_13)
+    t5 = np.multiply(t4, r, w0)
+    t7 = np.multiply(t5, 2.0, w0)
+    t9 = np.multiply(p, 0.5, w1)
+    t11 = np.multiply(tracking_index, 0.0625, w2)
+    t12 = np.multiply(p, r, w3)
+    t13 = np.multiply(t12, 1.0, w4)
+    t15 = np.divide(8.0, r, updated_33)
+    t16 = np.add(t13, t15, w4)
+    t17 = near_cbrt(t16, w4, single)
+    t20 = np.multiply(t7, t17, updated_33)
+    t21 = np.add(t20, t11, updated_33)
+    t22 = np.sqrt(t21, updated_22)
+    t23 = np.multiply(t22, 2.0, updated_33)
+    t24 = np.add(t23, t9, updated_33)
+    t25 = np.sqrt(t24, updated_23)
+    t26 = np.multiply(t7, 0.5, updated_33)
+    t27 = np.multiply(t22, t25, updated_22)
+    t28 = np.multiply(t25, t27, updated_23)
+    t29 = np.multiply(t26, t17, w4)
+    t30 = np.subtract(t28, t29, updated_23)
+    t31 = np.subtract(t27, t26, updated_22)
+    t32 = np.divide(t30, t31, updated_23)
+    t34 = np.multiply(t7, t32, w4)
+    t35 = np.add(t34, t11, w4)
+    t36 = np.sqrt(t35, w4)
+    t37 = np.multiply(t36, 2.0, updated_22)
+    t38 = np.add(t37, t9, updated_22)
+    t39 = np.sqrt(t38, updated_22)
+    t40 = np.multiply(t36, t39, w4)
+    t41 = np.multiply(t39, t40, updated_22)
+    t42 = np.multiply(t26, t32, updated_23)
+    t43 = np.subtract(t41, t42, updated_22)
+    t44 = np.subtract(t40, t26, w4)
+    t45 = np.divide(t43, t44, updated_22)
+    t47 = np.multiply(t7, t45, w4)
+    t48 = np.add(t47, t11, w4)
+    t49 = np.sqrt(t48, w4)
+    t50 = np.multiply(t49, 2.0, updated_23)
+    t51 = np.add(t50, t9, updated_23)
+    t52 = np.sqrt(t51, updated_23)
+    t53 = np.multiply(t49, t52, w4)
+    t54 = np.multiply(t52, t53, updated_23)
+    t55 = np.multiply(t26, t45, updated_22)
+    t56 = np.subtract(t54, t55, updated_23)
+    t57 = np.subtract(t53, t26, w4)
+    t58 = np.divide(t56, t57, updated_23)
+    t60 = np.multiply(t7, t58, w4)
+    t61 = np.add(t60, t11, w4)
+    t62 = np.sqrt(t61, w4)
+    t63 = np.multiply(t62, 2.0, updated_22)
+    t64 = np.add(t63, t9, updated_22)
+    t65 = np.sqrt(t64, updated_22)
+    t66 = np.multiply(t62, t65, w4)
+    t67 = np.multiply(t65, t66, updated_22)
+    t68 = np.multiply(t26, t58, updated_23)
+    t69 = np.subtract(t67, t68, updated_22)
+    t70 = np.subtract(t66, t26, w4)
+    t71 = np.divide(t69, t70, updated_22)
+    t73 = np.multiply(t7, t71, w0)
+    t74 = np.add(t73, t11, w0)
+    e = np.sqrt(t74, w0)
+    t76 = np.multiply(e, 2.0, w2)
+    t77 = np.add(t76, t9, w2)
+    x = np.sqrt(t77, w2)
+    t79 = np.square(e, w1)
+    t81 = np.multiply(t79, 0.75, w4)
+    t82 = np.multiply(p, e, updated_22)
+    t84 = np.multiply(t82, 0.25, updated_23)
+    t86 = np.multiply(tracking_index, 0.015625, updated_33)
+    t87 = np.add(t81, t84, w4)
+    t88 = np.add(t87, t86, w4)
+    t89 = np.multiply(t79, 0.25, w1)
+    t90 = np.multiply(t82, 0.125, updated_22)
+    t91 = np.add(t89, t90, w1)
+    t92 = np.add(t91, t86, w1)
+    t93 = np.multiply(x, r, updated_22)
+    t94 = np.multiply(p, 0.25, updated_23)
+    t95 = np.add(e, t94, updated_23)
+    t96 = np.divide(t95, t88, updated_33)
+    t97 = np.multiply(t93, 0.25, w5)
+    t98 = np.multiply(t96, t97, updated_33)
+    t99 = np.divide(x, t12, w3)
+    t100 = np.multiply(t95, 0.125, updated_23)
+    t101 = np.multiply(t93, t100, updated_23)
+    t102 = np.add(t92, t101, w1)
+    t103 = np.divide(t93, t88, updated_23)
+    t104 = np.multiply(x, 0.25, w6)
+    t105 = np.multiply(r, 0.5, w7)
+    t106 = np.add(x, t105, w7)
+    t107 = np.multiply(t104, t106, w6)
+    t108 = np.multiply(t103, t107, updated_23)
+    t109 = np.add(t108, 1.0, updated_23)
+    t110 = np.divide(t98, tracking_index, updated_33)
+    t111 = np.multiply(t110, 2.0, updated_33)
+    t112 = np.divide(t102, t88, w1)
+    t113 = np.divide(t99, t4, w3)
+    t114 = np.multiply(t112, t113, w1)
+    t115 = np.multiply(t114, 2.0, w1)
+    t116 = np.multiply(e, 0.5, w0)
+    t117 = np.add(t4, t116, updated_13)
+    t118 = np.multiply(p, 0.125, w0)
+    t119 = np.add(t97, t118, w5)
+    t120 = np.add(t117, t119, updated_13)
+    t121 = np.multiply(p, t120, updated_13)
+    t122 = np.divide(t111, t121, updated_33)
+    t124 = np.divide(t115, t121, w1)
+    t126 = np.divide(t109, t121, updated_23)
+    t128 = np.divide(r, x, w0)
+    t129 = np.multiply(t128, 0.5, w0)
+    t130 = np.square(t129, w3)
+    t131 = np.multiply(t129, 8.0, w4)
+    t133 = np.add(t131, 4.0, w4)
+    t134 = np.multiply(t130, t133, w3)
+    t135 = np.add(x, r, w4)
+    t136 = np.divide(8.0, t135, w5)
+    t137 = np.divide(t136, x, w5)
+    t138 = np.divide(t137, t93, w5)
+    t140 = np.multiply(t138, 7.0, w6)
+    t141 = np.add(t140, 2.0, w6)
+    t142 = np.add(t134, t141, w3)
+    t143 = np.divide(x, r, w6)
+    t144 = np.multiply(t143, tracking_index, w6)
+    t145 = np.multiply(t129, 2.0, w7)
+    t146 = np.add(t145, 1.0, w7)
+    t147 = np.multiply(t138, t146, w7)
+    t148 = np.add(t147, 4.0, updated_11)
+    t149 = np.add(t147, 2.0, w7)
+    t150 = np.divide(t148, t149, updated_22)
+    t152 = np.divide(t142, t149, w3)
+    t153 = np.divide(x, t135, w2)
+    t155 = np.add(t129, 1.0, w0)
+    t156 = np.multiply(t138, t155, w5)
+    t157 = np.add(t156, 1.0, w5)
+    t158 = np.divide(t157, t149, w5)
+    t159 = np.multiply(t158, 2.0, w5)
+    t160 = np.divide(r, t135, updated_12)
+    t161 = np.multiply(t160, 4.0, w0)
+    np.divide(t122, t121, updated_11)
+    np.divide(t124, t121, updated_12)
+    np.divide(t126, t121, updated_13)
+    np.multiply(t144, t150, updated_33)
+    np.multiply(t152, t153, updated_22)
+    np.multiply(t159, t161, updated_23)
+
+
+_UPDATED_COVARIANCE_DERIVATIVES = Signature(
+    "updated_covariance_derivatives",
+    (_TRACKING_INDEX_DOMAIN_3,),
+    ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
+    8,
+    _updated_covariance_derivatives_block,
+)
+
+
+class GainSecondDerivatives(NamedTuple):
+    """Result of `gain_second_derivatives`."""
+
+    alpha: Real
+    """Second derivative by Lambda of the position gain."""
+    beta: Real
+    """Second derivative by Lambda of the velocity gain times the sampling interval."""
+    gamma: Real
+    """Second derivative by Lambda of the acceleration gain times the square of the sampling
+    interval."""
+
+
+def gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> GainSecondDerivatives:
+    """Second derivatives of the filter gain, all negative.
+
+        delta = 8/Lambda,
+        xi = sqrt(2 + 2 eta), eta = sqrt(1 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
+        finite.
+
+    alpha: second derivative by Lambda of the position gain. Relative error at most 22.93 * 2^-52
+        (float64), 22.93 * 2^-23 (float32), proved for 6.8526910636410875e-186 <= tracking_index <=
+        1.8122441335979363e77 (float64) and 4.6731686e-24 <= tracking_index <= 6.721987e09
+        (float32).
+    beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
+        error at most 28.95 * 2^-52 (float64), 28.95 * 2^-23 (float32), proved for
+        3.506117298415883e-232 <= tracking_index <= 8.958978968711217e102 (float64) and 6.87103e-30
+        <= tracking_index <= 1.1082382e13 (float32).
+    gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
+        interval. Relative error at most 26.44 * 2^-52 (float64), 26.43 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45 <= tracking_index
+        <= 1.3962927e13 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation acceleration-increments
+    """
+    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+
+
+def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta, gamma = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14 = work
+    p = np.sqrt(tracking_index, alpha)
+    r = np.sqrt(p, beta)
+    t4 = np.divide(1.0, p, gamma)
+    t5 = np.multiply(t4, r, w0)
+    t7 = np.multiply(t5, 2.0, w0)
+    t9 = np.multiply(p, 0.5, w1)
+    t11 = np.multiply(tracking_index, 0.0625, w2)
+    t12 = np.multiply(p, r, w3)
+    t13 = np.multiply(t12, 1.0, w3)
+    t15 = np.divide(8.0, r, w4)
+    t16 = np.add(t13, t15, w3)
+    t17 = near_cbrt(t16, w3, single)
+    t20 = np.multiply(t7, t17, w4)
+    t21 = np.add(t20, t11, w4)
+    t22 = np.sqrt(t21, w4)
+    t23 = np.multiply(t22, 2.0, w5)
+    t24 = np.add(t23, t9, w5)
+    t25 = np.sqrt(t24, w5)
+    t26 = np.multiply(t7, 0.5, w6)
+    t27 = np.multiply(t22, t25, w4)
+    t28 = np.multiply(t25, t27, w5)
+    t29 = np.multiply(t26, t17, w3)
+    t30 = np.subtract(t28, t29, w5)
+    t31 = np.subtract(t27, t26, w4)
+    t32 = np.divide(t30, t31, w5)
+    t34 = np.multiply(t7, t32, w3)
+    t35 = np.add(t34, t11, w3)
+    t36 = np.sqrt(t35, w3)
+    t37 = np.multiply(t36, 2.0, w4)
+    t38 = np.add(t37, t9, w4)
+    t39 = np.sqrt(t38, w4)
+    t40 = np.multiply(t36, t39, w3)
+    t41 = np.multiply(t39, t40, w4)
+    t42 = np.multiply(t26, t32, w5)
+    t43 = np.subtract(t41, t42, w4)
+    t44 = np.subtract(t40, t26, w3)
+    t45 = np.divide(t43, t44, w4)
+    t47 = np.multiply(t7, t45, w3)
+    t48 = np.add(t47, t11, w3)
+    t49 = np.sqrt(t48, w3)
+    t50 = np.multiply(t49, 2.0, w5)
+    t51 = np.add(t50, t9, w5)
+    t52 = np.sqrt(t51, w5)
+    t53 = np.multiply(t49, t52, w3)
+    t54 = np.multiply(t52, t53, w5)
+    t55 = np.multiply(t26, t45, w4)
+    t56 = np.subtract(t54, t55, w5)
+    t57 = np.subtract(t53, t26, w3)
+    t58 = np.divide(t56, t57, w5)
+    t60 = np.multiply(t7, t58, w3)
+    t61 = np.add(t60, t11, w3)
+    t62 = np.sqrt(t61, w3)
+    t63 = np.multiply(t62, 2.0, w4)
+    t64 = np.add(t63, t9, w4)
+    t65 = np.sqrt(t64, w4)
+    t66 = np.multiply(t62, t65, w3)
+    t67 = np.multiply(t65, t66, w4)
+    t68 = np.multiply(t26, t58, w5)
+    t69 = np.subtract(t67, t68, w4)
+    t70 = np.subtract(t66, t26, w3)
+    t71 = np.divide(t69, t70, w4)
+    t73 = np.multiply(t7, t71, w0)
+    t74 = np.add(t73, t11, w0)
+    e = np.sqrt(t74, w0)
+    t76 = np.multiply(e, 2.0, w2)
+    t77 = np.add(t76, t9, w2)
+    x = np.sqrt(t77, w2)
+    t79 = np.multiply(e, 0.5, w1)
+    t80 = np.add(t4, t79, w1)
+    t81 = np.multiply(x, r, w3)
+    t83 = np.multiply(t81, 0.25, w4)
+    t84 = np.multiply(p, 0.125, w5)
+    t85 = np.add(t83, t84, w4)
+    t86 = np.add(t80, t85, w1)
+    t87 = np.multiply(p, t86, w4)
+    t88 = np.divide(x, r, w5)
+    t89 = np.multiply(t88, 2.0, w5)
+    t90 = np.multiply(p, 0.25, w6)
+    t91 = np.divide(t90, e, w6)
+    t92 = np.multiply(t91, 1.0, w7)
+    t93 = np.add(t92, 1.0, w8)
+    t94 = np.multiply(t93, t91, w9)
+    t96 = np.add(t92, 4.0, w7)
+    t97 = np.multiply(t91, t96, w7)
+    t99 = np.add(t97, 3.0, w7)
+    t100 = np.divide(t94, t99, w9)
+    t101 = np.multiply(t100, 2.0, w9)
+    t102 = np.multiply(t101, t89, w10)
+    t103 = np.multiply(t101, t102, w11)
+    t104 = np.multiply(t103, 2.0, w11)
+    t105 = np.divide(t91, t99, w12)
+    t106 = np.multiply(t91, 2.0, w13)
+    t107 = np.add(t106, 2.0, w13)
+    t108 = np.divide(t107, t99, w14)
+    t109 = np.multiply(t105, t108, w12)
+    t110 = np.divide(t109, t99, w12)
+    t112 = np.multiply(t91, 0.75, w14)
+    t113 = np.add(t112, 2.0, w14)
+    t114 = np.multiply(t91, t113, w14)
+    t116 = np.add(t114, 2.5, w14)
+    t117 = np.multiply(t91, t116, w14)
+    t118 = np.add(t117, 2.0, w14)
+    t119 = np.multiply(t91, t118, w14)
+    t120 = np.add(t119, 0.75, w14)
+    t121 = np.multiply(t120, 8.0, w14)
+    t122 = np.multiply(t110, t121, w12)
+    t123 = np.add(t104, t122, w11)
+    t124 = np.multiply(t89, t123, w11)
+    t125 = np.divide(t81, t86, w3)
+    t126 = np.divide(t125, tracking_index, w12)
+    t127 = np.multiply(t126, 0.5, w12)
+    t128 = np.divide(x, e, w2)
+    t129 = np.multiply(e, t99, w14)
+    t130 = np.divide(t128, t129, w2)
+    t131 = np.divide(t130, r, w2)
+    t132 = np.multiply(t131, 2.0, w2)
+    t133 = np.divide(e, t86, w1)
+    t134 = np.multiply(t132, t133, w1)
+    t135 = np.multiply(t91, 2.5, w14)
+    t137 = np.add(t135, 9.0, w14)
+    t138 = np.multiply(t91, t137, w14)
+    t140 = np.add(t138, 12.0, w14)
+    t141 = np.multiply(t91, t140, w14)
+    t143 = np.add(t141, 7.0, w14)
+    t144 = np.multiply(t91, t143, w14)
+    t146 = np.add(t144, 1.5, w14)
+    t147 = np.multiply(t91, 3.0, beta)
+    t149 = np.add(t147, 6.0, beta)
+    t150 = np.multiply(t91, t149, beta)
+    t151 = np.add(t150, 3.0, beta)
+    t152 = np.divide(t151, t99, beta)
+    t153 = np.multiply(t152, 2.0, beta)
+    t154 = np.divide(t4, e, gamma)
+    t155 = np.multiply(t154, 2.0, gamma)
+    t156 = np.multiply(t155, t153, gamma)
+    t157 = np.multiply(t102, t93, w10)
+    t158 = np.multiply(t157, 2.0, w10)
+    t159 = np.divide(t93, t99, beta)
+    t160 = np.divide(t146, t99, w14)
+    t161 = np.multiply(t159, t160, beta)
+    t162 = np.multiply(t161, 4.0, beta)
+    t163 = np.add(t158, t162, w10)
+    t164 = np.add(t107, t156, gamma)
+    t165 = np.multiply(t132, t164, gamma)
+    t166 = np.add(t163, t165, w10)
+    t167 = np.multiply(t134, t166, w1)
+    t168 = np.multiply(t127, t167, w12)
+    t169 = np.divide(e, p, w0)
+    t170 = np.multiply(t169, 4.0, w0)
+    t171 = np.multiply(t99, 0.5, w1)
+    t172 = np.multiply(t170, t171, w0)
+    t173 = np.divide(t172, t107, w0)
+    t174 = np.multiply(t125, 0.25, w3)
+    t175 = np.add(t173, 1.0, w0)
+    t176 = np.add(t175, t89, w0)
+    t177 = np.multiply(t174, t176, w3)
+    t178 = np.multiply(t101, t177, w9)
+    t179 = np.multiply(t132, t91, w0)
+    t180 = np.add(t93, t107, w8)
+    t181 = np.multiply(t179, t180, w0)
+    t182 = np.divide(t181, t99, w0)
+    t183 = np.multiply(t182, 2.0, w0)
+    t184 = np.multiply(t107, t91, w13)
+    t185 = np.divide(t184, t99, w13)
+    t186 = np.multiply(t185, 2.0, w13)
+    t187 = np.square(t186, w13)
+    t188 = np.add(t183, t187, w0)
+    t189 = np.add(t178, t188, w9)
+    t190 = np.multiply(t89, t189, w5)
+    t191 = np.multiply(t132, t190, w2)
+    t192 = np.multiply(t124, 2.0, w11)
+    t193 = np.divide(t192, tracking_index, w11)
+    t194 = np.divide(t193, t87, w11)
+    t195 = np.divide(t194, t87, w11)
+    t196 = np.divide(t195, tracking_index, w11)
+    t197 = np.divide(t168, tracking_index, w12)
+    t198 = np.divide(t191, t87, w2)
+    t199 = np.divide(t198, tracking_index, w2)
+    np.negative(t196, alpha)
+    np.negative(t197, beta)
+    np.negative(t199, gamma)
+
+
+_GAIN_SECOND_DERIVATIVES = Signature(
+    "gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta", "gamma"),
+    15,
+    _gain_second_derivatives_block,
+)
+
+
+class PredictorGainSecondDerivatives(NamedTuple):
+    """Result of `predictor_gain_second_derivatives`."""
+
+    position: Real
+    """Second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2."""
+    velocity: Real
+    """Second derivative by Lambda of the velocity entry of F K times the sampling interval, beta +
+    gamma."""
+    acceleration: Real
+    """Second derivative by Lambda of the acceleration entry of F K times the square of the sampling
+    interval, gamma."""
+
+
+def predictor_gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictorGainSecondDerivatives:
+    """Second derivatives of the predictor gain.
+
+        delta = 8/Lambda,
+        xi = sqrt(2 + 2 eta), eta = sqrt(1 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
+        finite.
+
+    position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
+        Relative error at most 24.95 * 2^-52 (float64), 24.95 * 2^-23 (float32), proved for
+        6.852691063641282e-186 <= tracking_index <= 1.1287606188244725e103 (float64) and
+        4.673234e-24 <= tracking_index <= 1.3962927e13 (float32).
+    velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
+        beta + gamma. Relative error at most 29.45 * 2^-52 (float64), 29.45 * 2^-23 (float32),
+        proved for 3.5061172984158834e-232 <= tracking_index <= 1.292108356801686e103 (float64) and
+        6.8710304e-30 <= tracking_index <= 1.5983561e13 (float32).
+    acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
+        the sampling interval, gamma. Relative error at most 26.44 * 2^-52 (float64), 26.43 * 2^-23
+        (float32), proved for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45
+        <= tracking_index <= 1.3962927e13 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation acceleration-increments
+    """
+    return PredictorGainSecondDerivatives(
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predictor_gain_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    position, velocity, acceleration = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14 = work
+    p = np.sqrt(tracking_index, position)
+    r = np.sqrt(p, velocity)
+    t4 = np.divide(1.0, p, acceleration)
+    t5 = np.multiply(t4, r, w0)
+    t7 = np.multiply(t5, 2.0, w0)
+    t9 = np.multiply(p, 0.5, w1)
+    t11 = np.multiply(tracking_index, 0.0625, w2)
+    t12 = np.multiply(p, r, w3)
+    t13 = np.multiply(t12, 1.0, w3)
+    t15 = np.divide(8.0, r, w4)
+    t16 = np.add(t13, t15, w3)
+    t17 = near_cbrt(t16, w3, single)
+    t20 = np.multiply(t7, t17, w4)
+    t21 = np.add(t20, t11, w4)
+    t22 = np.sqrt(t21, w4)
+    t23 = np.multiply(t22, 2.0, w5)
+    t24 = np.add(t23, t9, w5)
+    t25 = np.sqrt(t24, w5)
+    t26 = np.multiply(t7, 0.5, w6)
+    t27 = np.multiply(t22, t25, w4)
+    t28 = np.multiply(t25, t27, w5)
+    t29 = np.multiply(t26, t17, w3)
+    t30 = np.subtract(t28, t29, w5)
+    t31 = np.subtract(t27, t26, w4)
+    t32 = np.divide(t30, t31, w5)
+    t34 = np.multiply(t7, t32, w3)
+    t35 = np.add(t34, t11, w3)
+    t36 = np.sqrt(t35, w3)
+    t37 = np.multiply(t36, 2.0, w4)
+    t38 = np.add(t37, t9, w4)
+    t39 = np.sqrt(t38, w4)
+    t40 = np.multiply(t36, t39, w3)
+    t41 = np.multiply(t39, t40, w4)
+    t42 = np.multiply(t26, t32, w5)
+    t43 = np.subtract(t41, t42, w4)
+    t44 = np.subtract(t40, t26, w3)
+    t45 = np.divide(t43, t44, w4)
+    t47 = np.multiply(t7, t45, w3)
+    t48 = np.add(t47, t11, w3)
+    t49 = np.sqrt(t48, w3)
+    t50 = np.multiply(t49, 2.0, w5)
+    t51 = np.add(t50, t9, w5)
+    t52 = np.sqrt(t51, w5)
+    t53 = np.multiply(t49, t52, w3)
+    t54 = np.multiply(t52, t53, w5)
+    t55 = np.multiply(t26, t45, w4)
+    t56 = np.subtract(t54, t55, w5)
+    t57 = np.subtract(t53, t26, w3)
+    t58 = np.divide(t56, t57, w5)
+    t60 = np.multiply(t7, t58, w3)
+    t61 = np.add(t60, t11, w3)
+    t62 = np.sqrt(t61, w3)
+    t63 = np.multiply(t62, 2.0, w4)
+    t64 = np.add(t63, t9, w4)
+    t65 = np.sqrt(t64, w4)
+    t66 = np.multiply(t62, t65, w3)
+    t67 = np.multiply(t65, t66, w4)
+    t68 = np.multiply(t26, t58, w5)
+    t69 = np.subtract(t67, t68, w4)
+    t70 = np.subtract(t66, t26, w3)
+    t71 = np.divide(t69, t70, w4)
+    t73 = np.multiply(t7, t71, w0)
+    t74 = np.add(t73, t11, w0)
+    e = np.sqrt(t74, w0)
+    t76 = np.multiply(e, 2.0, w2)
+    t77 = np.add(t76, t9, w2)
+    x = np.sqrt(t77, w2)
+    t79 = np.multiply(e, 0.5, w1)
+    t80 = np.add(t4, t79, w1)
+    t81 = np.multiply(x, r, w3)
+    t83 = np.multiply(t81, 0.25, w4)
+    t84 = np.multiply(p, 0.125, w5)
+    t85 = np.add(t83, t84, w4)
+    t86 = np.add(t80, t85, w1)
+    t87 = np.multiply(p, t86, w4)
+    t88 = np.divide(x, r, w5)
+    t89 = np.multiply(t88, 2.0, w5)
+    t90 = np.multiply(p, 0.25, w6)
+    t91 = np.divide(t90, e, w6)
+    t92 = np.multiply(t91, 1.0, w7)
+    t93 = np.add(t92, 1.0, w8)
+    t94 = np.multiply(t93, t91, w9)
+    t96 = np.add(t92, 4.0, w7)
+    t97 = np.multiply(t91, t96, w7)
+    t99 = np.add(t97, 3.0, w7)
+    t100 = np.divide(t94, t99, w9)
+    t101 = np.multiply(t100, 2.0, w9)
+    t102 = np.multiply(t101, t89, w10)
+    t103 = np.multiply(t101, t102, w11)
+    t104 = np.multiply(t103, 2.0, w11)
+    t105 = np.divide(t91, t99, w12)
+    t106 = np.multiply(t91, 2.0, w13)
+    t107 = np.add(t106, 2.0, w13)
+    t108 = np.divide(t107, t99, w14)
+    t109 = np.multiply(t105, t108, w12)
+    t110 = np.divide(t109, t99, w12)
+    t112 = np.multiply(t91, 0.75, w14)
+    t113 = np.add(t112, 2.0, w14)
+    t114 = np.multiply(t91, t113, w14)
+    t116 = np.add(t114, 2.5, w14)
+    t117 = np.multiply(t91, t116, w14)
+    t118 = np.add(t117, 2.0, w14)
+    t119 = np.multiply(t91, t118, w14)
+    t120 = np.add(t119, 0.75, w14)
+    t121 = np.multiply(t120, 8.0, w14)
+    t122 = np.multiply(t110, t121, w12)
+    t123 = np.add(t104, t122, w11)
+    t124 = np.multiply(t89, t123, w11)
+    t125 = np.divide(t81, t86, w3)
+    t126 = np.divide(t125, tracking_index, w12)
+    t127 = np.multiply(t126, 0.5, w12)
+    t128 = np.divide(x, e, w2)
+    t129 = np.multiply(e, t99, w14)
+    t130 = np.divide(t128, t129, w2)
+    t131 = np.divide(t130, r, w2)
+    t132 = np.multiply(t131, 2.0, w2)
+    t133 = np.divide(e, t86, w1)
+    t134 = np.multiply(t132, t133, w1)
+    t135 = np.multiply(t91, 2.5, w14)
+    t137 = np.add(t135, 9.0, w14)
+    t138 = np.multiply(t91, t137, w14)
+    t140 = np.add(t138, 12.0, w14)
+    t141 = np.multiply(t91, t140, w14)
+    t143 = np.add(t141, 7.0, w14)
+    t144 = np.multiply(t91, t143, w14)
+    t146 = np.add(t144, 1.5, w14)
+    t147 = np.multiply(t91, 3.0, velocity)
+    t149 = np.add(t147, 6.0, velocity)
+    t150 = np.multiply(t91, t149, velocity)
+    t151 = np.add(t150, 3.0, velocity)
+    t152 = np.divide(t151, t99, velocity)
+    t153 = np.multiply(t152, 2.0, velocity)
+    t154 = np.divide(t4, e, acceleration)
+    t155 = np.multiply(t154, 2.0, acceleration)
+    t156 = np.multiply(t155, t153, acceleration)
+    t157 = np.multiply(t102, t93, w10)
+    t158 = np.multiply(t157, 2.0, w10)
+    t159 = np.divide(t93, t99, velocity)
+    t160 = np.divide(t146, t99, w14)
+    t161 = np.multiply(t159, t160, velocity)
+    t162 = np.multiply(t161, 4.0, velocity)
+    t163 = np.add(t158, t162, w10)
+    t164 = np.add(t107, t156, acceleration)
+    t165 = np.multiply(t132, t164, acceleration)
+    t166 = np.add(t163, t165, w10)
+    t167 = np.multiply(t134, t166, w1)
+    t168 = np.multiply(t127, t167, w12)
+    t169 = np.divide(e, p, w0)
+    t170 = np.multiply(t169, 4.0, w0)
+    t171 = np.multiply(t99, 0.5, w1)
+    t172 = np.multiply(t170, t171, w0)
+    t173 = np.divide(t172, t107, w0)
+    t174 = np.multiply(t125, 0.25, w3)
+    t175 = np.add(t173, 1.0, w0)
+    t176 = np.add(t175, t89, w0)
+    t177 = np.multiply(t174, t176, w3)
+    t178 = np.multiply(t101, t177, w9)
+    t179 = np.multiply(t132, t91, w0)
+    t180 = np.add(t93, t107, w8)
+    t181 = np.multiply(t179, t180, w0)
+    t182 = np.divide(t181, t99, w0)
+    t183 = np.multiply(t182, 2.0, w0)
+    t184 = np.multiply(t107, t91, w13)
+    t185 = np.divide(t184, t99, w13)
+    t186 = np.multiply(t185, 2.0, w13)
+    t187 = np.square(t186, w13)
+    t188 = np.add(t183, t187, w0)
+    t189 = np.add(t178, t188, w9)
+    t190 = np.multiply(t89, t189, w5)
+    t191 = np.multiply(t132, t190, w2)
+    t192 = np.multiply(t124, 2.0, w11)
+    t193 = np.divide(t192, tracking_index, w11)
+    t194 = np.divide(t193, t87, w11)
+    t195 = np.divide(t194, t87, w11)
+    t196 = np.divide(t195, tracking_index, w11)
+    t197 = np.divide(t168, tracking_index, w12)
+    t198 = np.divide(t191, t87, w2)
+    t199 = np.divide(t198, tracking_index, w2)
+    t200 = np.multiply(t199, 0.5, w0)
+    t201 = np.add(t197, t200, w0)
+    t202 = np.add(t196, t201, w11)
+    t204 = np.add(t197, t199, w12)
+    np.negative(t202, position)
+    np.negative(t204, velocity)
+    np.negative(t199, acceleration)
+
+
+_PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
+    "predictor_gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("position", "velocity", "acceleration"),
+    15,
+    _predictor_gain_second_derivatives_block,
+)
+
+
+class PredictedCovarianceSecondDerivatives(NamedTuple):
+    """Result of `predicted_covariance_second_derivatives`."""
+
+    predicted_13: Real
+    """Second derivative by Lambda of the covariance of predicted position and acceleration times
+    T^2/sigma_v^2."""
+    predicted_22: Real
+    """Second derivative by Lambda of the variance of the predicted velocity times T^2/sigma_v^2."""
+    predicted_23: Real
+    """Second derivative by Lambda of the covariance of predicted velocity and acceleration times
+    T^3/sigma_v^2."""
+    predicted_33: Real
+    """Second derivative by Lambda of the variance of the predicted acceleration times
+    T^4/sigma_v^2."""
+
+
+def predicted_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> PredictedCovarianceSecondDerivatives:
+    """Second derivatives of the predicted covariance but for M11 and M12.
+
+        delta = 8/Lambda,
+        xi = sqrt(2 + 2 eta), eta = sqrt(1 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
+        at most 2^1000, in float32 above 0 and at most 2^120.
+
+    predicted_13: second derivative by Lambda of the covariance of predicted position and
+        acceleration times T^2/sigma_v^2. Relative error at most 15.90 * 2^-52 (float64), 15.90 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
+        1e-45 <= tracking_index <= 1.329228e36 (float32).
+    predicted_22: second derivative by Lambda of the variance of the predicted velocity times
+        T^2/sigma_v^2. Relative error at most 9.75 * 2^-52 (float64), 9.74 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
+        <= 1.329228e36 (float32).
+    predicted_23: second derivative by Lambda of the covariance of predicted velocity and
+        acceleration times T^3/sigma_v^2. Relative error at most 9.71 * 2^-52 (float64), 9.70 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
+        1e-45 <= tracking_index <= 1.329228e36 (float32).
+    predicted_33: second derivative by Lambda of the variance of the predicted acceleration times
+        T^4/sigma_v^2. Relative error at most 8.36 * 2^-52 (float64), 8.36 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
+        <= 1.329228e36 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation acceleration-increments
+    """
+    return PredictedCovarianceSecondDerivatives(
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    p = np.sqrt(tracking_index, predicted_13)
+    r = np.sqrt(p, predicted_22)
+    t4 = np.divide(1.0, p, predicted_23)
+    t5 = np.multiply(t4, r, w0)
+    t7 = np.multiply(t5, 2.0, w0)
+    t9 = np.multiply(p, 0.5, w1)
+    t11 = np.multiply(tracking_index, 0.0625, w2)
+    t12 = np.multiply(p, r, w3)
+    t13 = np.multiply(t12, 1.0, w3)
+    t15 = np.divide(8.0, r, predicted_33)
+    t16 = np.add(t13, t15, w3)
+    t17 = near_cbrt(t16, w3, single)
+    t20 = np.multiply(t7, t17, predicted_33)
+    t21 = np.add(t20, t11, predicted_33)
+    t22 = np.sqrt(t21, predicted_33)
+    t23 = np.multiply(t22, 2.0, w4)
+    t24 = np.add(t23, t9, w4)
+    t25 = np.sqrt(t24, w4)
+    t26 = np.multiply(t7, 0.5, w5)
+    t27 = np.multiply(t22, t25, predicted_33)
+    t28 = np.multiply(t25, t27, w4)
+    t29 = np.multiply(t26, t17, w3)
+    t30 = np.subtract(t28, t29, w4)
+    t31 = np.subtract(t27, t26, predicted_33)
+    t32 = np.divide(t30, t31, w4)
+    t34 = np.multiply(t7, t32, w3)
+    t35 = np.add(t34, t11, w3)
+    t36 = np.sqrt(t35, w3)
+    t37 = np.multiply(t36, 2.0, predicted_33)
+    t38 = np.add(t37, t9, predicted_33)
+    t39 = np.sqrt(t38, predicted_33)
+    t40 = np.multiply(t36, t39, w3)
+    t41 = np.multiply(t39, t40, predicted_33)
+    t42 = np.multiply(t26, t32, w4)
+    t43 = np.subtract(t41, t42, predicted_33)
+    t44 = np.subtract(t40, t26, w3)
+    t45 = np.divide(t43, t44, predicted_33)
+    t47 = np.multiply(t7, t45, w3)
+    t48 = np.add(t47, t11, w3)
+    t49 = np.sqrt(t48, w3)
+    t50 = np.multiply(t49, 2.0, w4)
+    t51 = np.add(t50, t9, w4)
+    t52 = np.sqrt(t51, w4)
+    t53 = np.multiply(t49, t52, w3)
+    t54 = np.multiply(t52, t53, w4)
+    t55 = np.multiply(t26, t45, predicted_33)
+    t56 = np.subtract(t54, t55, w4)
+    t57 = np.subtract(t53, t26, w3)
+    t58 = np.divide(t56, t57, w4)
+    t60 = np.multiply(t7, t58, w3)
+    t61 = np.add(t60, t11, w3)
+    t62 = np.sqrt(t61, w3)
+    t63 = np.multiply(t62, 2.0, predicted_33)
+    t64 = np.add(t63, t9, predicted_33)
+    t65 = np.sqrt(t64, predicted_33)
+    t66 = np.multiply(t62, t65, w3)
+    t67 = np.multiply(t65, t66, predicted_33)
+    t68 = np.multiply(t26, t58, w4)
+    t69 = np.subtract(t67, t68, predicted_33)
+    t70 = np.subtract(t66, t26, w3)
+    t71 = np.divide(t69, t70, predicted_33)
+    t73 = np.multiply(t7, t71, w0)
+    t74 = np.add(t73, t11, w0)
+    e = np.sqrt(t74, w0)
+    t76 = np.multiply(e, 2.0, w2)
+    t77 = np.add(t76, t9, w2)
+    x = np.sqrt(t77, w2)
+    t80 = np.multiply(p, 0.25, w1)
+    t81 = np.divide(t80, e, w1)
+    t82 = np.multiply(t81, 1.0, w3)
+    t83 = np.add(t82, 1.0, w4)
+    t84 = np.multiply(t83, t81, w5)
+    t86 = np.add(t82, 4.0, predicted_33)
+    t87 = np.multiply(t81, t86, predicted_33)
+    t89 = np.add(t87, 3.0, predicted_33)
+    t90 = np.divide(t84, t89, w5)
+    t91 = np.multiply(t90, 2.0, w5)
+    t92 = np.divide(x, r, w6)
+    t93 = np.multiply(t92, 2.0, w6)
+    t94 = np.multiply(t91, t93, w5)
+    t95 = np.add(t94, 1.0, w7)
+    t96 = np.multiply(t94, t95, w5)
+    t97 = np.divide(x, e, w7)
+    t98 = np.multiply(e, t89, w8)
+    t99 = np.divide(t97, t98, w7)
+    t100 = np.divide(t99, r, w7)
+    t101 = np.multiply(t100, 2.0, w7)
+    t102 = np.multiply(t101, t81, w8)
+    t103 = np.multiply(t81, 2.0, w9)
+    t104 = np.add(t103, 2.0, w9)
+    t105 = np.add(t83, t104, w4)
+    t106 = np.multiply(t102, t105, w8)
+    t107 = np.divide(t106, t89, w8)
+    t108 = np.multiply(t107, 2.0, w8)
+    t109 = np.multiply(t104, t81, w4)
+    t110 = np.divide(t109, t89, w4)
+    t111 = np.multiply(t110, 2.0, w4)
+    t112 = np.square(t111, w4)
+    t113 = np.square(t104, w10)
+    t114 = np.divide(t113, t89, w10)
+    t115 = np.multiply(t114, 2.0, w10)
+    t116 = np.add(t101, t115, w10)
+    t117 = np.add(t82, 2.0, w3)
+    t118 = np.multiply(t81, t117, w3)
+    t119 = np.add(t118, 1.0, w3)
+    t120 = np.divide(t119, t89, w3)
+    t121 = np.multiply(t120, 2.0, w3)
+    t122 = np.add(t108, t112, w8)
+    t123 = np.multiply(t101, t122, w8)
+    t124 = np.multiply(t123, t93, w8)
+    t125 = np.add(t96, t124, w5)
+    t126 = np.multiply(e, 0.5, w4)
+    t127 = np.add(t4, t126, predicted_23)
+    t128 = np.multiply(x, r, w4)
+    t129 = np.multiply(t128, 0.25, w4)
+    t130 = np.multiply(p, 0.125, w8)
+    t131 = np.add(t129, t130, w4)
+    t132 = np.add(t127, t131, predicted_23)
+    t133 = np.multiply(p, t132, predicted_23)
+    t134 = np.multiply(t125, t133, w5)
+    t136 = np.add(t121, 1.0, w4)
+    t137 = np.multiply(t121, t136, w4)
+    t138 = np.multiply(t81, 4.0, w8)
+    t139 = np.add(t138, 8.0, w8)
+    t140 = np.multiply(t81, t139, w8)
+    t141 = np.add(t140, 4.0, w8)
+    t142 = np.multiply(t141, t81, w8)
+    t143 = np.divide(t142, t89, w8)
+    t144 = np.divide(t104, t89, predicted_23)
+    t145 = np.multiply(t143, t144, w8)
+    t146 = np.multiply(t101, t145, w7)
+    t147 = np.add(t137, t146, w4)
+    t148 = np.multiply(t93, t147, w6)
+    t150 = np.multiply(t81, 10.0, w4)
+    t152 = np.add(t150, 36.0, w4)
+    t153 = np.multiply(t81, t152, w4)
+    t155 = np.add(t153, 44.0, w4)
+    t156 = np.multiply(t81, t155, w4)
+    t158 = np.add(t156, 24.0, w4)
+    t159 = np.multiply(t81, t158, w4)
+    t160 = np.add(t159, 10.0, w4)
+    t161 = np.multiply(t81, t160, w4)
+    t162 = np.add(t161, 4.0, w4)
+    t163 = np.divide(t162, t89, w4)
+    t164 = np.divide(t163, t89, w4)
+    t165 = np.multiply(t146, t104, w9)
+    t166 = np.add(t164, t165, w4)
+    t167 = np.divide(e, p, predicted_13)
+    t168 = np.multiply(t167, 4.0, w8)
+    t169 = np.multiply(t168, t166, w8)
+    t171 = np.multiply(t81, 6.0, w4)
+    t173 = np.add(t171, 14.0, w4)
+    t174 = np.multiply(t81, t173, w4)
+    t175 = np.add(t174, 10.0, w4)
+    t176 = np.multiply(t81, t175, w4)
+    t177 = np.add(t176, 2.0, w4)
+    t178 = np.divide(t81, t89, w1)
+    t179 = np.divide(t177, t89, w4)
+    t180 = np.multiply(t178, t179, w1)
+    t181 = np.multiply(t121, 4.0, w3)
+    t182 = np.multiply(t180, t181, w1)
+    t183 = np.multiply(t146, t116, w7)
+    t184 = np.add(t182, t183, w1)
+    t185 = np.divide(e, x, w0)
+    t186 = np.multiply(t89, 4.0, predicted_33)
+    t187 = np.multiply(t167, t186, predicted_13)
+    t188 = np.multiply(t187, t184, predicted_13)
+    t189 = np.divide(t188, r, predicted_13)
+    t190 = np.multiply(t185, t189, w0)
+    t191 = np.add(t190, t148, w0)
+    t192 = np.multiply(t191, 0.125, w0)
+    t193 = np.multiply(t169, 0.25, w1)
+    t194 = np.add(t193, 0.5, w1)
+    t196 = np.add(t169, t148, w8)
+    t197 = np.multiply(t196, 0.25, w8)
+    t199 = np.multiply(t148, 0.5, w6)
+    np.divide(t134, tracking_index, predicted_13)
+    np.add(t192, t194, predicted_22)
+    np.add(t197, 0.5, predicted_23)
+    np.add(t199, 2.0, predicted_33)
+
+
+_PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "predicted_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_3,),
+    ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
+    11,
+    _predicted_covariance_second_derivatives_block,
+)
+
+
+class PredictedPositionSecondDerivatives(NamedTuple):
+    """Result of `predicted_position_second_derivatives`."""
+
+    predicted_11: Real
+    """Second derivative by Lambda of the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Second derivative by Lambda of the covariance of predicted position and velocity times
+    T/sigma_v^2."""
+
+
+def predicted_position_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> PredictedPositionSecondDerivatives:
+    """Second derivatives of M11 and M12.
+
+        delta = 8/Lambda,
+        xi = sqrt(2 + 2 eta), eta = sqrt(1 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number at least
+        2^-750 and at most 2^480, in float32 at least 2^-80 and at most 2^56.
+
+    predicted_11: second derivative by Lambda of the variance of the predicted position over
+        sigma_v^2. Error over predicted_11_scale at most 62.86 * 2^-52 (float64), 65.03 * 2^-23
+        (float32), proved for 6.852691063641087e-186 <= tracking_index <= 3.1217485503159922e144
+        (float64) and 4.6731686e-24 <= tracking_index <= 7.2057594e16 (float32). Cancellation in
+        predicted_11_turn, condition number 1: it bends down for a small index and up for a large
+        one; the scale is the sum of the two terms whose difference it is.
+    predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
+        times T/sigma_v^2. Error over predicted_12_scale at most 64.31 * 2^-52 (float64), 66.77 *
+        2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
+        3.1217485503159922e144 (float64) and 8.271806e-25 <= tracking_index <= 7.2057594e16
+        (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
+        index and up for a large one; the scale is the sum of the two terms whose difference it is.
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation acceleration-increments
+    """
+    return PredictedPositionSecondDerivatives(
+        *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_position_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_11, predicted_12 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    p = np.sqrt(tracking_index, predicted_11)
+    r = np.sqrt(p, predicted_12)
+    t4 = np.divide(1.0, p, w0)
+    t5 = np.multiply(t4, r, w1)
+    t7 = np.multiply(t5, 2.0, w1)
+    t9 = np.multiply(p, 0.5, w2)
+    t11 = np.multiply(tracking_index, 0.0625, w3)
+    t12 = np.multiply(p, r, w4)
+    t13 = np.multiply(t12, 1.0, w4)
+    t15 = np.divide(8.0, r, w5)
+    t16 = np.add(t13, t15, w4)
+    t17 = near_cbrt(t16, w4, single)
+    t20 = np.multiply(t7, t17, w5)
+    t21 = np.add(t20, t11, w5)
+    t22 = np.sqrt(t21, w5)
+    t23 = np.multiply(t22, 2.0, w6)
+    t24 = np.add(t23, t9, w6)
+    t25 = np.sqrt(t24, w6)
+    t26 = np.multiply(t7, 0.5, w7)
+    t27 = np.multiply(t22, t25, w5)
+    t28 = np.multiply(t25, t27, w6)
+    t29 = np.multiply(t26, t17, w4)
+    t30 = np.subtract(t28, t29, w6)
+    t31 = np.subtract(t27, t26, w5)
+    t32 = np.divide(t30, t31, w6)
+    t34 = np.multiply(t7, t32, w4)
+    t35 = np.add(t34, t11, w4)
+    t36 = np.sqrt(t35, w4)
+    t37 = np.multiply(t36, 2.0, w5)
+    t38 = np.add(t37, t9, w5)
+    t39 = np.sqrt(t38, w5)
+    t40 = np.multiply(t36, t39, w4)
+    t41 = np.multiply(t39, t40, w5)
+    t42 = np.multiply(t26, t32, w6)
+    t43 = np.subtract(t41, t42, w5)
+    t44 = np.subtract(t40, t26, w4)
+    t45 = np.divide(t43, t44, w5)
+    t47 = np.multiply(t7, t45, w4)
+    t48 = np.add(t47, t11, w4)
+    t49 = np.sqrt(t48, w4)
+    t50 = np.multiply(t49, 2.0, w6)
+    t51 = np.add(t50, t9, w6)
+    t52 = np.sqrt(t51, w6)
+    t53 = np.multiply(t49, t52, w4)
+    t54 = np.multiply(t52, t53, w6)
+    t55 = np.multiply(t26, t45, w5)
+    t56 = np.subtract(t54, t55, w6)
+    t57 = np.subtract(t53, t26, w4)
+    t58 = np.divide(t56, t57, w6)
+    t60 = np.multiply(t7, t58, w4)
+    t61 = np.add(t60, t11, w4)
+    t62 = np.sqrt(t61, w4)
+    t63 = np.multiply(t62, 2.0, w5)
+    t64 = np.add(t63, t9, w5)
+    t65 = np.sqrt(t64, w5)
+    t66 = np.multiply(t62, t65, w4)
+    t67 = np.multiply(t65, t66, w5)
+    t68 = np.multiply(t26, t58, w6)
+    t69 = np.subtract(t67, t68, w5)
+    t70 = np.subtract(t66, t26, w4)
+    t71 = np.divide(t69, t70, w5)
+    t73 = np.multiply(t7, t71, w1)
+    t74 = np.add(t73, t11, w1)
+    e = np.sqrt(t74, w1)
+    t76 = np.multiply(e, 2.0, w3)
+    t77 = np.add(t76, t9, w3)
+    x = np.sqrt(t77, w3)
+    t79 = np.multiply(e, 0.5, w2)
+    t80 = np.add(t4, t79, w0)
+    t81 = np.multiply(x, r, w2)
+    t83 = np.multiply(t81, 0.25, w2)
+    t84 = np.multiply(p, 0.125, w4)
+    t85 = np.add(t83, t84, w2)
+    t86 = np.add(t80, t85, w0)
+    t87 = np.multiply(p, t86, w0)
+    t88 = np.divide(t87, tracking_index, w0)
+    t89 = np.divide(x, r, w2)
+    t90 = np.multiply(t89, t88, w4)
+    t91 = np.divide(x, e, w3)
+    t92 = np.multiply(p, 0.25, predicted_11)
+    t93 = np.divide(t92, e, predicted_11)
+    t94 = np.multiply(t93, 1.0, w5)
+    t96 = np.add(t94, 4.0, w6)
+    t97 = np.multiply(t93, t96, w6)
+    t99 = np.add(t97, 3.0, w6)
+    t100 = np.multiply(e, t99, w1)
+    t101 = np.divide(t91, t100, w3)
+    t102 = np.divide(t101, r, w3)
+    t103 = np.multiply(t102, 2.0, w3)
+    t104 = np.multiply(t103, t93, w1)
+    t105 = np.add(t94, 1.0, w7)
+    t106 = np.multiply(t93, 2.0, predicted_12)
+    t107 = np.add(t106, 2.0, predicted_12)
+    t108 = np.add(t105, t107, w8)
+    t109 = np.multiply(t104, t108, w1)
+    t110 = np.divide(t109, t99, w1)
+    t111 = np.multiply(t110, 2.0, w1)
+    t112 = np.multiply(t107, t93, w8)
+    t113 = np.divide(t112, t99, w8)
+    t114 = np.multiply(t113, 2.0, w8)
+    t115 = np.square(t114, w8)
+    t116 = np.add(t94, 2.0, w5)
+    t117 = np.multiply(t93, t116, w5)
+    t118 = np.add(t117, 1.0, w5)
+    t119 = np.divide(t118, t99, w5)
+    t120 = np.multiply(t119, 2.0, w5)
+    t121 = np.add(t111, t115, w1)
+    t122 = np.multiply(t103, t121, w1)
+    t123 = np.multiply(t89, 2.0, w2)
+    t124 = np.multiply(t122, t123, w1)
+    t125 = np.multiply(t105, t93, w7)
+    t126 = np.divide(t125, t99, w7)
+    t127 = np.multiply(t126, 2.0, w7)
+    t128 = np.multiply(t127, t123, w7)
+    t129 = np.add(t120, t128, w5)
+    t130 = np.square(t128, w8)
+    t131 = np.multiply(t130, t88, w8)
+    t132 = np.multiply(t88, 4.0, w9)
+    t133 = np.multiply(t131, t132, w8)
+    t134 = np.divide(t93, t99, w9)
+    t135 = np.divide(t107, t99, predicted_12)
+    t136 = np.multiply(t134, t135, w9)
+    t137 = np.divide(t136, t99, w9)
+    t139 = np.multiply(t93, 0.75, w10)
+    t140 = np.add(t139, 2.0, w10)
+    t141 = np.multiply(t93, t140, w10)
+    t143 = np.add(t141, 2.5, w10)
+    t144 = np.multiply(t93, t143, w10)
+    t145 = np.add(t144, 2.0, w10)
+    t146 = np.multiply(t93, t145, w10)
+    t147 = np.add(t146, 0.75, w10)
+    t148 = np.multiply(t147, 8.0, w10)
+    t149 = np.multiply(t137, t148, w9)
+    t150 = np.multiply(t149, t123, w9)
+    t151 = np.multiply(t150, t88, w9)
+    t152 = np.multiply(t88, 2.0, w0)
+    t153 = np.multiply(t151, t152, w9)
+    t156 = np.multiply(t129, t128, w7)
+    t157 = np.multiply(t93, 4.0, w0)
+    t158 = np.add(t157, 8.0, w0)
+    t159 = np.multiply(t93, t158, w0)
+    t160 = np.add(t159, 4.0, w0)
+    t161 = np.multiply(t160, t93, w0)
+    t162 = np.divide(t161, t99, w0)
+    t163 = np.multiply(t162, t135, w0)
+    t164 = np.multiply(t103, t163, w0)
+    t165 = np.add(t156, t124, w7)
+    t166 = np.add(t165, t164, w7)
+    t167 = np.multiply(t90, t166, w7)
+    t168 = np.multiply(t129, t103, w5)
+    t169 = np.multiply(t90, t168, w4)
+    np.subtract(t133, t153, predicted_11)
+    np.subtract(t167, t169, predicted_12)
+
+
+_PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
+    "predicted_position_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_4,),
+    ("predicted_11", "predicted_12"),
+    11,
+    _predicted_position_second_derivatives_block,
+)
+
+
+class UpdatedCovarianceSecondDerivatives(NamedTuple):
+    """Result of `updated_covariance_second_derivatives`."""
+
+    updated_22: Real
+    """Second derivative by Lambda of the variance of the updated velocity times T^2/sigma_v^2."""
+    updated_23: Real
+    """Second derivative by Lambda of the covariance of updated velocity and acceleration times
+    T^3/sigma_v^2."""
+    updated_33: Real
+    """Second derivative by Lambda of the variance of the updated acceleration times
+    T^4/sigma_v^2."""
+
+
+def updated_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> UpdatedCovarianceSecondDerivatives:
+    """Second derivatives of the updated covariance but for its first row.
+
+        delta = 8/Lambda,
+        xi = sqrt(2 + 2 eta), eta = sqrt(1 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
+        at most 2^1000, in float32 above 0 and at most 2^120.
+
+    updated_22: second derivative by Lambda of the variance of the updated velocity times
+        T^2/sigma_v^2. Relative error at most 21.37 * 2^-52 (float64), 21.37 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.422149263949316e103 (float64) and 1e-45 <=
+        tracking_index <= 1.7592185e13 (float32).
+    updated_23: second derivative by Lambda of the covariance of updated velocity and acceleration
+        times T^3/sigma_v^2. Relative error at most 21.37 * 2^-52 (float64), 21.37 * 2^-23
+        (float32), proved for 5e-324 <= tracking_index <= 1.422149263949316e103 (float64) and 1e-45
+        <= tracking_index <= 1.7592185e13 (float32).
+    updated_33: second derivative by Lambda of the variance of the updated acceleration times
+        T^4/sigma_v^2. Relative error at most 14.12 * 2^-52 (float64), 14.12 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
+        tracking_index <= 1.329228e36 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation acceleration-increments
+    """
+    return UpdatedCovarianceSecondDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_22, updated_23, updated_33 = out
+    w0, w1, w2, w3, w4, w5 = work
+    p = np.sqrt(tracking_index, updated_23)
+    r = np.sqrt(p, updated_33)
+    t4 = np.divide(1.0, p, updated_22)
+    t5 = np.multiply(t4, r, updated_22)
+    t7 = np.multiply(t5, 2.0, updated_22)
+    t9 = np.multiply(p, 0.5, w0)
+    t11 = np.multiply(tracking_index, 0.0625, w1)
+    t12 = np.multiply(p, r, updated_23)
+    t13 = np.multiply(t12, 1.0, updated_23)
+    t15 = np.divide(8.0, r, w2)
+    t16 = np.add(t13, t15, updated_23)
+    t17 = near_cbrt(t16, updated_23, single)
+    t19 = np.multiply(t7, t17, w2)
+    t20 = np.add(t19, t11, w2)
+    t21 = np.sqrt(t20, w2)
+    t22 = np.multiply(t21, 2.0, w3)
+    t23 = np.add(t22, t9, w3)
+    t24 = np.sqrt(t23, w3)
+    t25 = np.multiply(t7, 0.5, w4)
+    t26 = np.multiply(t21, t24, w2)
+    t27 = np.multiply(t24, t26, w3)
+    t28 = np.multiply(t25, t17, updated_23)
+    t29 = np.subtract(t27, t28, w3)
+    t30 = np.subtract(t26, t25, w2)
+    t31 = np.divide(t29, t30, w3)
+    t33 = np.multiply(t7, t31, w2)
+    t34 = np.add(t33, t11, w2)
+    t35 = np.sqrt(t34, w2)
+    t36 = np.multiply(t35, 2.0, updated_23)
+    t37 = np.add(t36, t9, updated_23)
+    t38 = np.sqrt(t37, updated_23)
+    t39 = np.multiply(t35, t38, w2)
+    t40 = np.multiply(t38, t39, updated_23)
+    t41 = np.multiply(t25, t31, w3)
+    t42 = np.subtract(t40, t41, updated_23)
+    t43 = np.subtract(t39, t25, w2)
+    t44 = np.divide(t42, t43, updated_23)
+    t46 = np.multiply(t7, t44, w2)
+    t47 = np.add(t46, t11, w2)
+    t48 = np.sqrt(t47, w2)
+    t49 = np.multiply(t48, 2.0, w3)
+    t50 = np.add(t49, t9, w3)
+    t51 = np.sqrt(t50, w3)
+    t52 = np.multiply(t48, t51, w2)
+    t53 = np.multiply(t51, t52, w3)
+    t54 = np.multiply(t25, t44, updated_23)
+    t55 = np.subtract(t53, t54, w3)
+    t56 = np.subtract(t52, t25, w2)
+    t57 = np.divide(t55, t56, w3)
+    t59 = np.multiply(t7, t57, w2)
+    t60 = np.add(t59, t11, w2)
+    t61 = np.sqrt(t60, w2)
+    t62 = np.multiply(t61, 2.0, updated_23)
+    t63 = np.add(t62, t9, updated_23)
+    t64 = np.sqrt(t63, updated_23)
+    t65 = np.multiply(t61, t64, w2)
+    t66 = np.multiply(t64, t65, updated_23)
+    t67 = np.multiply(t25, t57, w3)
+    t68 = np.subtract(t66, t67, updated_23)
+    t69 = np.subtract(t65, t25, w2)
+    t70 = np.divide(t68, t69, updated_23)
+    t72 = np.multiply(t7, t70, updated_22)
+    t73 = np.add(t72, t11, updated_22)
+    eta_of_map = np.sqrt(t73, updated_22)
+    t75 = np.multiply(eta_of_map, 2.0, updated_22)
+    t76 = np.add(t75, t9, updated_22)
+    x = np.sqrt(t76, updated_22)
+    t78 = np.divide(r, x, w0)
+    t79 = np.multiply(t78, 0.5, w0)
+    t80 = np.square(t79, w1)
+    t81 = np.add(x, r, w2)
+    t82 = np.divide(8.0, t81, w3)
+    t83 = np.divide(t82, x, w3)
+    t84 = np.multiply(x, r, w4)
+    t85 = np.divide(t83, t84, w3)
+    t86 = np.multiply(t79, 2.0, w4)
+    t87 = np.add(t86, 1.0, w4)
+    t88 = np.multiply(t85, t87, w4)
+    t89 = np.add(t88, 2.0, updated_23)
+    t90 = np.square(t89, w5)
+    t91 = np.multiply(t90, t89, w5)
+    t92 = np.divide(x, r, updated_22)
+    t93 = np.multiply(t92, 2.0, updated_22)
+    t95 = np.multiply(t80, 4.0, w1)
+    t97 = np.add(t95, 7.0, w1)
+    t98 = np.multiply(t88, t97, w4)
+    t99 = np.add(t98, 8.0, w4)
+    t100 = np.divide(t99, t91, w4)
+    t102 = np.add(t85, 2.0, w1)
+    t103 = np.multiply(t102, t79, w1)
+    t105 = np.add(t103, 3.0, w1)
+    t106 = np.divide(t105, t89, w1)
+    t107 = np.divide(t85, t89, w3)
+    t108 = np.square(t107, w3)
+    t109 = np.multiply(t108, t106, w3)
+    t110 = np.divide(r, t81, updated_33)
+    t111 = np.multiply(t110, 4.0, updated_33)
+    t112 = np.multiply(t111, 4.0, updated_33)
+    t113 = np.multiply(t109, t112, w3)
+    np.divide(t113, tracking_index, updated_23)
+    np.multiply(t93, t100, updated_33)
+    np.negative(updated_23, updated_22)
+
+
+_UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "updated_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_3,),
+    ("updated_22", "updated_23", "updated_33"),
+    6,
+    _updated_covariance_second_derivatives_block,
 )
 
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "GainDerivatives",
+    "GainSecondDerivatives",
     "Gains",
     "GainsWithDerivatives",
     "InnovationDeviation",
@@ -26,6 +27,7 @@ __all__ = [
     "PredictorGains",
     "UpdatedCovariance",
     "gain_derivatives",
+    "gain_second_derivatives",
     "gains",
     "gains_with_derivatives",
     "innovation_deviation",
@@ -77,13 +79,13 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: position gain. Relative error at most 6.19 * 2^-52 (float64), 6.19 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 6.11 * 2^-52 (float64),
-        6.11 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
+        6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.56
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.55
         * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
@@ -221,14 +223,14 @@ def gain_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: derivative of the position gain. Relative error at most 16.97 * 2^-52 (float64), 16.97 *
+    alpha: derivative of the position gain. Relative error at most 16.96 * 2^-52 (float64), 16.98 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64) and
         1e-45 <= tracking_index <= 7.235911e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.75
-        * 2^-52 (float64), 17.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.74
+        * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.84 * 2^-52 (float64), 16.84 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.84 * 2^-52 (float64), 16.85 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -411,24 +413,24 @@ def gains_with_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: position gain. Relative error at most 6.19 * 2^-52 (float64), 6.19 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 6.11 * 2^-52 (float64),
-        6.11 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
+        6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.55
-        * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 16.97 * 2^-52 (float64), 16.97
+    d_alpha: derivative of the position gain. Relative error at most 16.96 * 2^-52 (float64), 16.98
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64)
         and 1e-45 <= tracking_index <= 7.235911e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        17.75 * 2^-52 (float64), 17.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        17.74 * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.84 * 2^-52 (float64), 16.84 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.84 * 2^-52 (float64), 16.85 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -608,14 +610,14 @@ def predictor_gains(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.22 * 2^-52
-        (float64), 6.22 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.21 * 2^-52
+        (float64), 6.21 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     acceleration: acceleration entry of F K times the square of the sampling interval, gamma.
-        Relative error at most 4.56 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for
+        Relative error at most 4.55 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.1754945e-38 <= tracking_index <= 3.4028235e38 (float32).
 
@@ -756,14 +758,14 @@ def predictor_gain_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.26 * 2^-52 (float64), 18.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 18.26 * 2^-52 (float64), 18.29 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 1.990641374279621e103 (float64) and 1e-45 <= tracking_index <= 2.4624511e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 17.78 * 2^-52 (float64), 17.78 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 17.77 * 2^-52 (float64), 17.80 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.235446903786528e103 (float64) and 1e-45 <= tracking_index <=
         2.765279e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 16.83 * 2^-52 (float64), 16.84 * 2^-23 (float32),
+        interval, gamma. Relative error at most 16.84 * 2^-52 (float64), 16.85 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
 
@@ -944,7 +946,7 @@ def innovation_deviation(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
-        4.95 * 2^-52 (float64), 4.95 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        4.93 * 2^-52 (float64), 4.93 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1088,7 +1090,7 @@ def predicted_covariance(
         2^-52 (float64), 10.86 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 10.35 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 10.34 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
         error at most 5.46 * 2^-52 (float64), 5.45 * 2^-23 (float32), proved for
@@ -1560,16 +1562,16 @@ def updated_covariance(
         at most 4.56 * 2^-52 (float64), 4.57 * 2^-23 (float32), proved for 2.2250738585072014e-308
         <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
         9.223372e18 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 46.35 *
-        2^-52 (float64), 45.79 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 16.74 *
+        2^-52 (float64), 16.78 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
         tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
         9.223372e18 (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
-        at most 20.64 * 2^-52 (float64), 20.70 * 2^-23 (float32), proved for 1.0832677820940206e-231
+        at most 12.79 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for 1.0832677820940206e-231
         <= tracking_index <= 6.703903964971299e153 (float64) and 2.122721e-29 <= tracking_index <=
         9.223372e18 (float32).
     updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
-        10.08 * 2^-52 (float64), 10.10 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        7.11 * 2^-52 (float64), 7.12 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
         tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
         9.223372e18 (float32).
 
@@ -1589,7 +1591,7 @@ def updated_covariance(
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1, w2, w3, w4, w5, w6 = work
     p = np.sqrt(tracking_index, updated_13)
     r = np.sqrt(p, updated_11)
     t5 = np.divide(2.220446049250313e-16, tracking_index, updated_12)
@@ -1661,64 +1663,385 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: 
     t83 = np.multiply(e, 2.0, w1)
     t84 = np.add(t83, t15, w1)
     x = np.sqrt(t84, w1)
-    t86 = np.multiply(e, x, w3)
-    t87 = np.multiply(x, p, w4)
-    t90 = np.multiply(t87, 0.4201389538804297, w4)
-    t91 = np.multiply(e, r, updated_12)
-    t93 = np.multiply(t91, 1.157703721925804, updated_12)
-    t95 = np.multiply(t18, 0.3038222447983318, w2)
-    t96 = np.add(t86, t90, w3)
-    t97 = np.add(t96, t93, w3)
-    t98 = np.add(t97, t95, w3)
-    t100 = np.multiply(p, 0.04564354645876384, w2)
-    t101 = np.add(t11, t100, w2)
-    t102 = np.multiply(x, 8.0, w4)
-    t103 = np.divide(t102, t101, w4)
-    t104 = np.divide(t103, t98, w4)
-    t105 = np.divide(t104, tracking_index, w2)
-    t106 = np.multiply(t104, 0.5, w3)
-    t108 = np.multiply(tracking_index, 0.6577037219258041, updated_12)
-    t109 = np.add(t106, t108, w3)
-    t111 = np.multiply(t105, 0.125, updated_12)
-    t113 = np.add(t111, 0.32885186096290203, updated_12)
-    t114 = np.multiply(t104, t113, updated_12)
-    t115 = np.multiply(tracking_index, 0.17462042625086102, updated_23)
-    t116 = np.add(t114, t115, updated_23)
-    t117 = np.multiply(e, 0.5, updated_12)
-    t118 = np.add(t11, t117, updated_22)
-    t119 = np.multiply(x, r, updated_12)
-    t120 = np.multiply(t119, 0.25, updated_33)
-    t121 = np.multiply(p, 0.125, w5)
-    t122 = np.add(t120, t121, updated_33)
-    t123 = np.add(t118, t122, updated_22)
-    t124 = np.multiply(p, 0.25, w5)
-    t125 = np.add(e, t124, w0)
-    t134 = np.multiply(t105, 0.046875, w5)
-    t135 = np.add(t134, 0.3091388957221765, w5)
-    t136 = np.multiply(t105, t135, w2)
-    t137 = np.add(t136, 0.7020348547866138, w2)
-    t138 = np.multiply(r, 0.5, updated_11)
-    t139 = np.divide(t138, x, updated_11)
-    t140 = np.multiply(t104, t139, w1)
-    t141 = np.multiply(t104, t137, w4)
-    t142 = np.multiply(tracking_index, 0.6064761521846765, w2)
-    t143 = np.add(t141, t142, w4)
-    t144 = np.multiply(t140, t143, w1)
-    t145 = np.multiply(tracking_index, t139, updated_11)
-    t146 = np.multiply(tracking_index, t145, updated_11)
-    t147 = np.multiply(t146, 0.13901674056774185, w2)
-    np.divide(t125, t123, updated_11)
-    np.divide(t119, t123, updated_12)
-    np.divide(p, t123, updated_13)
-    np.add(t144, t147, updated_22)
-    np.multiply(tracking_index, t116, updated_23)
-    np.multiply(tracking_index, t109, updated_33)
+    t86 = np.multiply(e, 0.5, w3)
+    t87 = np.add(t11, t86, w3)
+    t88 = np.multiply(x, r, w4)
+    t90 = np.multiply(t88, 0.25, updated_12)
+    t91 = np.multiply(p, 0.125, updated_23)
+    t92 = np.add(t90, t91, updated_12)
+    t93 = np.add(t87, t92, w3)
+    t94 = np.multiply(p, 0.25, updated_12)
+    t95 = np.add(e, t94, updated_12)
+    t100 = np.divide(r, x, updated_23)
+    t101 = np.multiply(t100, 0.5, updated_23)
+    t106 = np.multiply(t101, 0.0015544039943282079, updated_33)
+    t107 = np.add(t106, 0.001342661308665835, updated_33)
+    t108 = np.multiply(t101, t107, updated_33)
+    t109 = np.add(t108, 0.012527851797391616, updated_33)
+    t110 = np.multiply(e, x, w5)
+    t111 = np.multiply(x, p, w6)
+    t113 = np.multiply(t111, 0.4201389538804297, w6)
+    t114 = np.multiply(e, r, w0)
+    t116 = np.multiply(t114, 1.157703721925804, w0)
+    t118 = np.multiply(t18, 0.3038222447983318, w2)
+    t119 = np.add(t110, t113, w5)
+    t120 = np.add(t119, t116, w5)
+    t121 = np.add(t120, t118, w5)
+    t123 = np.multiply(p, 0.04564354645876384, w0)
+    t124 = np.add(t11, t123, updated_22)
+    t125 = np.multiply(x, 8.0, w0)
+    t126 = np.divide(t125, t124, w0)
+    t127 = np.divide(t126, t121, w0)
+    t128 = np.divide(t127, tracking_index, w0)
+    t129 = np.multiply(t128, t101, w0)
+    t130 = np.multiply(t129, t109, updated_33)
+    t131 = np.add(t130, 0.02951035632013989, updated_33)
+    t132 = np.multiply(t129, t131, updated_33)
+    t133 = np.add(t132, 0.004836791882468496, updated_33)
+    t134 = np.divide(x, r, w1)
+    t135 = np.multiply(t134, 2.0, w1)
+    t136 = np.multiply(tracking_index, t135, w2)
+    t137 = np.multiply(t136, t135, w5)
+    t138 = np.multiply(t137, t135, w1)
+    t139 = np.multiply(t138, t133, w1)
+    t144 = np.multiply(t129, 0.01554403994328208, w6)
+    t145 = np.add(t144, 0.07688427749004201, w6)
+    t146 = np.multiply(t129, t145, w6)
+    t147 = np.add(t146, 0.03257168256667591, w6)
+    t148 = np.multiply(t137, t147, w5)
+    t152 = np.multiply(t129, 0.21594471475321234, w0)
+    t153 = np.add(t152, 0.2840552852467877, w0)
+    t154 = np.multiply(t136, t153, w2)
+    np.divide(t95, t93, updated_11)
+    np.divide(t88, t93, updated_12)
+    np.divide(p, t93, updated_13)
+    np.multiply(tracking_index, t139, updated_22)
+    np.multiply(tracking_index, t148, updated_23)
+    np.multiply(tracking_index, t154, updated_33)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
     (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    6,
+    7,
     _updated_covariance_block,
+)
+
+
+class GainSecondDerivatives(NamedTuple):
+    """Result of `gain_second_derivatives`."""
+
+    alpha: Real
+    """Second derivative by Lambda of the position gain."""
+    beta: Real
+    """Second derivative by Lambda of the velocity gain times the sampling interval."""
+    gamma: Real
+    """Second derivative by Lambda of the acceleration gain times the square of the sampling
+    interval."""
+
+
+def gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> GainSecondDerivatives:
+    """Second derivatives of the filter gain, all negative.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    alpha: second derivative by Lambda of the position gain. Relative error at most 26.57 * 2^-52
+        (float64), 27.28 * 2^-23 (float32), proved for 6.852691063641298e-186 <= tracking_index <=
+        1.565378169971955e77 (float64) and 4.6732775e-24 <= tracking_index <= 5.80631e09 (float32).
+    beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
+        error at most 36.32 * 2^-52 (float64), 36.33 * 2^-23 (float32), proved for
+        3.506117298415984e-232 <= tracking_index <= 3.351388711764904e77 (float64) and 6.871206e-30
+        <= tracking_index <= 1.2430991e10 (float32).
+    gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
+        interval. Relative error at most 32.62 * 2^-52 (float64), 32.63 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45 <= tracking_index
+        <= 1.4102813e10 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+
+
+def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta, gamma = out
+    (
+        w0,
+        w1,
+        w2,
+        w3,
+        w4,
+        w5,
+        w6,
+        w7,
+        w8,
+        w9,
+        w10,
+        w11,
+        w12,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        w18,
+        w19,
+        w20,
+        w21,
+    ) = work
+    p = np.sqrt(tracking_index, alpha)
+    r = np.sqrt(p, beta)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, gamma)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, gamma)
+    c_scaled = np.sqrt(t9, gamma)
+    t12 = np.multiply(c_scaled, 67108864.0, gamma)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, w1)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w2)
+    t19 = np.multiply(p, r, w3)
+    t22 = np.multiply(t19, 1.5516447222296765, w3)
+    t24 = np.divide(8.0, r, w4)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, w4)
+    t29 = np.add(t28, t18, w4)
+    t30 = np.sqrt(t29, w4)
+    t31 = np.multiply(t30, 2.0, w5)
+    t32 = np.add(t31, t16, w5)
+    t33 = np.sqrt(t32, w5)
+    t34 = np.multiply(t14, 0.5, w6)
+    t35 = np.multiply(t30, t33, w4)
+    t36 = np.multiply(t33, t35, w5)
+    t37 = np.multiply(t34, t26, w3)
+    t38 = np.subtract(t36, t37, w5)
+    t39 = np.subtract(t35, t34, w4)
+    t40 = np.divide(t38, t39, w5)
+    t42 = np.multiply(t14, t40, w3)
+    t43 = np.add(t42, t18, w3)
+    t44 = np.sqrt(t43, w3)
+    t45 = np.multiply(t44, 2.0, w4)
+    t46 = np.add(t45, t16, w4)
+    t47 = np.sqrt(t46, w4)
+    t48 = np.multiply(t44, t47, w3)
+    t49 = np.multiply(t47, t48, w4)
+    t50 = np.multiply(t34, t40, w5)
+    t51 = np.subtract(t49, t50, w4)
+    t52 = np.subtract(t48, t34, w3)
+    t53 = np.divide(t51, t52, w4)
+    t55 = np.multiply(t14, t53, w3)
+    t56 = np.add(t55, t18, w3)
+    t57 = np.sqrt(t56, w3)
+    t58 = np.multiply(t57, 2.0, w5)
+    t59 = np.add(t58, t16, w5)
+    t60 = np.sqrt(t59, w5)
+    t61 = np.multiply(t57, t60, w3)
+    t62 = np.multiply(t60, t61, w5)
+    t63 = np.multiply(t34, t53, w4)
+    t64 = np.subtract(t62, t63, w5)
+    t65 = np.subtract(t61, t34, w3)
+    t66 = np.divide(t64, t65, w5)
+    t68 = np.multiply(t14, t66, w3)
+    t69 = np.add(t68, t18, w3)
+    t70 = np.sqrt(t69, w3)
+    t71 = np.multiply(t70, 2.0, w4)
+    t72 = np.add(t71, t16, w4)
+    t73 = np.sqrt(t72, w4)
+    t74 = np.multiply(t70, t73, w3)
+    t75 = np.multiply(t73, t74, w4)
+    t76 = np.multiply(t34, t66, w5)
+    t77 = np.subtract(t75, t76, w4)
+    t78 = np.subtract(t74, t34, w3)
+    t79 = np.divide(t77, t78, w4)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w2)
+    t85 = np.add(t84, t16, w2)
+    x = np.sqrt(t85, w2)
+    t87 = np.multiply(e, 0.5, w1)
+    t88 = np.add(t12, t87, w1)
+    t89 = np.multiply(x, r, w3)
+    t91 = np.multiply(t89, 0.25, w4)
+    t92 = np.multiply(p, 0.125, w5)
+    t93 = np.add(t91, t92, w4)
+    t94 = np.add(t88, t93, w1)
+    t95 = np.multiply(p, t94, w4)
+    t96 = np.divide(x, r, w5)
+    t97 = np.multiply(t96, 2.0, w6)
+    t98 = np.multiply(p, 0.25, w7)
+    t99 = np.divide(t98, e, w7)
+    t100 = np.multiply(t99, 1.0, w8)
+    t101 = np.add(t100, 1.0, w8)
+    t102 = np.multiply(t101, t99, w9)
+    t104 = np.multiply(t99, 1.1333333333333333, w10)
+    t106 = np.add(t104, 4.0, w11)
+    t107 = np.multiply(t99, t106, w11)
+    t109 = np.add(t107, 3.0, w11)
+    t110 = np.divide(t102, t109, w9)
+    t111 = np.multiply(t110, 2.0, w9)
+    t112 = np.divide(p, e, w12)
+    t113 = np.divide(t112, t109, w13)
+    t114 = np.multiply(t113, t112, w13)
+    t115 = np.divide(p, t12, w12)
+    t116 = np.multiply(t96, t115, w5)
+    t117 = np.multiply(t114, t116, w13)
+    t119 = np.multiply(t117, 0.004166666666666667, w13)
+    t120 = np.add(t111, t119, w9)
+    t121 = np.multiply(t120, t97, w5)
+    t122 = np.multiply(t120, t121, w12)
+    t123 = np.multiply(t122, 2.0, w12)
+    t124 = np.divide(t99, t109, w14)
+    t125 = np.multiply(t99, 2.0, w15)
+    t126 = np.add(t125, 2.0, w15)
+    t127 = np.divide(t126, t109, w16)
+    t128 = np.multiply(t124, t127, w14)
+    t129 = np.divide(t128, t109, w14)
+    t131 = np.multiply(t99, 0.7544444444444445, w16)
+    t133 = np.add(t131, 1.6, w16)
+    t134 = np.multiply(t99, t133, w16)
+    t136 = np.add(t134, 2.1, w16)
+    t137 = np.multiply(t99, t136, w16)
+    t138 = np.add(t137, 2.0, w16)
+    t139 = np.multiply(t99, t138, w16)
+    t141 = np.add(t139, 0.75, w16)
+    t142 = np.multiply(t141, 8.0, w16)
+    t143 = np.multiply(t129, t142, w14)
+    t144 = np.multiply(t126, t99, w16)
+    t145 = np.divide(t144, t109, w16)
+    t146 = np.divide(tracking_index, t12, w17)
+    t147 = np.divide(t146, t12, w17)
+    t149 = np.multiply(t147, 0.0020833333333333333, w17)
+    t150 = np.divide(x, e, w2)
+    t151 = np.multiply(e, t109, w18)
+    t152 = np.divide(t150, t151, w2)
+    t153 = np.divide(t152, r, w2)
+    t154 = np.divide(t153, t12, w2)
+    t155 = np.divide(t154, p, w2)
+    t156 = np.multiply(t155, 2.0, w2)
+    t157 = np.add(t149, t156, w18)
+    t158 = np.square(t145, beta)
+    t159 = np.multiply(t158, 4.0, beta)
+    t160 = np.add(t156, t119, w19)
+    t161 = np.square(t126, w20)
+    t162 = np.divide(t161, t109, w20)
+    t163 = np.multiply(t162, 2.0, w20)
+    t164 = np.add(t160, t163, w20)
+    t165 = np.multiply(t119, t164, w20)
+    t166 = np.add(t157, t159, w18)
+    t167 = np.add(t166, t165, w18)
+    t168 = np.multiply(t119, t167, w18)
+    t169 = np.add(t143, t168, w14)
+    t170 = np.add(t123, t169, w12)
+    t171 = np.multiply(t97, t170, w12)
+    t172 = np.divide(t89, t94, w3)
+    t173 = np.divide(t172, tracking_index, w14)
+    t174 = np.multiply(t173, 0.5, w14)
+    t175 = np.divide(e, t94, w1)
+    t176 = np.multiply(t156, t175, w1)
+    t178 = np.multiply(t99, 2.908888888888889, w18)
+    t180 = np.add(t178, 10.2, w18)
+    t181 = np.multiply(t99, t180, w18)
+    t183 = np.add(t181, 12.8, w18)
+    t184 = np.multiply(t99, t183, w18)
+    t186 = np.add(t184, 7.0, w18)
+    t187 = np.multiply(t99, t186, w18)
+    t189 = np.add(t187, 1.5, w18)
+    t191 = np.multiply(t99, 2.8666666666666667, beta)
+    t193 = np.add(t191, 6.0, beta)
+    t194 = np.multiply(t99, t193, beta)
+    t195 = np.add(t194, 3.0, beta)
+    t196 = np.divide(t195, t109, beta)
+    t197 = np.multiply(t196, 2.0, beta)
+    t198 = np.divide(t12, e, gamma)
+    t199 = np.multiply(t198, 2.0, gamma)
+    t200 = np.multiply(t199, t197, gamma)
+    t201 = np.multiply(t121, t101, w5)
+    t202 = np.multiply(t201, 2.0, w5)
+    t203 = np.divide(t101, t109, w21)
+    t204 = np.divide(t189, t109, w18)
+    t205 = np.multiply(t203, t204, w21)
+    t206 = np.multiply(t205, 4.0, w21)
+    t207 = np.add(t202, t206, w5)
+    t208 = np.add(t126, t200, gamma)
+    t209 = np.multiply(t156, t208, gamma)
+    t210 = np.add(t207, t209, w5)
+    t211 = np.add(t104, 2.0, w10)
+    t212 = np.multiply(t99, t211, w10)
+    t213 = np.add(t212, 1.0, w10)
+    t214 = np.divide(t213, t109, w10)
+    t215 = np.multiply(t214, 2.0, w10)
+    t216 = np.multiply(t215, t109, w18)
+    t217 = np.multiply(t216, 0.5, w21)
+    t218 = np.divide(e, p, w0)
+    t219 = np.multiply(t218, 4.0, w0)
+    t220 = np.multiply(t216, t219, w18)
+    t221 = np.multiply(t101, t197, beta)
+    t222 = np.add(t220, t221, w18)
+    t223 = np.multiply(t119, t222, w13)
+    t224 = np.divide(t219, t97, w18)
+    t225 = np.multiply(t224, t217, w18)
+    t226 = np.add(t225, t101, w18)
+    t227 = np.multiply(t149, t226, w18)
+    t228 = np.add(t210, t223, w5)
+    t229 = np.add(t228, t227, w5)
+    t230 = np.multiply(t176, t229, w1)
+    t231 = np.multiply(t174, t230, w14)
+    t232 = np.multiply(t109, 0.5, w1)
+    t233 = np.multiply(t219, t232, w0)
+    t234 = np.divide(t233, t126, w0)
+    t235 = np.multiply(t172, 0.25, w3)
+    t236 = np.add(t234, 1.0, w0)
+    t237 = np.add(t236, t97, w0)
+    t238 = np.multiply(t235, t237, w3)
+    t239 = np.multiply(t120, t238, w9)
+    t240 = np.multiply(t160, t99, w19)
+    t241 = np.add(t101, t126, w8)
+    t242 = np.multiply(t240, t241, w19)
+    t243 = np.divide(t242, t109, w19)
+    t244 = np.multiply(t243, 2.0, w19)
+    t245 = np.multiply(t145, 2.0, w16)
+    t246 = np.square(t245, w16)
+    t247 = np.multiply(t149, t215, w17)
+    t248 = np.add(t244, t246, w19)
+    t249 = np.add(t248, t165, w19)
+    t250 = np.add(t249, t247, w19)
+    t251 = np.add(t239, t250, w9)
+    t252 = np.multiply(t97, t251, w6)
+    t253 = np.multiply(t156, t252, w2)
+    t254 = np.multiply(t171, 2.0, w12)
+    t255 = np.divide(t254, tracking_index, w12)
+    t256 = np.divide(t255, t95, w12)
+    t257 = np.divide(t256, t95, w12)
+    t258 = np.divide(t257, tracking_index, w12)
+    t259 = np.divide(t231, tracking_index, w14)
+    t260 = np.divide(t253, t95, w2)
+    t261 = np.divide(t260, tracking_index, w2)
+    np.negative(t258, alpha)
+    np.negative(t259, beta)
+    np.negative(t261, gamma)
+
+
+_GAIN_SECOND_DERIVATIVES = Signature(
+    "gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta", "gamma"),
+    22,
+    _gain_second_derivatives_block,
 )

@@ -17,23 +17,35 @@ if TYPE_CHECKING:
 
 __all__ = [
     "GainDerivatives",
+    "GainSecondDerivatives",
     "Gains",
     "GainsWithDerivatives",
     "InnovationDeviation",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
+    "PredictedCovarianceSecondDerivatives",
+    "PredictedPositionSecondDerivatives",
     "PredictorGainDerivatives",
+    "PredictorGainSecondDerivatives",
     "PredictorGains",
     "UpdatedCovariance",
+    "UpdatedCovarianceDerivatives",
+    "UpdatedCovarianceSecondDerivatives",
     "gain_derivatives",
+    "gain_second_derivatives",
     "gains",
     "gains_with_derivatives",
     "innovation_deviation",
     "predicted_covariance",
     "predicted_covariance_derivatives",
+    "predicted_covariance_second_derivatives",
+    "predicted_position_second_derivatives",
     "predictor_gain_derivatives",
+    "predictor_gain_second_derivatives",
     "predictor_gains",
     "updated_covariance",
+    "updated_covariance_derivatives",
+    "updated_covariance_second_derivatives",
 ]
 
 _TRACKING_INDEX_DOMAIN = Domain(
@@ -53,6 +65,18 @@ _TRACKING_INDEX_DOMAIN_3 = Domain(
     "a number above 0 and at most 2^1000, in float32 above 0 and at most 2^120",
     (5e-324, 1.0715086071862673e301),
     (1.401298464324817e-45, 1.329227995784916e36),
+)
+_TRACKING_INDEX_DOMAIN_4 = Domain(
+    "tracking_index",
+    "a number at least 2^-750 and at most 2^480, in float32 at least 2^-80 and at most 2^56",
+    (1.688508503057271e-226, 3.1217485503159922e144),
+    (8.271806125530277e-25, 7.205759403792794e16),
+)
+_TRACKING_INDEX_DOMAIN_5 = Domain(
+    "tracking_index",
+    "a number above 0 and at most 2^480, in float32 above 0 and at most 2^56",
+    (5e-324, 3.1217485503159922e144),
+    (1.401298464324817e-45, 7.205759403792794e16),
 )
 
 
@@ -78,14 +102,14 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.19 * 2^-52 (float64), 6.19 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 6.11 * 2^-52 (float64),
-        6.11 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
+        6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.61
-        * 2^-52 (float64), 4.61 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.60
+        * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -223,14 +247,14 @@ def gain_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 17.11 * 2^-52 (float64), 17.11 *
+    alpha: derivative of the position gain. Relative error at most 17.07 * 2^-52 (float64), 17.05 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 6.147487532734931e102 (float64) and
         1e-45 <= tracking_index <= 7.604528e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 18.09
-        * 2^-52 (float64), 18.08 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 18.06
+        * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <= 2.1021648e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 17.14 * 2^-52 (float64), 17.14 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 17.13 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <= tracking_index <=
         2.6091866e13 (float32).
 
@@ -414,24 +438,24 @@ def gains_with_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.19 * 2^-52 (float64), 6.19 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 6.11 * 2^-52 (float64),
-        6.11 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
+        6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.61
-        * 2^-52 (float64), 4.61 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.60
+        * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 17.11 * 2^-52 (float64), 17.11
+    d_alpha: derivative of the position gain. Relative error at most 17.07 * 2^-52 (float64), 17.05
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 6.147487532734931e102 (float64)
         and 1e-45 <= tracking_index <= 7.604528e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        18.09 * 2^-52 (float64), 18.08 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        18.06 * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <= 2.1021648e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 17.14 * 2^-52 (float64), 17.14 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 17.13 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <= tracking_index <=
         2.6091866e13 (float32).
 
@@ -614,14 +638,14 @@ def predictor_gains(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.22 * 2^-52
-        (float64), 6.22 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.21 * 2^-52
+        (float64), 6.21 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     acceleration: acceleration entry of F K times the square of the sampling interval, gamma.
-        Relative error at most 4.61 * 2^-52 (float64), 4.61 * 2^-23 (float32), proved for
+        Relative error at most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.1754945e-38 <= tracking_index <= 3.4028235e38 (float32).
 
@@ -763,14 +787,14 @@ def predictor_gain_derivatives(
         finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.57 * 2^-52 (float64), 18.57 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 18.56 * 2^-52 (float64), 18.55 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 2.1423048991561227e103 (float64) and 1e-45 <= tracking_index <= 2.650061e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 18.06 * 2^-52 (float64), 18.06 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 18.05 * 2^-52 (float64), 18.04 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.426769755425277e103 (float64) and 1e-45 <= tracking_index <=
         3.001948e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 17.13 * 2^-52 (float64), 17.13 * 2^-23 (float32),
+        interval, gamma. Relative error at most 17.13 * 2^-52 (float64), 17.12 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <=
         tracking_index <= 2.6091866e13 (float32).
 
@@ -952,7 +976,7 @@ def innovation_deviation(
         finite.
 
     innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
-        5.01 * 2^-52 (float64), 5.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        5.00 * 2^-52 (float64), 5.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1096,7 +1120,7 @@ def predicted_covariance(
         2^-52 (float64), 10.91 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 10.48 * 2^-52 (float64), 10.48 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 10.46 * 2^-52 (float64), 10.47 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
         error at most 5.52 * 2^-52 (float64), 5.52 * 2^-23 (float32), proved for
@@ -1290,7 +1314,7 @@ def predicted_covariance_derivatives(
         most 2^1000, in float32 above 0 and at most 2^120.
 
     predicted_11: derivative of the variance of the predicted position over sigma_v^2. Relative
-        error at most 14.42 * 2^-52 (float64), 14.38 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 14.42 * 2^-52 (float64), 14.37 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
@@ -1298,7 +1322,7 @@ def predicted_covariance_derivatives(
         <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_13: derivative of the covariance of predicted position and acceleration times
-        T^2/sigma_v^2. Relative error at most 8.16 * 2^-52 (float64), 8.14 * 2^-23 (float32), proved
+        T^2/sigma_v^2. Relative error at most 8.15 * 2^-52 (float64), 8.13 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
@@ -1565,19 +1589,19 @@ def updated_covariance(
         most 6.11 * 2^-52 (float64), 6.12 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     updated_13: covariance of updated position and acceleration times T^2/sigma_v^2. Relative error
-        at most 4.61 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 2.2250738585072014e-308
+        at most 4.61 * 2^-52 (float64), 4.61 * 2^-23 (float32), proved for 2.2250738585072014e-308
         <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
         9.223372e18 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 46.34 *
-        2^-52 (float64), 45.79 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 17.81 *
+        2^-52 (float64), 17.82 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
         tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
         9.223372e18 (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
-        at most 20.69 * 2^-52 (float64), 20.68 * 2^-23 (float32), proved for 1.0832677820940206e-231
+        at most 13.49 * 2^-52 (float64), 13.49 * 2^-23 (float32), proved for 1.0832677820940206e-231
         <= tracking_index <= 6.703903964971299e153 (float64) and 2.122721e-29 <= tracking_index <=
         9.223372e18 (float32).
     updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
-        10.11 * 2^-52 (float64), 10.10 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        7.43 * 2^-52 (float64), 7.29 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
         tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
         9.223372e18 (float32).
 
@@ -1597,7 +1621,7 @@ def updated_covariance(
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
     (tracking_index,) = given
     updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1, w2, w3, w4, w5, w6 = work
     p = np.sqrt(tracking_index, updated_13)
     r = np.sqrt(p, updated_11)
     t4 = np.divide(2.220446049250313e-16, tracking_index, updated_12)
@@ -1669,64 +1693,1929 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: 
     t84 = np.multiply(e, 2.0, w1)
     t85 = np.add(t84, t15, w1)
     x = np.sqrt(t85, w1)
-    t87 = np.multiply(e, x, w3)
-    t88 = np.multiply(x, p, w4)
-    t91 = np.multiply(t88, 0.37200846792814624, w4)
-    t92 = np.multiply(e, r, updated_12)
-    t94 = np.multiply(t92, 1.0773502691896257, updated_12)
-    t96 = np.multiply(t18, 0.23411675639654192, w2)
-    t97 = np.add(t87, t91, w3)
-    t98 = np.add(t97, t94, w3)
-    t99 = np.add(t98, t96, w3)
-    t101 = np.multiply(p, 0.041666666666666664, w2)
-    t102 = np.add(t10, t101, w2)
-    t103 = np.multiply(x, 8.0, w4)
-    t104 = np.divide(t103, t102, w4)
-    t105 = np.divide(t104, t99, w4)
-    t106 = np.divide(t105, tracking_index, w2)
-    t107 = np.multiply(t105, 0.5, w3)
-    t109 = np.multiply(tracking_index, 0.5773502691896257, updated_12)
-    t110 = np.add(t107, t109, w3)
-    t111 = np.multiply(t106, 0.125, updated_12)
-    t113 = np.add(t111, 0.28867513459481287, updated_12)
-    t114 = np.multiply(t105, t113, updated_12)
-    t116 = np.multiply(tracking_index, 0.16666666666666666, updated_23)
-    t117 = np.add(t114, t116, updated_23)
-    t118 = np.multiply(e, 0.5, updated_12)
-    t119 = np.add(t10, t118, updated_22)
-    t120 = np.multiply(x, r, updated_12)
-    t121 = np.multiply(t120, 0.25, updated_33)
-    t122 = np.multiply(p, 0.125, w5)
-    t123 = np.add(t121, t122, updated_33)
-    t124 = np.add(t119, t123, updated_22)
-    t125 = np.multiply(p, 0.25, w5)
-    t126 = np.add(e, t125, w0)
-    t135 = np.multiply(t106, 0.046875, w5)
-    t136 = np.add(t135, 0.27900635094610965, w5)
-    t137 = np.multiply(t106, t136, w2)
-    t138 = np.add(t137, 0.5706730176127763, w2)
-    t139 = np.multiply(r, 0.5, updated_11)
-    t140 = np.divide(t139, x, updated_11)
-    t141 = np.multiply(t105, t140, w1)
-    t142 = np.multiply(t105, t138, w4)
-    t143 = np.multiply(tracking_index, 0.4488959454956774, w2)
-    t144 = np.add(t142, t143, w4)
-    t145 = np.multiply(t141, t144, w1)
-    t146 = np.multiply(tracking_index, t140, updated_11)
-    t147 = np.multiply(tracking_index, t146, updated_11)
-    t148 = np.multiply(t147, 0.10366807798802437, w2)
-    np.divide(t126, t124, updated_11)
-    np.divide(t120, t124, updated_12)
-    np.divide(p, t124, updated_13)
-    np.add(t145, t148, updated_22)
-    np.multiply(tracking_index, t117, updated_23)
-    np.multiply(tracking_index, t110, updated_33)
+    t87 = np.multiply(e, 0.5, w3)
+    t88 = np.add(t10, t87, w3)
+    t89 = np.multiply(x, r, w4)
+    t91 = np.multiply(t89, 0.25, updated_12)
+    t92 = np.multiply(p, 0.125, updated_23)
+    t93 = np.add(t91, t92, updated_12)
+    t94 = np.add(t88, t93, w3)
+    t95 = np.multiply(p, 0.25, updated_12)
+    t96 = np.add(e, t95, updated_12)
+    t101 = np.divide(r, x, updated_23)
+    t102 = np.multiply(t101, 0.5, updated_23)
+    t107 = np.multiply(t102, 0.0011218245269451691, updated_33)
+    t108 = np.add(t107, 0.001041281149712801, updated_33)
+    t109 = np.multiply(t102, t108, updated_33)
+    t110 = np.add(t109, 0.016430433772323682, updated_33)
+    t111 = np.multiply(e, x, w5)
+    t112 = np.multiply(x, p, w6)
+    t114 = np.multiply(t112, 0.37200846792814624, w6)
+    t115 = np.multiply(e, r, w0)
+    t117 = np.multiply(t115, 1.0773502691896257, w0)
+    t119 = np.multiply(t18, 0.23411675639654192, w2)
+    t120 = np.add(t111, t114, w5)
+    t121 = np.add(t120, t117, w5)
+    t122 = np.add(t121, t119, w5)
+    t124 = np.multiply(p, 0.041666666666666664, w0)
+    t125 = np.add(t10, t124, updated_22)
+    t126 = np.multiply(x, 8.0, w0)
+    t127 = np.divide(t126, t125, w0)
+    t128 = np.divide(t127, t122, w0)
+    t129 = np.divide(t128, tracking_index, w0)
+    t130 = np.multiply(t129, t102, w0)
+    t131 = np.multiply(t130, t110, updated_33)
+    t132 = np.add(t131, 0.02563509461096617, updated_33)
+    t133 = np.multiply(t130, t132, updated_33)
+    t134 = np.add(t133, 0.004809471616710149, updated_33)
+    t135 = np.divide(x, r, w1)
+    t136 = np.multiply(t135, 2.0, w1)
+    t137 = np.multiply(tracking_index, t136, w2)
+    t138 = np.multiply(t137, t136, w5)
+    t139 = np.multiply(t138, t136, w1)
+    t140 = np.multiply(t139, t134, w1)
+    t145 = np.multiply(t130, 0.02692378864668406, w6)
+    t146 = np.add(t145, 0.06217782649107053, w6)
+    t147 = np.multiply(t130, t146, w6)
+    t148 = np.add(t147, 0.03589838486224541, w6)
+    t149 = np.multiply(t138, t148, w5)
+    t153 = np.multiply(t130, 0.2320508075688773, w0)
+    t154 = np.add(t153, 0.2679491924311227, w0)
+    t155 = np.multiply(t137, t154, w2)
+    np.divide(t96, t94, updated_11)
+    np.divide(t89, t94, updated_12)
+    np.divide(p, t94, updated_13)
+    np.multiply(tracking_index, t140, updated_22)
+    np.multiply(tracking_index, t149, updated_23)
+    np.multiply(tracking_index, t155, updated_33)
 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
     (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
-    6,
+    7,
     _updated_covariance_block,
+)
+
+
+class UpdatedCovarianceDerivatives(NamedTuple):
+    """Result of `updated_covariance_derivatives`."""
+
+    updated_11: Real
+    """Derivative of the variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Derivative of the covariance of updated position and velocity times T/sigma_v^2."""
+    updated_13: Real
+    """Derivative of the covariance of updated position and acceleration times T^2/sigma_v^2."""
+    updated_22: Real
+    """Derivative of the variance of the updated velocity times T^2/sigma_v^2."""
+    updated_23: Real
+    """Derivative of the covariance of updated velocity and acceleration times T^3/sigma_v^2."""
+    updated_33: Real
+    """Derivative of the variance of the updated acceleration times T^4/sigma_v^2."""
+
+
+def updated_covariance_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> UpdatedCovarianceDerivatives:
+    """First derivatives of the updated covariance.
+
+        delta = sqrt(64/Lambda^2 + 1/9),
+        xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
+        most 2^1000, in float32 above 0 and at most 2^120.
+
+    updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
+        most 17.04 * 2^-52 (float64), 17.04 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        <= 6.147487532734931e102 (float64) and 1e-45 <= tracking_index <= 7.604528e12 (float32).
+    updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
+        Relative error at most 18.09 * 2^-52 (float64), 18.08 * 2^-23 (float32), proved for 5e-324
+        <= tracking_index <= 1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <=
+        2.1021648e13 (float32).
+    updated_13: derivative of the covariance of updated position and acceleration times
+        T^2/sigma_v^2. Relative error at most 17.14 * 2^-52 (float64), 17.14 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <=
+        tracking_index <= 2.6091866e13 (float32).
+    updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
+        error at most 30.61 * 2^-52 (float64), 30.49 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+    updated_23: derivative of the covariance of updated velocity and acceleration times
+        T^3/sigma_v^2. Relative error at most 25.45 * 2^-52 (float64), 25.28 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
+        tracking_index <= 1.329228e36 (float32).
+    updated_33: derivative of the variance of the updated acceleration times T^4/sigma_v^2. Relative
+        error at most 20.75 * 2^-52 (float64), 20.65 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-jerk
+    """
+    return UpdatedCovarianceDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13 = work
+    p = np.sqrt(tracking_index, updated_11)
+    r = np.sqrt(p, updated_12)
+    t4 = np.divide(2.220446049250313e-16, tracking_index, updated_13)
+    t6 = np.multiply(tracking_index, 3.854941057726238e-19, w0)
+    t7 = np.add(t4, t6, updated_13)
+    c_scaled = np.sqrt(t7, updated_22)
+    t10 = np.multiply(c_scaled, 67108864.0, updated_22)
+    t12 = np.multiply(t10, r, w0)
+    t14 = np.multiply(t12, 2.0, w0)
+    t16 = np.multiply(p, 0.4166666666666667, updated_13)
+    t18 = np.multiply(tracking_index, 0.04861111111111111, w1)
+    t19 = np.multiply(p, r, w2)
+    t22 = np.multiply(t19, 1.2504627916220945, w3)
+    t24 = np.divide(8.0, r, updated_23)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, updated_23)
+    t29 = np.add(t28, t18, updated_23)
+    t30 = np.sqrt(t29, updated_33)
+    t31 = np.multiply(t30, 2.0, updated_23)
+    t32 = np.add(t31, t16, updated_23)
+    t33 = np.sqrt(t32, updated_23)
+    t35 = np.multiply(t14, 0.5, w4)
+    t36 = np.multiply(t30, t33, updated_33)
+    t37 = np.multiply(t33, t36, updated_23)
+    t38 = np.multiply(t35, t26, w3)
+    t39 = np.subtract(t37, t38, updated_23)
+    t40 = np.subtract(t36, t35, updated_33)
+    t41 = np.divide(t39, t40, updated_23)
+    t43 = np.multiply(t14, t41, w3)
+    t44 = np.add(t43, t18, w3)
+    t45 = np.sqrt(t44, w3)
+    t46 = np.multiply(t45, 2.0, updated_33)
+    t47 = np.add(t46, t16, updated_33)
+    t48 = np.sqrt(t47, updated_33)
+    t49 = np.multiply(t45, t48, w3)
+    t50 = np.multiply(t48, t49, updated_33)
+    t51 = np.multiply(t35, t41, updated_23)
+    t52 = np.subtract(t50, t51, updated_33)
+    t53 = np.subtract(t49, t35, w3)
+    t54 = np.divide(t52, t53, updated_33)
+    t56 = np.multiply(t14, t54, w3)
+    t57 = np.add(t56, t18, w3)
+    t58 = np.sqrt(t57, w3)
+    t59 = np.multiply(t58, 2.0, updated_23)
+    t60 = np.add(t59, t16, updated_23)
+    t61 = np.sqrt(t60, updated_23)
+    t62 = np.multiply(t58, t61, w3)
+    t63 = np.multiply(t61, t62, updated_23)
+    t64 = np.multiply(t35, t54, updated_33)
+    t65 = np.subtract(t63, t64, updated_23)
+    t66 = np.subtract(t62, t35, w3)
+    t67 = np.divide(t65, t66, updated_23)
+    t69 = np.multiply(t14, t67, w3)
+    t70 = np.add(t69, t18, w3)
+    t71 = np.sqrt(t70, w3)
+    t72 = np.multiply(t71, 2.0, updated_33)
+    t73 = np.add(t72, t16, updated_33)
+    t74 = np.sqrt(t73, updated_33)
+    t75 = np.multiply(t71, t74, w3)
+    t76 = np.multiply(t74, t75, updated_33)
+    t77 = np.multiply(t35, t67, updated_23)
+    t78 = np.subtract(t76, t77, updated_33)
+    t79 = np.subtract(t75, t35, w3)
+    t80 = np.divide(t78, t79, updated_33)
+    t82 = np.multiply(t14, t80, w0)
+    t83 = np.add(t82, t18, w0)
+    e = np.sqrt(t83, w0)
+    t85 = np.multiply(e, 2.0, w1)
+    t86 = np.add(t85, t16, w1)
+    x = np.sqrt(t86, w1)
+    t88 = np.square(e, w3)
+    t90 = np.multiply(t88, 0.75, w4)
+    t91 = np.multiply(p, e, updated_13)
+    t93 = np.multiply(t91, 0.20833333333333334, updated_23)
+    t95 = np.multiply(tracking_index, 0.012152777777777778, updated_33)
+    t96 = np.add(t90, t93, w4)
+    t97 = np.add(t96, t95, w4)
+    t99 = np.multiply(t88, 0.25, w3)
+    t101 = np.multiply(t91, 0.10416666666666667, updated_13)
+    t102 = np.add(t99, t101, w3)
+    t103 = np.add(t102, t95, w3)
+    t104 = np.multiply(x, r, updated_13)
+    t105 = np.divide(t104, t10, updated_23)
+    t106 = np.multiply(t105, p, updated_23)
+    t108 = np.multiply(t106, 0.006944444444444444, updated_23)
+    t110 = np.multiply(p, 0.16666666666666666, updated_33)
+    t111 = np.add(e, t110, updated_33)
+    t112 = np.add(t111, t108, updated_23)
+    t113 = np.divide(t112, t97, updated_23)
+    t114 = np.multiply(t104, 0.25, w5)
+    t115 = np.multiply(t113, t114, updated_23)
+    t116 = np.divide(x, t19, w6)
+    t117 = np.multiply(t111, 0.125, updated_33)
+    t118 = np.multiply(t104, t117, updated_33)
+    t119 = np.add(t103, t118, w3)
+    t120 = np.divide(t104, t97, updated_13)
+    t121 = np.multiply(x, 0.25, updated_33)
+    t122 = np.multiply(r, 0.5, w7)
+    t123 = np.add(x, t122, w7)
+    t124 = np.multiply(t121, t123, updated_33)
+    t125 = np.multiply(t120, t124, updated_13)
+    t126 = np.add(t125, 1.0, updated_13)
+    t127 = np.divide(t115, tracking_index, updated_23)
+    t128 = np.multiply(t127, 2.0, updated_23)
+    t129 = np.divide(t119, t97, w3)
+    t130 = np.divide(t116, t10, w6)
+    t131 = np.multiply(t129, t130, w3)
+    t132 = np.multiply(t131, 2.0, w3)
+    t133 = np.multiply(t10, p, w4)
+    t134 = np.divide(t126, t133, updated_13)
+    t135 = np.multiply(e, 0.5, w4)
+    t136 = np.add(t10, t135, w4)
+    t137 = np.multiply(p, 0.125, w6)
+    t138 = np.add(t114, t137, w5)
+    t139 = np.add(t136, t138, w4)
+    t140 = np.multiply(p, t139, w4)
+    t141 = np.divide(t128, t140, updated_23)
+    t143 = np.divide(t132, t140, w3)
+    t145 = np.divide(t134, t140, updated_13)
+    t147 = np.multiply(p, 0.25, w5)
+    t148 = np.divide(t147, e, w5)
+    t150 = np.multiply(t148, 1.6666666666666667, w6)
+    t151 = np.add(t150, 2.0, w6)
+    t152 = np.square(t151, w6)
+    t154 = np.multiply(t148, 0.7777777777777778, w7)
+    t156 = np.add(t154, 3.3333333333333335, w7)
+    t157 = np.multiply(t148, t156, w5)
+    t159 = np.add(t157, 3.0, w5)
+    t160 = np.divide(t152, t159, w6)
+    t161 = np.multiply(t160, 2.0, w6)
+    t162 = np.multiply(t161, 0.5, w6)
+    t163 = np.square(x, w5)
+    t164 = np.divide(x, r, w7)
+    t165 = np.multiply(t163, t164, w5)
+    t166 = np.divide(t165, t10, w5)
+    t167 = np.multiply(t162, t166, w6)
+    t169 = np.divide(r, x, w5)
+    t170 = np.multiply(t169, 0.5, w5)
+    t175 = np.multiply(t170, 0.0024404347537136284, updated_33)
+    t176 = np.add(t175, 0.001061519763978078, updated_33)
+    t180 = np.multiply(t170, 0.0009137106272220436, w8)
+    t181 = np.multiply(t170, t180, w8)
+    t182 = np.multiply(t170, t181, w8)
+    t183 = np.multiply(t170, t182, w8)
+    t184 = np.multiply(t170, t183, w8)
+    t185 = np.add(t184, 7.555040806092546e-05, w8)
+    t186 = np.multiply(t170, t185, w8)
+    t187 = np.add(t186, 0.0010902514841846192, w8)
+    t188 = np.multiply(t170, t187, w8)
+    t190 = np.multiply(t170, 0.0007590309108901133, w9)
+    t191 = np.multiply(t170, t190, w9)
+    t192 = np.multiply(t170, t191, w9)
+    t193 = np.multiply(t170, t192, w9)
+    t194 = np.multiply(t170, t193, w9)
+    t195 = np.multiply(t170, t194, w9)
+    t196 = np.multiply(t170, t195, w9)
+    t198 = np.multiply(t170, 5.303818051981195e-05, w10)
+    t199 = np.multiply(t170, t198, w10)
+    t203 = np.multiply(t170, 7.583607622398835e-05, w11)
+    t204 = np.add(t203, 6.31068506037421e-05, w11)
+    t205 = np.multiply(t170, t204, w11)
+    t206 = np.add(t205, 1.571457890053316e-05, w11)
+    t207 = np.multiply(t170, t206, w11)
+    t208 = np.multiply(t170, t207, w11)
+    t209 = np.multiply(e, x, w12)
+    t210 = np.multiply(x, p, w13)
+    t212 = np.multiply(t210, 0.37200846792814624, w13)
+    t213 = np.multiply(e, r, w0)
+    t215 = np.multiply(t213, 1.0773502691896257, w0)
+    t217 = np.multiply(t19, 0.23411675639654192, w2)
+    t218 = np.add(t209, t212, w12)
+    t219 = np.add(t218, t215, w12)
+    t220 = np.add(t219, t217, w12)
+    t222 = np.multiply(p, 0.041666666666666664, updated_11)
+    t223 = np.add(t10, t222, updated_22)
+    t224 = np.multiply(x, 8.0, w1)
+    t225 = np.divide(t224, t223, w1)
+    t226 = np.divide(t225, t220, w1)
+    t227 = np.divide(t226, tracking_index, w1)
+    t228 = np.multiply(t227, t170, w1)
+    t229 = np.multiply(t228, t208, w11)
+    t230 = np.add(t229, t199, w11)
+    t231 = np.multiply(t228, t230, w11)
+    t232 = np.multiply(t228, t231, w11)
+    t233 = np.add(t232, t196, w11)
+    t234 = np.multiply(t228, t233, w11)
+    t235 = np.add(t234, t188, w11)
+    t236 = np.multiply(t228, t235, w11)
+    t237 = np.add(t236, t176, w11)
+    t238 = np.multiply(t228, t237, w11)
+    t239 = np.add(t238, 0.002556708400253702, w11)
+    t240 = np.multiply(t228, t239, w11)
+    t241 = np.add(t240, 0.0005922088296389958, w11)
+    t242 = np.multiply(t228, t241, w11)
+    t243 = np.add(t242, 0.00018409425612922383, w11)
+    t244 = np.multiply(t243, t167, w11)
+    t245 = np.multiply(t164, 2.0, w7)
+    t246 = np.multiply(tracking_index, t245, w0)
+    t247 = np.multiply(t246, t245, w2)
+    t248 = np.multiply(t247, t245, w7)
+    t255 = np.multiply(t170, 0.007436542013961722, w8)
+    t256 = np.add(t255, 0.00012660577174508625, w8)
+    t259 = np.multiply(t170, 0.0014773483885637468, w9)
+    t260 = np.add(t259, 0.002701399099834149, w9)
+    t261 = np.multiply(t170, t260, w9)
+    t263 = np.multiply(t170, 0.0007774648251771952, w10)
+    t264 = np.multiply(t170, t263, w10)
+    t266 = np.multiply(t170, 1.4877915918498721e-05, w12)
+    t267 = np.multiply(t170, t266, w12)
+    t270 = np.multiply(t170, 4.025678421421063e-06, w13)
+    t271 = np.add(t270, 1.0012317375838624e-06, w13)
+    t272 = np.multiply(t170, t271, w13)
+    t273 = np.multiply(t170, t272, w13)
+    t274 = np.multiply(t228, t273, w13)
+    t275 = np.add(t274, t267, w13)
+    t276 = np.multiply(t228, t275, w13)
+    t277 = np.add(t276, t264, w13)
+    t278 = np.multiply(t228, t277, w13)
+    t279 = np.add(t278, t261, w13)
+    t280 = np.multiply(t228, t279, w13)
+    t281 = np.add(t280, t256, w13)
+    t282 = np.multiply(t228, t281, w13)
+    t283 = np.add(t282, 0.008329890877424199, w13)
+    t284 = np.multiply(t228, t283, w13)
+    t285 = np.add(t284, 0.005794405116318991, w13)
+    t286 = np.multiply(t228, t285, w13)
+    t287 = np.add(t286, 0.001374098234511723, w13)
+    t288 = np.multiply(t287, t167, w13)
+    t294 = np.multiply(t170, 0.06398260050829865, w8)
+    t295 = np.add(t294, 0.014362153709367172, w8)
+    t298 = np.multiply(t170, 0.018928475761209342, w9)
+    t299 = np.add(t298, 0.019450029708108933, w9)
+    t300 = np.multiply(t170, t299, w9)
+    t303 = np.multiply(t170, 0.000139505221579648, w10)
+    t304 = np.multiply(t170, t303, w10)
+    t305 = np.multiply(t170, t304, w10)
+    t306 = np.multiply(t170, t305, w10)
+    t307 = np.add(t306, 0.0033203596819531118, w10)
+    t308 = np.multiply(t170, t307, w10)
+    t309 = np.multiply(t170, t308, w10)
+    t311 = np.multiply(t170, 2.1841824875665423e-05, w12)
+    t312 = np.multiply(t170, t311, w12)
+    t315 = np.multiply(t170, 1.3945359121669913e-05, updated_11)
+    t316 = np.add(t315, 3.313477390444821e-06, updated_11)
+    t317 = np.multiply(t170, t316, updated_11)
+    t318 = np.multiply(t170, t317, w5)
+    t319 = np.multiply(t228, t318, w5)
+    t320 = np.add(t319, t312, w5)
+    t321 = np.multiply(t228, t320, w5)
+    t322 = np.multiply(t228, t321, w5)
+    t323 = np.add(t322, t309, w5)
+    t324 = np.multiply(t228, t323, w5)
+    t325 = np.add(t324, t300, w5)
+    t326 = np.multiply(t228, t325, w5)
+    t327 = np.add(t326, t295, w5)
+    t328 = np.multiply(t228, t327, w5)
+    t329 = np.add(t328, 0.05350643743905594, w5)
+    t330 = np.multiply(t228, t329, w1)
+    t331 = np.add(t330, 0.010256408851576889, w1)
+    t332 = np.multiply(t331, t167, w1)
+    np.divide(t141, t140, updated_11)
+    np.divide(t143, t140, updated_12)
+    np.divide(t145, t140, updated_13)
+    np.multiply(t248, t244, updated_22)
+    np.multiply(t247, t288, updated_23)
+    np.multiply(t246, t332, updated_33)
+
+
+_UPDATED_COVARIANCE_DERIVATIVES = Signature(
+    "updated_covariance_derivatives",
+    (_TRACKING_INDEX_DOMAIN_3,),
+    ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
+    14,
+    _updated_covariance_derivatives_block,
+)
+
+
+class GainSecondDerivatives(NamedTuple):
+    """Result of `gain_second_derivatives`."""
+
+    alpha: Real
+    """Second derivative by Lambda of the position gain."""
+    beta: Real
+    """Second derivative by Lambda of the velocity gain times the sampling interval."""
+    gamma: Real
+    """Second derivative by Lambda of the acceleration gain times the square of the sampling
+    interval."""
+
+
+def gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> GainSecondDerivatives:
+    """Second derivatives of the filter gain, all negative.
+
+        delta = sqrt(64/Lambda^2 + 1/9),
+        xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
+        finite.
+
+    alpha: second derivative by Lambda of the position gain. Relative error at most 27.37 * 2^-52
+        (float64), 27.57 * 2^-23 (float32), proved for 6.852691063641311e-186 <= tracking_index <=
+        1.6248136397643547e77 (float64) and 4.6732578e-24 <= tracking_index <= 6.0267684e09
+        (float32).
+    beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
+        error at most 36.32 * 2^-52 (float64), 36.33 * 2^-23 (float32), proved for
+        3.506117298415993e-232 <= tracking_index <= 3.483368529203275e77 (float64) and 6.8711666e-30
+        <= tracking_index <= 1.2920532e10 (float32).
+    gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
+        interval. Relative error at most 32.86 * 2^-52 (float64), 32.83 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 4.0961722872046457e77 (float64) and 1e-45 <= tracking_index
+        <= 1.5193547e10 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-jerk
+    """
+    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+
+
+def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    alpha, beta, gamma = out
+    (
+        w0,
+        w1,
+        w2,
+        w3,
+        w4,
+        w5,
+        w6,
+        w7,
+        w8,
+        w9,
+        w10,
+        w11,
+        w12,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        w18,
+        w19,
+        w20,
+        w21,
+    ) = work
+    p = np.sqrt(tracking_index, alpha)
+    r = np.sqrt(p, beta)
+    t4 = np.divide(2.220446049250313e-16, tracking_index, gamma)
+    t6 = np.multiply(tracking_index, 3.854941057726238e-19, w0)
+    t7 = np.add(t4, t6, gamma)
+    c_scaled = np.sqrt(t7, gamma)
+    t10 = np.multiply(c_scaled, 67108864.0, gamma)
+    t12 = np.multiply(t10, r, w0)
+    t14 = np.multiply(t12, 2.0, w0)
+    t16 = np.multiply(p, 0.4166666666666667, w1)
+    t18 = np.multiply(tracking_index, 0.04861111111111111, w2)
+    t19 = np.multiply(p, r, w3)
+    t22 = np.multiply(t19, 1.2504627916220945, w3)
+    t24 = np.divide(8.0, r, w4)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, w4)
+    t29 = np.add(t28, t18, w4)
+    t30 = np.sqrt(t29, w4)
+    t31 = np.multiply(t30, 2.0, w5)
+    t32 = np.add(t31, t16, w5)
+    t33 = np.sqrt(t32, w5)
+    t35 = np.multiply(t14, 0.5, w6)
+    t36 = np.multiply(t30, t33, w4)
+    t37 = np.multiply(t33, t36, w5)
+    t38 = np.multiply(t35, t26, w3)
+    t39 = np.subtract(t37, t38, w5)
+    t40 = np.subtract(t36, t35, w4)
+    t41 = np.divide(t39, t40, w5)
+    t43 = np.multiply(t14, t41, w3)
+    t44 = np.add(t43, t18, w3)
+    t45 = np.sqrt(t44, w3)
+    t46 = np.multiply(t45, 2.0, w4)
+    t47 = np.add(t46, t16, w4)
+    t48 = np.sqrt(t47, w4)
+    t49 = np.multiply(t45, t48, w3)
+    t50 = np.multiply(t48, t49, w4)
+    t51 = np.multiply(t35, t41, w5)
+    t52 = np.subtract(t50, t51, w4)
+    t53 = np.subtract(t49, t35, w3)
+    t54 = np.divide(t52, t53, w4)
+    t56 = np.multiply(t14, t54, w3)
+    t57 = np.add(t56, t18, w3)
+    t58 = np.sqrt(t57, w3)
+    t59 = np.multiply(t58, 2.0, w5)
+    t60 = np.add(t59, t16, w5)
+    t61 = np.sqrt(t60, w5)
+    t62 = np.multiply(t58, t61, w3)
+    t63 = np.multiply(t61, t62, w5)
+    t64 = np.multiply(t35, t54, w4)
+    t65 = np.subtract(t63, t64, w5)
+    t66 = np.subtract(t62, t35, w3)
+    t67 = np.divide(t65, t66, w5)
+    t69 = np.multiply(t14, t67, w3)
+    t70 = np.add(t69, t18, w3)
+    t71 = np.sqrt(t70, w3)
+    t72 = np.multiply(t71, 2.0, w4)
+    t73 = np.add(t72, t16, w4)
+    t74 = np.sqrt(t73, w4)
+    t75 = np.multiply(t71, t74, w3)
+    t76 = np.multiply(t74, t75, w4)
+    t77 = np.multiply(t35, t67, w5)
+    t78 = np.subtract(t76, t77, w4)
+    t79 = np.subtract(t75, t35, w3)
+    t80 = np.divide(t78, t79, w4)
+    t82 = np.multiply(t14, t80, w0)
+    t83 = np.add(t82, t18, w0)
+    e = np.sqrt(t83, w0)
+    t85 = np.multiply(e, 2.0, w2)
+    t86 = np.add(t85, t16, w2)
+    x = np.sqrt(t86, w2)
+    t88 = np.multiply(e, 0.5, w1)
+    t89 = np.add(t10, t88, w1)
+    t90 = np.multiply(x, r, w3)
+    t92 = np.multiply(t90, 0.25, w4)
+    t93 = np.multiply(p, 0.125, w5)
+    t94 = np.add(t92, t93, w4)
+    t95 = np.add(t89, t94, w1)
+    t96 = np.multiply(p, t95, w4)
+    t97 = np.divide(x, r, w5)
+    t98 = np.multiply(t97, 2.0, w6)
+    t99 = np.multiply(p, 0.25, w7)
+    t100 = np.divide(t99, e, w7)
+    t102 = np.multiply(t100, 0.6666666666666666, w8)
+    t103 = np.add(t102, 1.0, w8)
+    t104 = np.multiply(t103, t100, w9)
+    t106 = np.multiply(t100, 0.7777777777777778, w10)
+    t108 = np.add(t106, 3.3333333333333335, w11)
+    t109 = np.multiply(t100, t108, w11)
+    t111 = np.add(t109, 3.0, w11)
+    t112 = np.divide(t104, t111, w9)
+    t113 = np.multiply(t112, 2.0, w9)
+    t114 = np.divide(p, e, w12)
+    t115 = np.divide(t114, t111, w13)
+    t116 = np.multiply(t115, t114, w13)
+    t117 = np.divide(p, t10, w12)
+    t118 = np.multiply(t97, t117, w5)
+    t119 = np.multiply(t116, t118, w13)
+    t121 = np.multiply(t119, 0.003472222222222222, w13)
+    t122 = np.add(t113, t121, w9)
+    t123 = np.multiply(t122, t98, w5)
+    t124 = np.multiply(t122, t123, w12)
+    t125 = np.multiply(t124, 2.0, w12)
+    t126 = np.divide(t100, t111, w14)
+    t128 = np.multiply(t100, 1.6666666666666667, w15)
+    t129 = np.add(t128, 2.0, w15)
+    t130 = np.divide(t129, t111, w16)
+    t131 = np.multiply(t126, t130, w14)
+    t132 = np.divide(t131, t111, w14)
+    t134 = np.multiply(t100, 0.27469135802469136, w16)
+    t136 = np.add(t134, 0.6296296296296297, w16)
+    t137 = np.multiply(t100, t136, w16)
+    t139 = np.add(t137, 1.2222222222222223, w16)
+    t140 = np.multiply(t100, t139, w16)
+    t141 = np.add(t140, 1.6666666666666667, w16)
+    t142 = np.multiply(t100, t141, w16)
+    t144 = np.add(t142, 0.75, w16)
+    t145 = np.multiply(t144, 8.0, w16)
+    t146 = np.multiply(t132, t145, w14)
+    t147 = np.multiply(t129, t100, w16)
+    t148 = np.divide(t147, t111, w16)
+    t149 = np.divide(tracking_index, t10, w17)
+    t150 = np.divide(t149, t10, w17)
+    t152 = np.multiply(t150, 0.001736111111111111, w17)
+    t153 = np.divide(x, e, w2)
+    t154 = np.multiply(e, t111, w18)
+    t155 = np.divide(t153, t154, w2)
+    t156 = np.divide(t155, r, w2)
+    t157 = np.divide(t156, t10, w2)
+    t158 = np.divide(t157, p, w2)
+    t159 = np.multiply(t158, 2.0, w2)
+    t160 = np.add(t152, t159, w18)
+    t161 = np.square(t148, beta)
+    t163 = np.multiply(t161, 2.6666666666666665, beta)
+    t164 = np.add(t159, t121, w19)
+    t165 = np.square(t129, w20)
+    t166 = np.divide(t165, t111, w20)
+    t167 = np.multiply(t166, 2.0, w20)
+    t168 = np.add(t164, t167, w20)
+    t169 = np.multiply(t121, t168, w20)
+    t170 = np.add(t160, t163, w18)
+    t171 = np.add(t170, t169, w18)
+    t172 = np.multiply(t121, t171, w18)
+    t173 = np.add(t146, t172, w14)
+    t174 = np.add(t125, t173, w12)
+    t175 = np.multiply(t98, t174, w12)
+    t176 = np.divide(t90, t95, w3)
+    t177 = np.divide(t176, tracking_index, w14)
+    t178 = np.multiply(t177, 0.5, w14)
+    t179 = np.divide(e, t95, w1)
+    t180 = np.multiply(t159, t179, w1)
+    t182 = np.multiply(t100, 1.382716049382716, w18)
+    t184 = np.add(t182, 5.833333333333333, w18)
+    t185 = np.multiply(t100, t184, w18)
+    t187 = np.add(t185, 8.833333333333334, w18)
+    t188 = np.multiply(t100, t187, w18)
+    t189 = np.add(t188, 5.833333333333333, w18)
+    t190 = np.multiply(t100, t189, w18)
+    t192 = np.add(t190, 1.5, w18)
+    t193 = np.multiply(t100, 2.0, beta)
+    t195 = np.add(t193, 5.0, beta)
+    t196 = np.multiply(t100, t195, beta)
+    t197 = np.add(t196, 3.0, beta)
+    t198 = np.divide(t197, t111, beta)
+    t199 = np.multiply(t198, 2.0, beta)
+    t200 = np.divide(t10, e, gamma)
+    t201 = np.multiply(t200, 2.0, gamma)
+    t202 = np.multiply(t201, t199, gamma)
+    t203 = np.multiply(t123, t103, w5)
+    t204 = np.multiply(t203, 2.0, w5)
+    t205 = np.divide(t103, t111, w21)
+    t206 = np.divide(t192, t111, w18)
+    t207 = np.multiply(t205, t206, w21)
+    t209 = np.multiply(t207, 4.0, w21)
+    t210 = np.add(t204, t209, w5)
+    t211 = np.add(t129, t202, gamma)
+    t212 = np.multiply(t159, t211, gamma)
+    t213 = np.add(t210, t212, w5)
+    t214 = np.add(t106, 1.6666666666666667, w10)
+    t215 = np.multiply(t100, t214, w10)
+    t216 = np.add(t215, 1.0, w10)
+    t217 = np.divide(t216, t111, w10)
+    t218 = np.multiply(t217, 2.0, w10)
+    t219 = np.multiply(t218, t111, w18)
+    t220 = np.multiply(t219, 0.5, w21)
+    t221 = np.divide(e, p, w0)
+    t222 = np.multiply(t221, 4.0, w0)
+    t223 = np.multiply(t219, t222, w18)
+    t224 = np.multiply(t103, t199, beta)
+    t225 = np.add(t223, t224, w18)
+    t226 = np.multiply(t121, t225, w13)
+    t227 = np.divide(t222, t98, w18)
+    t228 = np.multiply(t227, t220, w18)
+    t229 = np.add(t228, t103, w18)
+    t230 = np.multiply(t152, t229, w18)
+    t231 = np.add(t213, t226, w5)
+    t232 = np.add(t231, t230, w5)
+    t233 = np.multiply(t180, t232, w1)
+    t234 = np.multiply(t178, t233, w14)
+    t235 = np.multiply(t111, 0.5, w1)
+    t236 = np.multiply(t222, t235, w0)
+    t237 = np.divide(t236, t129, w0)
+    t238 = np.multiply(t176, 0.25, w3)
+    t239 = np.add(t237, 1.0, w0)
+    t240 = np.add(t239, t98, w0)
+    t241 = np.multiply(t238, t240, w3)
+    t242 = np.multiply(t122, t241, w9)
+    t243 = np.multiply(t164, t100, w19)
+    t244 = np.add(t103, t129, w8)
+    t245 = np.multiply(t243, t244, w19)
+    t246 = np.divide(t245, t111, w19)
+    t247 = np.multiply(t246, 2.0, w19)
+    t248 = np.multiply(t148, 2.0, w16)
+    t249 = np.square(t248, w16)
+    t250 = np.multiply(t249, 0.6666666666666666, w16)
+    t251 = np.multiply(t152, t218, w17)
+    t252 = np.add(t247, t250, w19)
+    t253 = np.add(t252, t169, w19)
+    t254 = np.add(t253, t251, w19)
+    t255 = np.add(t242, t254, w9)
+    t256 = np.multiply(t98, t255, w6)
+    t257 = np.multiply(t159, t256, w2)
+    t258 = np.multiply(t175, 2.0, w12)
+    t259 = np.divide(t258, tracking_index, w12)
+    t260 = np.divide(t259, t96, w12)
+    t261 = np.divide(t260, t96, w12)
+    t262 = np.divide(t261, tracking_index, w12)
+    t263 = np.divide(t234, tracking_index, w14)
+    t264 = np.divide(t257, t96, w2)
+    t265 = np.divide(t264, tracking_index, w2)
+    np.negative(t262, alpha)
+    np.negative(t263, beta)
+    np.negative(t265, gamma)
+
+
+_GAIN_SECOND_DERIVATIVES = Signature(
+    "gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("alpha", "beta", "gamma"),
+    22,
+    _gain_second_derivatives_block,
+)
+
+
+class PredictorGainSecondDerivatives(NamedTuple):
+    """Result of `predictor_gain_second_derivatives`."""
+
+    position: Real
+    """Second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2."""
+    velocity: Real
+    """Second derivative by Lambda of the velocity entry of F K times the sampling interval, beta +
+    gamma."""
+    acceleration: Real
+    """Second derivative by Lambda of the acceleration entry of F K times the square of the sampling
+    interval, gamma."""
+
+
+def predictor_gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictorGainSecondDerivatives:
+    """Second derivatives of the predictor gain.
+
+        delta = sqrt(64/Lambda^2 + 1/9),
+        xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
+        finite.
+
+    position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
+        Relative error at most 30.56 * 2^-52 (float64), 30.54 * 2^-23 (float32), proved for
+        6.852691063641454e-186 <= tracking_index <= 4.1442054202196843e77 (float64) and
+        4.6733086e-24 <= tracking_index <= 1.5371711e10 (float32).
+    velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
+        beta + gamma. Relative error at most 36.83 * 2^-52 (float64), 36.83 * 2^-23 (float32),
+        proved for 3.506117298415993e-232 <= tracking_index <= 4.5504227289903544e77 (float64) and
+        6.871167e-30 <= tracking_index <= 1.6878456e10 (float32).
+    acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
+        the sampling interval, gamma. Relative error at most 32.86 * 2^-52 (float64), 32.83 * 2^-23
+        (float32), proved for 5e-324 <= tracking_index <= 4.0961722872046457e77 (float64) and 1e-45
+        <= tracking_index <= 1.5193547e10 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-jerk
+    """
+    return PredictorGainSecondDerivatives(
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predictor_gain_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    position, velocity, acceleration = out
+    (
+        w0,
+        w1,
+        w2,
+        w3,
+        w4,
+        w5,
+        w6,
+        w7,
+        w8,
+        w9,
+        w10,
+        w11,
+        w12,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        w18,
+        w19,
+        w20,
+        w21,
+    ) = work
+    p = np.sqrt(tracking_index, position)
+    r = np.sqrt(p, velocity)
+    t4 = np.divide(2.220446049250313e-16, tracking_index, acceleration)
+    t6 = np.multiply(tracking_index, 3.854941057726238e-19, w0)
+    t7 = np.add(t4, t6, acceleration)
+    c_scaled = np.sqrt(t7, acceleration)
+    t10 = np.multiply(c_scaled, 67108864.0, acceleration)
+    t12 = np.multiply(t10, r, w0)
+    t14 = np.multiply(t12, 2.0, w0)
+    t16 = np.multiply(p, 0.4166666666666667, w1)
+    t18 = np.multiply(tracking_index, 0.04861111111111111, w2)
+    t19 = np.multiply(p, r, w3)
+    t22 = np.multiply(t19, 1.2504627916220945, w3)
+    t24 = np.divide(8.0, r, w4)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, w4)
+    t29 = np.add(t28, t18, w4)
+    t30 = np.sqrt(t29, w4)
+    t31 = np.multiply(t30, 2.0, w5)
+    t32 = np.add(t31, t16, w5)
+    t33 = np.sqrt(t32, w5)
+    t35 = np.multiply(t14, 0.5, w6)
+    t36 = np.multiply(t30, t33, w4)
+    t37 = np.multiply(t33, t36, w5)
+    t38 = np.multiply(t35, t26, w3)
+    t39 = np.subtract(t37, t38, w5)
+    t40 = np.subtract(t36, t35, w4)
+    t41 = np.divide(t39, t40, w5)
+    t43 = np.multiply(t14, t41, w3)
+    t44 = np.add(t43, t18, w3)
+    t45 = np.sqrt(t44, w3)
+    t46 = np.multiply(t45, 2.0, w4)
+    t47 = np.add(t46, t16, w4)
+    t48 = np.sqrt(t47, w4)
+    t49 = np.multiply(t45, t48, w3)
+    t50 = np.multiply(t48, t49, w4)
+    t51 = np.multiply(t35, t41, w5)
+    t52 = np.subtract(t50, t51, w4)
+    t53 = np.subtract(t49, t35, w3)
+    t54 = np.divide(t52, t53, w4)
+    t56 = np.multiply(t14, t54, w3)
+    t57 = np.add(t56, t18, w3)
+    t58 = np.sqrt(t57, w3)
+    t59 = np.multiply(t58, 2.0, w5)
+    t60 = np.add(t59, t16, w5)
+    t61 = np.sqrt(t60, w5)
+    t62 = np.multiply(t58, t61, w3)
+    t63 = np.multiply(t61, t62, w5)
+    t64 = np.multiply(t35, t54, w4)
+    t65 = np.subtract(t63, t64, w5)
+    t66 = np.subtract(t62, t35, w3)
+    t67 = np.divide(t65, t66, w5)
+    t69 = np.multiply(t14, t67, w3)
+    t70 = np.add(t69, t18, w3)
+    t71 = np.sqrt(t70, w3)
+    t72 = np.multiply(t71, 2.0, w4)
+    t73 = np.add(t72, t16, w4)
+    t74 = np.sqrt(t73, w4)
+    t75 = np.multiply(t71, t74, w3)
+    t76 = np.multiply(t74, t75, w4)
+    t77 = np.multiply(t35, t67, w5)
+    t78 = np.subtract(t76, t77, w4)
+    t79 = np.subtract(t75, t35, w3)
+    t80 = np.divide(t78, t79, w4)
+    t82 = np.multiply(t14, t80, w0)
+    t83 = np.add(t82, t18, w0)
+    e = np.sqrt(t83, w0)
+    t85 = np.multiply(e, 2.0, w2)
+    t86 = np.add(t85, t16, w2)
+    x = np.sqrt(t86, w2)
+    t88 = np.multiply(e, 0.5, w1)
+    t89 = np.add(t10, t88, w1)
+    t90 = np.multiply(x, r, w3)
+    t92 = np.multiply(t90, 0.25, w4)
+    t93 = np.multiply(p, 0.125, w5)
+    t94 = np.add(t92, t93, w4)
+    t95 = np.add(t89, t94, w1)
+    t96 = np.multiply(p, t95, w4)
+    t97 = np.divide(x, r, w5)
+    t98 = np.multiply(t97, 2.0, w6)
+    t99 = np.multiply(p, 0.25, w7)
+    t100 = np.divide(t99, e, w7)
+    t102 = np.multiply(t100, 0.6666666666666666, w8)
+    t103 = np.add(t102, 1.0, w8)
+    t104 = np.multiply(t103, t100, w9)
+    t106 = np.multiply(t100, 0.7777777777777778, w10)
+    t108 = np.add(t106, 3.3333333333333335, w11)
+    t109 = np.multiply(t100, t108, w11)
+    t111 = np.add(t109, 3.0, w11)
+    t112 = np.divide(t104, t111, w9)
+    t113 = np.multiply(t112, 2.0, w9)
+    t114 = np.divide(p, e, w12)
+    t115 = np.divide(t114, t111, w13)
+    t116 = np.multiply(t115, t114, w13)
+    t117 = np.divide(p, t10, w12)
+    t118 = np.multiply(t97, t117, w5)
+    t119 = np.multiply(t116, t118, w13)
+    t121 = np.multiply(t119, 0.003472222222222222, w13)
+    t122 = np.add(t113, t121, w9)
+    t123 = np.multiply(t122, t98, w5)
+    t124 = np.multiply(t122, t123, w12)
+    t125 = np.multiply(t124, 2.0, w12)
+    t126 = np.divide(t100, t111, w14)
+    t128 = np.multiply(t100, 1.6666666666666667, w15)
+    t129 = np.add(t128, 2.0, w15)
+    t130 = np.divide(t129, t111, w16)
+    t131 = np.multiply(t126, t130, w14)
+    t132 = np.divide(t131, t111, w14)
+    t134 = np.multiply(t100, 0.27469135802469136, w16)
+    t136 = np.add(t134, 0.6296296296296297, w16)
+    t137 = np.multiply(t100, t136, w16)
+    t139 = np.add(t137, 1.2222222222222223, w16)
+    t140 = np.multiply(t100, t139, w16)
+    t141 = np.add(t140, 1.6666666666666667, w16)
+    t142 = np.multiply(t100, t141, w16)
+    t144 = np.add(t142, 0.75, w16)
+    t145 = np.multiply(t144, 8.0, w16)
+    t146 = np.multiply(t132, t145, w14)
+    t147 = np.multiply(t129, t100, w16)
+    t148 = np.divide(t147, t111, w16)
+    t149 = np.divide(tracking_index, t10, w17)
+    t150 = np.divide(t149, t10, w17)
+    t152 = np.multiply(t150, 0.001736111111111111, w17)
+    t153 = np.divide(x, e, w2)
+    t154 = np.multiply(e, t111, w18)
+    t155 = np.divide(t153, t154, w2)
+    t156 = np.divide(t155, r, w2)
+    t157 = np.divide(t156, t10, w2)
+    t158 = np.divide(t157, p, w2)
+    t159 = np.multiply(t158, 2.0, w2)
+    t160 = np.add(t152, t159, w18)
+    t161 = np.square(t148, velocity)
+    t163 = np.multiply(t161, 2.6666666666666665, velocity)
+    t164 = np.add(t159, t121, w19)
+    t165 = np.square(t129, w20)
+    t166 = np.divide(t165, t111, w20)
+    t167 = np.multiply(t166, 2.0, w20)
+    t168 = np.add(t164, t167, w20)
+    t169 = np.multiply(t121, t168, w20)
+    t170 = np.add(t160, t163, w18)
+    t171 = np.add(t170, t169, w18)
+    t172 = np.multiply(t121, t171, w18)
+    t173 = np.add(t146, t172, w14)
+    t174 = np.add(t125, t173, w12)
+    t175 = np.multiply(t98, t174, w12)
+    t176 = np.divide(t90, t95, w3)
+    t177 = np.divide(t176, tracking_index, w14)
+    t178 = np.multiply(t177, 0.5, w14)
+    t179 = np.divide(e, t95, w1)
+    t180 = np.multiply(t159, t179, w1)
+    t182 = np.multiply(t100, 1.382716049382716, w18)
+    t184 = np.add(t182, 5.833333333333333, w18)
+    t185 = np.multiply(t100, t184, w18)
+    t187 = np.add(t185, 8.833333333333334, w18)
+    t188 = np.multiply(t100, t187, w18)
+    t189 = np.add(t188, 5.833333333333333, w18)
+    t190 = np.multiply(t100, t189, w18)
+    t192 = np.add(t190, 1.5, w18)
+    t193 = np.multiply(t100, 2.0, velocity)
+    t195 = np.add(t193, 5.0, velocity)
+    t196 = np.multiply(t100, t195, velocity)
+    t197 = np.add(t196, 3.0, velocity)
+    t198 = np.divide(t197, t111, velocity)
+    t199 = np.multiply(t198, 2.0, velocity)
+    t200 = np.divide(t10, e, acceleration)
+    t201 = np.multiply(t200, 2.0, acceleration)
+    t202 = np.multiply(t201, t199, acceleration)
+    t203 = np.multiply(t123, t103, w5)
+    t204 = np.multiply(t203, 2.0, w5)
+    t205 = np.divide(t103, t111, w21)
+    t206 = np.divide(t192, t111, w18)
+    t207 = np.multiply(t205, t206, w21)
+    t209 = np.multiply(t207, 4.0, w21)
+    t210 = np.add(t204, t209, w5)
+    t211 = np.add(t129, t202, acceleration)
+    t212 = np.multiply(t159, t211, acceleration)
+    t213 = np.add(t210, t212, w5)
+    t214 = np.add(t106, 1.6666666666666667, w10)
+    t215 = np.multiply(t100, t214, w10)
+    t216 = np.add(t215, 1.0, w10)
+    t217 = np.divide(t216, t111, w10)
+    t218 = np.multiply(t217, 2.0, w10)
+    t219 = np.multiply(t218, t111, w18)
+    t220 = np.multiply(t219, 0.5, w21)
+    t221 = np.divide(e, p, w0)
+    t222 = np.multiply(t221, 4.0, w0)
+    t223 = np.multiply(t219, t222, w18)
+    t224 = np.multiply(t103, t199, velocity)
+    t225 = np.add(t223, t224, w18)
+    t226 = np.multiply(t121, t225, w13)
+    t227 = np.divide(t222, t98, w18)
+    t228 = np.multiply(t227, t220, w18)
+    t229 = np.add(t228, t103, w18)
+    t230 = np.multiply(t152, t229, w18)
+    t231 = np.add(t213, t226, w5)
+    t232 = np.add(t231, t230, w5)
+    t233 = np.multiply(t180, t232, w1)
+    t234 = np.multiply(t178, t233, w14)
+    t235 = np.multiply(t111, 0.5, w1)
+    t236 = np.multiply(t222, t235, w0)
+    t237 = np.divide(t236, t129, w0)
+    t238 = np.multiply(t176, 0.25, w3)
+    t239 = np.add(t237, 1.0, w0)
+    t240 = np.add(t239, t98, w0)
+    t241 = np.multiply(t238, t240, w3)
+    t242 = np.multiply(t122, t241, w9)
+    t243 = np.multiply(t164, t100, w19)
+    t244 = np.add(t103, t129, w8)
+    t245 = np.multiply(t243, t244, w19)
+    t246 = np.divide(t245, t111, w19)
+    t247 = np.multiply(t246, 2.0, w19)
+    t248 = np.multiply(t148, 2.0, w16)
+    t249 = np.square(t248, w16)
+    t250 = np.multiply(t249, 0.6666666666666666, w16)
+    t251 = np.multiply(t152, t218, w17)
+    t252 = np.add(t247, t250, w19)
+    t253 = np.add(t252, t169, w19)
+    t254 = np.add(t253, t251, w19)
+    t255 = np.add(t242, t254, w9)
+    t256 = np.multiply(t98, t255, w6)
+    t257 = np.multiply(t159, t256, w2)
+    t258 = np.multiply(t175, 2.0, w12)
+    t259 = np.divide(t258, tracking_index, w12)
+    t260 = np.divide(t259, t96, w12)
+    t261 = np.divide(t260, t96, w12)
+    t262 = np.divide(t261, tracking_index, w12)
+    t263 = np.divide(t234, tracking_index, w14)
+    t264 = np.divide(t257, t96, w2)
+    t265 = np.divide(t264, tracking_index, w2)
+    t266 = np.multiply(t265, 0.5, w0)
+    t267 = np.add(t263, t266, w0)
+    t268 = np.add(t262, t267, w12)
+    t270 = np.add(t263, t265, w14)
+    np.negative(t268, position)
+    np.negative(t270, velocity)
+    np.negative(t265, acceleration)
+
+
+_PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
+    "predictor_gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("position", "velocity", "acceleration"),
+    22,
+    _predictor_gain_second_derivatives_block,
+)
+
+
+class PredictedCovarianceSecondDerivatives(NamedTuple):
+    """Result of `predicted_covariance_second_derivatives`."""
+
+    predicted_13: Real
+    """Second derivative by Lambda of the covariance of predicted position and acceleration times
+    T^2/sigma_v^2."""
+    predicted_22: Real
+    """Second derivative by Lambda of the variance of the predicted velocity times T^2/sigma_v^2."""
+    predicted_23: Real
+    """Second derivative by Lambda of the covariance of predicted velocity and acceleration times
+    T^3/sigma_v^2."""
+    predicted_33: Real
+    """Second derivative by Lambda of the variance of the predicted acceleration times
+    T^4/sigma_v^2."""
+
+
+def predicted_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> PredictedCovarianceSecondDerivatives:
+    """Second derivatives of the predicted covariance but for M11 and M12.
+
+        delta = sqrt(64/Lambda^2 + 1/9),
+        xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
+        most 2^1000, in float32 above 0 and at most 2^120.
+
+    predicted_13: second derivative by Lambda of the covariance of predicted position and
+        acceleration times T^2/sigma_v^2. Relative error at most 17.84 * 2^-52 (float64), 17.74 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
+        1e-45 <= tracking_index <= 1.329228e36 (float32).
+    predicted_22: second derivative by Lambda of the variance of the predicted velocity times
+        T^2/sigma_v^2. Relative error at most 13.20 * 2^-52 (float64), 13.06 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
+        tracking_index <= 1.329228e36 (float32).
+    predicted_23: second derivative by Lambda of the covariance of predicted velocity and
+        acceleration times T^3/sigma_v^2. Relative error at most 10.21 * 2^-52 (float64), 10.21 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
+        1e-45 <= tracking_index <= 1.329228e36 (float32).
+    predicted_33: second derivative by Lambda of the variance of the predicted acceleration times
+        T^4/sigma_v^2. Relative error at most 9.06 * 2^-52 (float64), 9.06 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
+        <= 1.329228e36 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-jerk
+    """
+    return PredictedCovarianceSecondDerivatives(
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    p = np.sqrt(tracking_index, predicted_13)
+    r = np.sqrt(p, predicted_22)
+    t4 = np.divide(2.220446049250313e-16, tracking_index, predicted_23)
+    t6 = np.multiply(tracking_index, 3.854941057726238e-19, w0)
+    t7 = np.add(t4, t6, predicted_23)
+    c_scaled = np.sqrt(t7, predicted_33)
+    t10 = np.multiply(c_scaled, 67108864.0, predicted_33)
+    t12 = np.multiply(t10, r, w0)
+    t14 = np.multiply(t12, 2.0, w0)
+    t16 = np.multiply(p, 0.4166666666666667, predicted_23)
+    t18 = np.multiply(tracking_index, 0.04861111111111111, w1)
+    t19 = np.multiply(p, r, w2)
+    t22 = np.multiply(t19, 1.2504627916220945, w2)
+    t24 = np.divide(8.0, r, w3)
+    t25 = np.add(t22, t24, w2)
+    t26 = near_cbrt(t25, w2, single)
+    t28 = np.multiply(t14, t26, w3)
+    t29 = np.add(t28, t18, w3)
+    t30 = np.sqrt(t29, w3)
+    t31 = np.multiply(t30, 2.0, w4)
+    t32 = np.add(t31, t16, w4)
+    t33 = np.sqrt(t32, w4)
+    t35 = np.multiply(t14, 0.5, w5)
+    t36 = np.multiply(t30, t33, w3)
+    t37 = np.multiply(t33, t36, w4)
+    t38 = np.multiply(t35, t26, w2)
+    t39 = np.subtract(t37, t38, w4)
+    t40 = np.subtract(t36, t35, w3)
+    t41 = np.divide(t39, t40, w4)
+    t43 = np.multiply(t14, t41, w2)
+    t44 = np.add(t43, t18, w2)
+    t45 = np.sqrt(t44, w2)
+    t46 = np.multiply(t45, 2.0, w3)
+    t47 = np.add(t46, t16, w3)
+    t48 = np.sqrt(t47, w3)
+    t49 = np.multiply(t45, t48, w2)
+    t50 = np.multiply(t48, t49, w3)
+    t51 = np.multiply(t35, t41, w4)
+    t52 = np.subtract(t50, t51, w3)
+    t53 = np.subtract(t49, t35, w2)
+    t54 = np.divide(t52, t53, w3)
+    t56 = np.multiply(t14, t54, w2)
+    t57 = np.add(t56, t18, w2)
+    t58 = np.sqrt(t57, w2)
+    t59 = np.multiply(t58, 2.0, w4)
+    t60 = np.add(t59, t16, w4)
+    t61 = np.sqrt(t60, w4)
+    t62 = np.multiply(t58, t61, w2)
+    t63 = np.multiply(t61, t62, w4)
+    t64 = np.multiply(t35, t54, w3)
+    t65 = np.subtract(t63, t64, w4)
+    t66 = np.subtract(t62, t35, w2)
+    t67 = np.divide(t65, t66, w4)
+    t69 = np.multiply(t14, t67, w2)
+    t70 = np.add(t69, t18, w2)
+    t71 = np.sqrt(t70, w2)
+    t72 = np.multiply(t71, 2.0, w3)
+    t73 = np.add(t72, t16, w3)
+    t74 = np.sqrt(t73, w3)
+    t75 = np.multiply(t71, t74, w2)
+    t76 = np.multiply(t74, t75, w3)
+    t77 = np.multiply(t35, t67, w4)
+    t78 = np.subtract(t76, t77, w3)
+    t79 = np.subtract(t75, t35, w2)
+    t80 = np.divide(t78, t79, w3)
+    t82 = np.multiply(t14, t80, w0)
+    t83 = np.add(t82, t18, w0)
+    e = np.sqrt(t83, w0)
+    t85 = np.multiply(e, 2.0, w1)
+    t86 = np.add(t85, t16, w1)
+    x = np.sqrt(t86, w1)
+    t89 = np.multiply(p, 0.25, w2)
+    t90 = np.divide(t89, e, w2)
+    t92 = np.multiply(t90, 0.6666666666666666, w3)
+    t93 = np.add(t92, 1.0, w3)
+    t94 = np.multiply(t93, t90, w4)
+    t96 = np.multiply(t90, 0.7777777777777778, w5)
+    t98 = np.add(t96, 3.3333333333333335, predicted_23)
+    t99 = np.multiply(t90, t98, predicted_23)
+    t101 = np.add(t99, 3.0, predicted_23)
+    t102 = np.divide(t94, t101, w4)
+    t103 = np.multiply(t102, 2.0, w4)
+    t104 = np.divide(p, e, w6)
+    t105 = np.divide(t104, t101, w7)
+    t106 = np.multiply(t105, t104, w7)
+    t107 = np.divide(x, r, w6)
+    t108 = np.divide(p, t10, w8)
+    t109 = np.multiply(t107, t108, w8)
+    t110 = np.multiply(t106, t109, w7)
+    t112 = np.multiply(t110, 0.003472222222222222, w7)
+    t113 = np.add(t103, t112, w4)
+    t114 = np.multiply(t107, 2.0, w6)
+    t115 = np.multiply(t113, t114, w4)
+    t116 = np.add(t115, 1.0, w8)
+    t117 = np.multiply(t115, t116, w4)
+    t118 = np.divide(x, e, w8)
+    t119 = np.multiply(e, t101, w9)
+    t120 = np.divide(t118, t119, w8)
+    t121 = np.divide(t120, r, w8)
+    t122 = np.divide(t121, t10, w8)
+    t123 = np.divide(t122, p, w8)
+    t124 = np.multiply(t123, 2.0, w8)
+    t125 = np.add(t124, t112, w9)
+    t126 = np.multiply(t125, t90, w10)
+    t128 = np.multiply(t90, 1.6666666666666667, w11)
+    t129 = np.add(t128, 2.0, w11)
+    t130 = np.add(t93, t129, w3)
+    t131 = np.multiply(t126, t130, w10)
+    t132 = np.divide(t131, t101, w10)
+    t133 = np.multiply(t132, 2.0, w10)
+    t134 = np.multiply(t129, t90, w3)
+    t135 = np.divide(t134, t101, w3)
+    t136 = np.multiply(t135, 2.0, w12)
+    t137 = np.square(t136, w12)
+    t138 = np.multiply(t137, 0.6666666666666666, w12)
+    t139 = np.square(t129, w13)
+    t140 = np.divide(t139, t101, w13)
+    t141 = np.multiply(t140, 2.0, w13)
+    t142 = np.add(t125, t141, w13)
+    t143 = np.multiply(t112, t142, w14)
+    t144 = np.divide(tracking_index, t10, w15)
+    t145 = np.divide(t144, t10, w15)
+    t147 = np.multiply(t145, 0.001736111111111111, w15)
+    t148 = np.add(t96, 1.6666666666666667, w5)
+    t149 = np.multiply(t90, t148, w5)
+    t150 = np.add(t149, 1.0, w5)
+    t151 = np.divide(t150, t101, w5)
+    t152 = np.multiply(t151, 2.0, w5)
+    t153 = np.multiply(t147, t152, w16)
+    t154 = np.add(t133, t138, w10)
+    t155 = np.add(t154, t143, w10)
+    t156 = np.add(t155, t153, w10)
+    t157 = np.multiply(t124, t156, w10)
+    t158 = np.multiply(t157, t114, w10)
+    t159 = np.add(t117, t158, w4)
+    t160 = np.multiply(e, 0.5, w10)
+    t161 = np.add(t10, t160, predicted_33)
+    t162 = np.multiply(x, r, w10)
+    t163 = np.multiply(t162, 0.25, w10)
+    t164 = np.multiply(p, 0.125, w12)
+    t165 = np.add(t163, t164, w10)
+    t166 = np.add(t161, t165, predicted_33)
+    t167 = np.multiply(p, t166, predicted_33)
+    t168 = np.multiply(t159, t167, w4)
+    t170 = np.add(t152, t112, w5)
+    t171 = np.add(t170, 1.0, w10)
+    t172 = np.multiply(t170, t171, w10)
+    t174 = np.multiply(t90, 2.5925925925925926, w12)
+    t176 = np.add(t174, 6.222222222222222, w12)
+    t177 = np.multiply(t90, t176, w12)
+    t178 = np.add(t177, 3.3333333333333335, w12)
+    t179 = np.multiply(t178, t90, w12)
+    t180 = np.divide(t179, t101, w12)
+    t181 = np.divide(t129, t101, w16)
+    t182 = np.multiply(t180, t181, w12)
+    t183 = np.add(t182, t147, w12)
+    t184 = np.add(t183, t143, w12)
+    t185 = np.multiply(t124, t184, w12)
+    t186 = np.add(t172, t185, w10)
+    t187 = np.multiply(t114, t186, w6)
+    t189 = np.multiply(t90, 5.041152263374485, w10)
+    t191 = np.add(t189, 20.22222222222222, w10)
+    t192 = np.multiply(t90, t191, w10)
+    t194 = np.add(t192, 28.51851851851852, w10)
+    t195 = np.multiply(t90, t194, w10)
+    t197 = np.add(t195, 18.0, w10)
+    t198 = np.multiply(t90, t197, w10)
+    t200 = np.add(t198, 8.333333333333334, w10)
+    t201 = np.multiply(t90, t200, w10)
+    t203 = np.add(t201, 4.0, w10)
+    t204 = np.divide(t203, t101, w10)
+    t205 = np.divide(t204, t101, w10)
+    t206 = np.multiply(t185, t129, w14)
+    t207 = np.add(t205, t206, w10)
+    t209 = np.multiply(t90, 1.2962962962962963, w14)
+    t211 = np.add(t209, 3.111111111111111, w14)
+    t212 = np.multiply(t90, t211, w14)
+    t214 = np.add(t212, 5.0, w14)
+    t215 = np.multiply(t90, t214, w14)
+    t216 = np.add(t215, 4.0, w14)
+    t217 = np.divide(t216, t101, w14)
+    t218 = np.multiply(t217, 2.0, w14)
+    t220 = np.multiply(t90, 2.3333333333333335, w15)
+    t221 = np.add(t220, 3.3333333333333335, w15)
+    t222 = np.multiply(t90, t221, w15)
+    t223 = np.add(t222, 1.0, w15)
+    t224 = np.divide(t223, t101, w15)
+    t225 = np.multiply(t112, 2.0, w16)
+    t226 = np.add(t224, t225, w15)
+    t227 = np.divide(e, p, predicted_13)
+    t228 = np.multiply(t227, 4.0, w16)
+    t229 = np.multiply(t129, t226, w11)
+    t230 = np.add(t218, t229, w14)
+    t231 = np.multiply(t90, 3.3333333333333335, w11)
+    t232 = np.add(t230, t231, w14)
+    t233 = np.multiply(t112, t232, w14)
+    t234 = np.add(t207, t233, w10)
+    t235 = np.multiply(t228, t234, w16)
+    t237 = np.multiply(t90, 3.240740740740741, w10)
+    t239 = np.add(t237, 9.074074074074074, w10)
+    t240 = np.multiply(t90, t239, w10)
+    t242 = np.add(t240, 7.611111111111111, w10)
+    t243 = np.multiply(t90, t242, w10)
+    t244 = np.add(t243, 1.6666666666666667, w10)
+    t245 = np.divide(t90, t101, w2)
+    t246 = np.divide(t244, t101, w10)
+    t247 = np.multiply(t245, t246, w2)
+    t248 = np.multiply(t170, 4.0, w10)
+    t249 = np.multiply(t247, t248, w2)
+    t250 = np.multiply(t185, t142, w12)
+    t251 = np.add(t249, t250, w2)
+    t253 = np.multiply(t135, 10.0, w3)
+    t255 = np.multiply(t125, 6.0, w9)
+    t256 = np.add(t253, t255, w3)
+    t257 = np.multiply(t170, t256, w5)
+    t258 = np.multiply(t226, 4.0, w15)
+    t259 = np.add(t257, t258, w5)
+    t260 = np.add(t259, t124, w5)
+    t261 = np.multiply(t112, t260, w7)
+    t262 = np.add(t251, t261, w2)
+    t263 = np.divide(e, x, w0)
+    t264 = np.multiply(t101, 4.0, predicted_23)
+    t265 = np.multiply(t227, t264, predicted_13)
+    t266 = np.multiply(t265, t262, predicted_13)
+    t267 = np.divide(t266, r, predicted_13)
+    t268 = np.multiply(t263, t267, w0)
+    t269 = np.add(t268, t187, w0)
+    t270 = np.multiply(t269, 0.125, w0)
+    t271 = np.multiply(t235, 0.25, w1)
+    t272 = np.add(t271, 0.4166666666666667, w1)
+    t274 = np.add(t235, t187, w16)
+    t275 = np.multiply(t274, 0.25, w16)
+    t277 = np.multiply(t187, 0.5, w6)
+    np.divide(t168, tracking_index, predicted_13)
+    np.add(t270, t272, predicted_22)
+    np.add(t275, 0.6666666666666666, predicted_23)
+    np.add(t277, 1.0, predicted_33)
+
+
+_PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "predicted_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_3,),
+    ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
+    17,
+    _predicted_covariance_second_derivatives_block,
+)
+
+
+class PredictedPositionSecondDerivatives(NamedTuple):
+    """Result of `predicted_position_second_derivatives`."""
+
+    predicted_11: Real
+    """Second derivative by Lambda of the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Second derivative by Lambda of the covariance of predicted position and velocity times
+    T/sigma_v^2."""
+
+
+def predicted_position_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> PredictedPositionSecondDerivatives:
+    """Second derivatives of M11 and M12.
+
+        delta = sqrt(64/Lambda^2 + 1/9),
+        xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number at least 2^-750
+        and at most 2^480, in float32 at least 2^-80 and at most 2^56.
+
+    predicted_11: second derivative by Lambda of the variance of the predicted position over
+        sigma_v^2. Error over predicted_11_scale at most 65.88 * 2^-52 (float64), 69.49 * 2^-23
+        (float32), proved for 6.8526910636413096e-186 <= tracking_index <= 3.1217485503159922e144
+        (float64) and 4.6732578e-24 <= tracking_index <= 7.2057594e16 (float32). Cancellation in
+        predicted_11_turn, condition number 1: it bends down for a small index and up for a large
+        one; the scale is the sum of the two terms whose difference it is.
+    predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
+        times T/sigma_v^2. Error over predicted_12_scale at most 67.81 * 2^-52 (float64), 71.77 *
+        2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
+        3.1217485503159922e144 (float64) and 8.271806e-25 <= tracking_index <= 7.2057594e16
+        (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
+        index and up for a large one; the scale is the sum of the two terms whose difference it is.
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-jerk
+    """
+    return PredictedPositionSecondDerivatives(
+        *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_position_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_11, predicted_12 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14 = work
+    p = np.sqrt(tracking_index, predicted_11)
+    r = np.sqrt(p, predicted_12)
+    t4 = np.divide(2.220446049250313e-16, tracking_index, w0)
+    t6 = np.multiply(tracking_index, 3.854941057726238e-19, w1)
+    t7 = np.add(t4, t6, w0)
+    c_scaled = np.sqrt(t7, w0)
+    t10 = np.multiply(c_scaled, 67108864.0, w0)
+    t12 = np.multiply(t10, r, w1)
+    t14 = np.multiply(t12, 2.0, w1)
+    t16 = np.multiply(p, 0.4166666666666667, w2)
+    t18 = np.multiply(tracking_index, 0.04861111111111111, w3)
+    t19 = np.multiply(p, r, w4)
+    t22 = np.multiply(t19, 1.2504627916220945, w4)
+    t24 = np.divide(8.0, r, w5)
+    t25 = np.add(t22, t24, w4)
+    t26 = near_cbrt(t25, w4, single)
+    t28 = np.multiply(t14, t26, w5)
+    t29 = np.add(t28, t18, w5)
+    t30 = np.sqrt(t29, w5)
+    t31 = np.multiply(t30, 2.0, w6)
+    t32 = np.add(t31, t16, w6)
+    t33 = np.sqrt(t32, w6)
+    t35 = np.multiply(t14, 0.5, w7)
+    t36 = np.multiply(t30, t33, w5)
+    t37 = np.multiply(t33, t36, w6)
+    t38 = np.multiply(t35, t26, w4)
+    t39 = np.subtract(t37, t38, w6)
+    t40 = np.subtract(t36, t35, w5)
+    t41 = np.divide(t39, t40, w6)
+    t43 = np.multiply(t14, t41, w4)
+    t44 = np.add(t43, t18, w4)
+    t45 = np.sqrt(t44, w4)
+    t46 = np.multiply(t45, 2.0, w5)
+    t47 = np.add(t46, t16, w5)
+    t48 = np.sqrt(t47, w5)
+    t49 = np.multiply(t45, t48, w4)
+    t50 = np.multiply(t48, t49, w5)
+    t51 = np.multiply(t35, t41, w6)
+    t52 = np.subtract(t50, t51, w5)
+    t53 = np.subtract(t49, t35, w4)
+    t54 = np.divide(t52, t53, w5)
+    t56 = np.multiply(t14, t54, w4)
+    t57 = np.add(t56, t18, w4)
+    t58 = np.sqrt(t57, w4)
+    t59 = np.multiply(t58, 2.0, w6)
+    t60 = np.add(t59, t16, w6)
+    t61 = np.sqrt(t60, w6)
+    t62 = np.multiply(t58, t61, w4)
+    t63 = np.multiply(t61, t62, w6)
+    t64 = np.multiply(t35, t54, w5)
+    t65 = np.subtract(t63, t64, w6)
+    t66 = np.subtract(t62, t35, w4)
+    t67 = np.divide(t65, t66, w6)
+    t69 = np.multiply(t14, t67, w4)
+    t70 = np.add(t69, t18, w4)
+    t71 = np.sqrt(t70, w4)
+    t72 = np.multiply(t71, 2.0, w5)
+    t73 = np.add(t72, t16, w5)
+    t74 = np.sqrt(t73, w5)
+    t75 = np.multiply(t71, t74, w4)
+    t76 = np.multiply(t74, t75, w5)
+    t77 = np.multiply(t35, t67, w6)
+    t78 = np.subtract(t76, t77, w5)
+    t79 = np.subtract(t75, t35, w4)
+    t80 = np.divide(t78, t79, w5)
+    t82 = np.multiply(t14, t80, w1)
+    t83 = np.add(t82, t18, w1)
+    e = np.sqrt(t83, w1)
+    t85 = np.multiply(e, 2.0, w3)
+    t86 = np.add(t85, t16, w3)
+    x = np.sqrt(t86, w3)
+    t88 = np.multiply(e, 0.5, w2)
+    t89 = np.add(t10, t88, w2)
+    t90 = np.multiply(x, r, w4)
+    t92 = np.multiply(t90, 0.25, w4)
+    t93 = np.multiply(p, 0.125, w5)
+    t94 = np.add(t92, t93, w4)
+    t95 = np.add(t89, t94, w2)
+    t96 = np.multiply(p, t95, w2)
+    t97 = np.divide(t96, tracking_index, w2)
+    t98 = np.divide(x, r, w4)
+    t99 = np.multiply(t98, t97, w5)
+    t100 = np.divide(x, e, w3)
+    t101 = np.multiply(p, 0.25, w6)
+    t102 = np.divide(t101, e, w6)
+    t104 = np.multiply(t102, 0.7777777777777778, w7)
+    t106 = np.add(t104, 3.3333333333333335, w8)
+    t107 = np.multiply(t102, t106, w8)
+    t109 = np.add(t107, 3.0, w8)
+    t110 = np.multiply(e, t109, w9)
+    t111 = np.divide(t100, t110, w3)
+    t112 = np.divide(t111, r, w3)
+    t113 = np.divide(t112, t10, w3)
+    t114 = np.divide(t113, p, w3)
+    t115 = np.multiply(t114, 2.0, w3)
+    t116 = np.divide(p, e, w1)
+    t117 = np.divide(t116, t109, w9)
+    t118 = np.multiply(t117, t116, w9)
+    t119 = np.divide(p, t10, predicted_11)
+    t120 = np.multiply(t98, t119, predicted_11)
+    t121 = np.multiply(t118, t120, w9)
+    t123 = np.multiply(t121, 0.003472222222222222, w9)
+    t124 = np.add(t115, t123, w1)
+    t125 = np.multiply(t124, t102, predicted_11)
+    t127 = np.multiply(t102, 0.6666666666666666, predicted_12)
+    t128 = np.add(t127, 1.0, predicted_12)
+    t130 = np.multiply(t102, 1.6666666666666667, w10)
+    t131 = np.add(t130, 2.0, w10)
+    t132 = np.add(t128, t131, w11)
+    t133 = np.multiply(t125, t132, predicted_11)
+    t134 = np.divide(t133, t109, predicted_11)
+    t135 = np.multiply(t134, 2.0, predicted_11)
+    t136 = np.multiply(t131, t102, w11)
+    t137 = np.divide(t136, t109, w11)
+    t138 = np.multiply(t137, 2.0, w12)
+    t139 = np.square(t138, w12)
+    t140 = np.multiply(t139, 0.6666666666666666, w12)
+    t141 = np.square(t131, w13)
+    t142 = np.divide(t141, t109, w13)
+    t143 = np.multiply(t142, 2.0, w13)
+    t144 = np.add(t124, t143, w1)
+    t145 = np.multiply(t123, t144, w1)
+    t146 = np.divide(tracking_index, t10, w13)
+    t147 = np.divide(t146, t10, w13)
+    t149 = np.multiply(t147, 0.001736111111111111, w13)
+    t150 = np.add(t104, 1.6666666666666667, w7)
+    t151 = np.multiply(t102, t150, w7)
+    t152 = np.add(t151, 1.0, w7)
+    t153 = np.divide(t152, t109, w7)
+    t154 = np.multiply(t153, 2.0, w7)
+    t155 = np.multiply(t149, t154, w0)
+    t156 = np.add(t135, t140, predicted_11)
+    t157 = np.add(t156, t145, predicted_11)
+    t158 = np.add(t157, t155, predicted_11)
+    t159 = np.multiply(t115, t158, predicted_11)
+    t160 = np.multiply(t98, 2.0, w4)
+    t161 = np.multiply(t159, t160, predicted_11)
+    t162 = np.add(t154, t123, w7)
+    t163 = np.multiply(t128, t102, predicted_12)
+    t164 = np.divide(t163, t109, predicted_12)
+    t165 = np.multiply(t164, 2.0, predicted_12)
+    t166 = np.add(t165, t123, predicted_12)
+    t167 = np.multiply(t166, t160, predicted_12)
+    t168 = np.add(t162, t167, w7)
+    t169 = np.square(t167, w0)
+    t170 = np.multiply(t169, t97, w0)
+    t172 = np.multiply(t97, 4.0, w12)
+    t173 = np.multiply(t170, t172, w0)
+    t174 = np.divide(t102, t109, w12)
+    t175 = np.divide(t131, t109, w10)
+    t176 = np.multiply(t174, t175, w12)
+    t177 = np.divide(t176, t109, w12)
+    t179 = np.multiply(t102, 0.27469135802469136, w14)
+    t181 = np.add(t179, 0.6296296296296297, w14)
+    t182 = np.multiply(t102, t181, w14)
+    t184 = np.add(t182, 1.2222222222222223, w14)
+    t185 = np.multiply(t102, t184, w14)
+    t186 = np.add(t185, 1.6666666666666667, w14)
+    t187 = np.multiply(t102, t186, w14)
+    t189 = np.add(t187, 0.75, w14)
+    t190 = np.multiply(t189, 8.0, w14)
+    t191 = np.multiply(t177, t190, w12)
+    t192 = np.add(t149, t115, w14)
+    t193 = np.square(t137, w11)
+    t195 = np.multiply(t193, 2.6666666666666665, w11)
+    t196 = np.add(t192, t195, w14)
+    t197 = np.add(t196, t145, w14)
+    t198 = np.multiply(t123, t197, w9)
+    t199 = np.add(t191, t198, w12)
+    t200 = np.multiply(t199, t160, w12)
+    t201 = np.multiply(t200, t97, w12)
+    t202 = np.multiply(t97, 2.0, w2)
+    t203 = np.multiply(t201, t202, w12)
+    t206 = np.multiply(t168, t167, predicted_12)
+    t208 = np.multiply(t102, 2.5925925925925926, w2)
+    t210 = np.add(t208, 6.222222222222222, w2)
+    t211 = np.multiply(t102, t210, w2)
+    t212 = np.add(t211, 3.3333333333333335, w2)
+    t213 = np.multiply(t212, t102, w2)
+    t214 = np.divide(t213, t109, w2)
+    t215 = np.multiply(t214, t175, w2)
+    t216 = np.add(t215, t149, w2)
+    t217 = np.add(t216, t145, w2)
+    t218 = np.multiply(t115, t217, w2)
+    t219 = np.add(t206, t161, predicted_12)
+    t220 = np.add(t219, t218, predicted_12)
+    t221 = np.multiply(t99, t220, predicted_12)
+    t222 = np.multiply(t168, t115, w7)
+    t223 = np.multiply(t99, t222, w5)
+    np.subtract(t173, t203, predicted_11)
+    np.subtract(t221, t223, predicted_12)
+
+
+_PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
+    "predicted_position_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_4,),
+    ("predicted_11", "predicted_12"),
+    15,
+    _predicted_position_second_derivatives_block,
+)
+
+
+class UpdatedCovarianceSecondDerivatives(NamedTuple):
+    """Result of `updated_covariance_second_derivatives`."""
+
+    updated_22: Real
+    """Second derivative by Lambda of the variance of the updated velocity times T^2/sigma_v^2."""
+    updated_23: Real
+    """Second derivative by Lambda of the covariance of updated velocity and acceleration times
+    T^3/sigma_v^2."""
+    updated_33: Real
+    """Second derivative by Lambda of the variance of the updated acceleration times
+    T^4/sigma_v^2."""
+
+
+def updated_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> UpdatedCovarianceSecondDerivatives:
+    """Second derivatives of the updated covariance but for its first row.
+
+        delta = sqrt(64/Lambda^2 + 1/9),
+        xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
+        most 2^480, in float32 above 0 and at most 2^56.
+
+    updated_22: second derivative by Lambda of the variance of the updated velocity times
+        T^2/sigma_v^2. Error over updated_22_scale at most 38.73 * 2^-52 (float64), 42.08 * 2^-23
+        (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
+        <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_22_turn, condition
+        number 1: it bends down for a small index and up for a large one; the scale is the sum of
+        the two terms whose difference it is.
+    updated_23: second derivative by Lambda of the covariance of updated velocity and acceleration
+        times T^3/sigma_v^2. Error over updated_23_scale at most 28.14 * 2^-52 (float64), 30.53 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and
+        1e-45 <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_23_turn,
+        condition number 1: what the update takes from M'' stays less than it; the scale is the sum
+        of both.
+    updated_33: second derivative by Lambda of the variance of the updated acceleration times
+        T^4/sigma_v^2. Error over updated_33_scale at most 16.31 * 2^-52 (float64), 17.75 * 2^-23
+        (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
+        <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_33_turn, condition
+        number 1: what the update takes from M'' stays less than it; the scale is the sum of both.
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-jerk
+    """
+    return UpdatedCovarianceSecondDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_22, updated_23, updated_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    p = np.sqrt(tracking_index, updated_22)
+    r = np.sqrt(p, updated_23)
+    t4 = np.divide(2.220446049250313e-16, tracking_index, updated_33)
+    t6 = np.multiply(tracking_index, 3.854941057726238e-19, w0)
+    t7 = np.add(t4, t6, updated_33)
+    c_scaled = np.sqrt(t7, updated_33)
+    t10 = np.multiply(c_scaled, 67108864.0, updated_33)
+    t12 = np.multiply(t10, r, w0)
+    t14 = np.multiply(t12, 2.0, w0)
+    t16 = np.multiply(p, 0.4166666666666667, w1)
+    t18 = np.multiply(tracking_index, 0.04861111111111111, w2)
+    t19 = np.multiply(p, r, w3)
+    t22 = np.multiply(t19, 1.2504627916220945, w3)
+    t24 = np.divide(8.0, r, w4)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, w4)
+    t29 = np.add(t28, t18, w4)
+    t30 = np.sqrt(t29, w4)
+    t31 = np.multiply(t30, 2.0, w5)
+    t32 = np.add(t31, t16, w5)
+    t33 = np.sqrt(t32, w5)
+    t35 = np.multiply(t14, 0.5, w6)
+    t36 = np.multiply(t30, t33, w4)
+    t37 = np.multiply(t33, t36, w5)
+    t38 = np.multiply(t35, t26, w3)
+    t39 = np.subtract(t37, t38, w5)
+    t40 = np.subtract(t36, t35, w4)
+    t41 = np.divide(t39, t40, w5)
+    t43 = np.multiply(t14, t41, w3)
+    t44 = np.add(t43, t18, w3)
+    t45 = np.sqrt(t44, w3)
+    t46 = np.multiply(t45, 2.0, w4)
+    t47 = np.add(t46, t16, w4)
+    t48 = np.sqrt(t47, w4)
+    t49 = np.multiply(t45, t48, w3)
+    t50 = np.multiply(t48, t49, w4)
+    t51 = np.multiply(t35, t41, w5)
+    t52 = np.subtract(t50, t51, w4)
+    t53 = np.subtract(t49, t35, w3)
+    t54 = np.divide(t52, t53, w4)
+    t56 = np.multiply(t14, t54, w3)
+    t57 = np.add(t56, t18, w3)
+    t58 = np.sqrt(t57, w3)
+    t59 = np.multiply(t58, 2.0, w5)
+    t60 = np.add(t59, t16, w5)
+    t61 = np.sqrt(t60, w5)
+    t62 = np.multiply(t58, t61, w3)
+    t63 = np.multiply(t61, t62, w5)
+    t64 = np.multiply(t35, t54, w4)
+    t65 = np.subtract(t63, t64, w5)
+    t66 = np.subtract(t62, t35, w3)
+    t67 = np.divide(t65, t66, w5)
+    t69 = np.multiply(t14, t67, w3)
+    t70 = np.add(t69, t18, w3)
+    t71 = np.sqrt(t70, w3)
+    t72 = np.multiply(t71, 2.0, w4)
+    t73 = np.add(t72, t16, w4)
+    t74 = np.sqrt(t73, w4)
+    t75 = np.multiply(t71, t74, w3)
+    t76 = np.multiply(t74, t75, w4)
+    t77 = np.multiply(t35, t67, w5)
+    t78 = np.subtract(t76, t77, w4)
+    t79 = np.subtract(t75, t35, w3)
+    t80 = np.divide(t78, t79, w4)
+    t82 = np.multiply(t14, t80, w0)
+    t83 = np.add(t82, t18, w0)
+    e = np.sqrt(t83, w0)
+    t85 = np.multiply(e, 2.0, w2)
+    t86 = np.add(t85, t16, w2)
+    x = np.sqrt(t86, w2)
+    t88 = np.divide(x, r, w1)
+    t89 = np.multiply(t88, 2.0, w3)
+    t91 = np.multiply(p, 0.25, w4)
+    t92 = np.divide(t91, e, w4)
+    t94 = np.multiply(t92, 0.7777777777777778, w5)
+    t96 = np.add(t94, 1.6666666666666667, w6)
+    t97 = np.multiply(t92, t96, w6)
+    t98 = np.add(t97, 1.0, w6)
+    t100 = np.add(t94, 3.3333333333333335, w5)
+    t101 = np.multiply(t92, t100, w5)
+    t103 = np.add(t101, 3.0, w5)
+    t104 = np.divide(t98, t103, w6)
+    t105 = np.multiply(t104, 2.0, w6)
+    t106 = np.divide(p, e, w7)
+    t107 = np.divide(t106, t103, w8)
+    t108 = np.multiply(t107, t106, w8)
+    t109 = np.divide(p, t10, w7)
+    t110 = np.multiply(t88, t109, w1)
+    t111 = np.multiply(t108, t110, w8)
+    t113 = np.multiply(t111, 0.003472222222222222, w8)
+    t114 = np.add(t105, t113, w6)
+    t115 = np.add(t114, 1.0, w1)
+    t116 = np.multiply(t114, t115, w1)
+    t117 = np.divide(x, e, w7)
+    t118 = np.multiply(e, t103, w9)
+    t119 = np.divide(t117, t118, w7)
+    t120 = np.divide(t119, r, w7)
+    t121 = np.divide(t120, t10, w7)
+    t122 = np.divide(t121, p, w7)
+    t123 = np.multiply(t122, 2.0, w7)
+    t125 = np.multiply(t92, 2.5925925925925926, w9)
+    t127 = np.add(t125, 6.222222222222222, w9)
+    t128 = np.multiply(t92, t127, w9)
+    t129 = np.add(t128, 3.3333333333333335, w9)
+    t130 = np.multiply(t129, t92, w9)
+    t131 = np.divide(t130, t103, w9)
+    t132 = np.multiply(t92, 1.6666666666666667, w10)
+    t133 = np.add(t132, 2.0, w10)
+    t134 = np.divide(t133, t103, w11)
+    t135 = np.multiply(t131, t134, w9)
+    t136 = np.divide(tracking_index, t10, w11)
+    t137 = np.divide(t136, t10, w11)
+    t139 = np.multiply(t137, 0.001736111111111111, w11)
+    t140 = np.add(t123, t113, updated_33)
+    t141 = np.square(t133, w12)
+    t142 = np.divide(t141, t103, w12)
+    t143 = np.multiply(t142, 2.0, w12)
+    t144 = np.add(t140, t143, w12)
+    t145 = np.multiply(t113, t144, w13)
+    t146 = np.add(t135, t139, w9)
+    t147 = np.add(t146, t145, w9)
+    t148 = np.multiply(t123, t147, w9)
+    t149 = np.add(t116, t148, w1)
+    t150 = np.multiply(t89, t149, w1)
+    t152 = np.multiply(t92, 5.041152263374485, w11)
+    t154 = np.add(t152, 20.22222222222222, w11)
+    t155 = np.multiply(t92, t154, w11)
+    t157 = np.add(t155, 28.51851851851852, w11)
+    t158 = np.multiply(t92, t157, w11)
+    t160 = np.add(t158, 18.0, w11)
+    t161 = np.multiply(t92, t160, w11)
+    t163 = np.add(t161, 8.333333333333334, w11)
+    t164 = np.multiply(t92, t163, w11)
+    t166 = np.add(t164, 4.0, w11)
+    t167 = np.divide(t166, t103, w11)
+    t168 = np.divide(t167, t103, w11)
+    t169 = np.multiply(t148, t133, w13)
+    t170 = np.add(t168, t169, w11)
+    t172 = np.multiply(t92, 1.2962962962962963, w13)
+    t174 = np.add(t172, 3.111111111111111, w13)
+    t175 = np.multiply(t92, t174, w13)
+    t177 = np.add(t175, 5.0, w13)
+    t178 = np.multiply(t92, t177, w13)
+    t179 = np.add(t178, 4.0, w13)
+    t180 = np.divide(t179, t103, w13)
+    t181 = np.multiply(t180, 2.0, w13)
+    t183 = np.multiply(t92, 2.3333333333333335, w14)
+    t184 = np.add(t183, 3.3333333333333335, w14)
+    t185 = np.multiply(t92, t184, w14)
+    t186 = np.add(t185, 1.0, w14)
+    t187 = np.divide(t186, t103, w14)
+    t188 = np.multiply(t113, 2.0, w15)
+    t189 = np.add(t187, t188, w14)
+    t190 = np.divide(e, p, updated_22)
+    t191 = np.multiply(t190, 4.0, w15)
+    t192 = np.multiply(t133, t189, w16)
+    t193 = np.add(t181, t192, w13)
+    t194 = np.multiply(t92, 3.3333333333333335, w16)
+    t195 = np.add(t193, t194, w13)
+    t196 = np.multiply(t113, t195, w13)
+    t197 = np.add(t170, t196, w11)
+    t198 = np.multiply(t191, t197, w15)
+    t200 = np.multiply(t92, 3.240740740740741, w11)
+    t202 = np.add(t200, 9.074074074074074, w11)
+    t203 = np.multiply(t92, t202, w11)
+    t205 = np.add(t203, 7.611111111111111, w11)
+    t206 = np.multiply(t92, t205, w11)
+    t207 = np.add(t206, 1.6666666666666667, w11)
+    t208 = np.divide(t92, t103, w13)
+    t209 = np.divide(t207, t103, w11)
+    t210 = np.multiply(t208, t209, w13)
+    t211 = np.multiply(t114, 4.0, w11)
+    t212 = np.multiply(t210, t211, w13)
+    t213 = np.multiply(t148, t144, w9)
+    t214 = np.add(t212, t213, w13)
+    t215 = np.multiply(t133, t92, w10)
+    t216 = np.divide(t215, t103, w10)
+    t218 = np.multiply(t216, 10.0, w10)
+    t220 = np.multiply(t140, 6.0, updated_33)
+    t221 = np.add(t218, t220, w10)
+    t222 = np.multiply(t114, t221, w6)
+    t223 = np.multiply(t189, 4.0, w14)
+    t224 = np.add(t222, t223, w6)
+    t225 = np.add(t224, t123, w6)
+    t226 = np.multiply(t113, t225, w8)
+    t227 = np.add(t214, t226, w13)
+    t228 = np.divide(e, x, w0)
+    t229 = np.multiply(t103, 4.0, w5)
+    t230 = np.multiply(t190, t229, updated_22)
+    t231 = np.multiply(t230, t227, updated_22)
+    t232 = np.divide(t231, r, updated_22)
+    t233 = np.multiply(t228, t232, w0)
+    t234 = np.add(t233, t150, w0)
+    t235 = np.multiply(t234, 0.125, w0)
+    t236 = np.multiply(t198, 0.25, w4)
+    t237 = np.add(t236, 0.4166666666666667, w4)
+    t238 = np.add(t235, t237, w0)
+    t239 = np.add(t198, t150, w4)
+    t240 = np.multiply(t239, 0.25, w4)
+    t242 = np.add(t240, 0.6666666666666666, w4)
+    t243 = np.multiply(t150, 0.5, w1)
+    t244 = np.add(t243, 1.0, w5)
+    t245 = np.multiply(t198, 0.5, w15)
+    t247 = np.add(t245, 0.8333333333333334, w15)
+    t248 = np.divide(r, x, updated_23)
+    t249 = np.multiply(t248, 0.5, updated_23)
+    t250 = np.multiply(t249, 2.0, updated_23)
+    t251 = np.multiply(t89, t250, w3)
+    np.subtract(t238, t247, updated_22)
+    np.subtract(t242, t243, updated_23)
+    np.subtract(t244, t251, updated_33)
+
+
+_UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "updated_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_5,),
+    ("updated_22", "updated_23", "updated_33"),
+    17,
+    _updated_covariance_second_derivatives_block,
 )

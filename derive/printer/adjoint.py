@@ -60,8 +60,9 @@ class Adjoint:
                 self._pass_on(number)
         self.upper *= interval.SLACK
         if any(value.loose for value in self.values):
-            # weights of cancelled values are over exact sizes, rounded ones differ by the drift
-            drift = max(value.drift for value in self.values)
+            # weights of cancelled values are over exact sizes, rounded ones differ by the drift;
+            # starts of fixed points, far from what they stand for, have no weight
+            drift = max(self.values[number].drift for number in self.weights)
             self.upper *= 1.0 + 4.0 * len(self.values) * drift
         self.upper[~(self.upper >= self.lower)] = np.inf
 

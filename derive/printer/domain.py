@@ -58,9 +58,12 @@ def product(inputs: Sequence[Input], form: Format) -> Box:
     return domain
 
 
-def greatest_normal(form: Format) -> float:
-    """The largest number, less room for the rounding error of a value next to it."""
-    return form.largest * (1.0 - 64.0 * form.epsilon)
+def greatest_normal(form: Format, drift: float = 0.0) -> float:
+    """The largest number, less room for the rounding error of a value next to it.
+
+    `drift`: a crude bound of that error, where it may be more than the usual room.
+    """
+    return form.largest * (1.0 - max(64.0 * form.epsilon, 2.0 * drift))
 
 
 def normal_interval(
@@ -73,7 +76,9 @@ def normal_interval(
     nothing where a value is not normal. `again` makes the forward pass over finer boxes.
     PrintingError if no box is sure.
     """
-    program, form, top = forward.program, forward.form, greatest_normal(forward.form)
+    program, form = forward.program, forward.form
+    drift = np.asarray(forward.values[number].drift)
+    top = greatest_normal(form, float(np.max(drift, initial=0.0, where=drift < 1e-3)))
     for _ in range(FINER):
         low, high = (end[0] for end in true_size(forward.values[number]))
         sure = np.flatnonzero((low >= form.least_normal) & (high <= top))

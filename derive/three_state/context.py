@@ -12,6 +12,8 @@ from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.model import Model, ScaledModel, scale
 from gainproof.derive.steady_state.towers import rational
+from gainproof.derive.three_state.curvature import powers
+from gainproof.derive.three_state.forms import numbers
 from gainproof.derive.three_state.lowest_terms import Quotients, quotients
 from gainproof.derive.three_state.spectrum import Spectrum, factorise
 from gainproof.derive.three_state.tower_ends import end, start
@@ -65,5 +67,6 @@ def context(model: Model) -> Context:
     spectrum = factorise(scaled)
     tower = main_tower(scaled, spectrum)
     k = constants(spectrum)
-    known = quotients(spectrum, named_elements(scaled, spectrum))
+    named = {**named_elements(scaled, spectrum), **powers(numbers(scaled, spectrum))}
+    known = quotients(spectrum, named)
     return Context(model, scaled, spectrum, k, tower, known)

@@ -16,6 +16,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from gainproof.derive.expression import real
+from gainproof.derive.model import ScaledModel
+from gainproof.derive.steady_state.towers import rational
 from gainproof.derive.three_state.names import (
     DELTA,
     DEVIATION,
@@ -24,6 +26,7 @@ from gainproof.derive.three_state.names import (
     TAU,
     XI,
 )
+from gainproof.derive.three_state.spectrum import Spectrum
 
 Forms = dict[str, sp.Expr]
 
@@ -38,6 +41,19 @@ class Numbers:
     noise_13: sp.Rational
     noise_23: sp.Rational
     noise_22: sp.Rational
+
+
+def numbers(model: ScaledModel, spectrum: Spectrum) -> Numbers:
+    """The numbers of a family."""
+    noise = model.process_noise
+    return Numbers(
+        rational(spectrum.a1),
+        rational(spectrum.a2),
+        rational(spectrum.e),
+        noise[0, 2],
+        noise[1, 2],
+        noise[1, 1] - noise[0, 1] - noise[0, 2] / 2 - noise[1, 2] / 4,
+    )
 
 
 def deviation_rate(n: Numbers) -> sp.Expr:

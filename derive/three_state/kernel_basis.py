@@ -75,6 +75,7 @@ def kernel_basis(builder: GraphBuilder, spectrum: Spectrum) -> KernelBasis:
 
     def step(x: Node) -> tuple[Node, ...]:
         eta = builder.sqrt(slope * x + inside if spectrum.a2 else slope * x)
+        names["eta_of_map"] = eta
         xi = builder.sqrt(eta * 2 + outside)
         return xi, eta
 

@@ -11,10 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gainproof.derive.steady_state.towers import rational
-from gainproof.derive.three_state.excess import coefficients
 from gainproof.derive.three_state.kernel_basis import KernelBasis
-from gainproof.derive.three_state.names import ETA, XI
 
 Forms = dict[str, Any]
 QUARTER, HALF = Fraction(1, 4), Fraction(1, 2)
@@ -111,35 +108,3 @@ def excess(k: KernelBasis) -> Any:
     )
     both = k.c if c == 0 else k.c + k.p * (c * Fraction(1, 8))
     return ((k.x * 8) / both) / below
-
-
-def updated_covariance(k: KernelBasis, noise: Noise) -> Forms:
-    """Entries of the updated covariance in units of sigma_v^2 and T."""
-    b, c = k.b, k.root_e
-    over = excess(k)
-    x = over / k.index
-    third = total(over * HALF, weighted(k.index, (HALF - noise.q23) + b * HALF))
-    cross = c * QUARTER + (noise.q23 / 2 - noise.q13)
-    second = total(over * (x * Fraction(1, 8) + b * QUARTER), weighted(k.index, cross))
-    return {
-        "updated_11": gains(k, noise)["alpha"],
-        "updated_12": gains(k, noise)["beta"],
-        "updated_13": gains(k, noise)["gamma"],
-        "updated_22": _second_rate(k, noise, over, x),
-        "updated_23": k.index * second,
-        "updated_33": k.index * third,
-    }
-
-
-def _second_rate(k: KernelBasis, noise: Noise, over: Any, x: Any) -> Any:
-    """Entry 22: q P(x)/xi with P of degree 4, no negative coefficient."""
-    a1 = rational(k.spectrum.a1)
-    form = 3 * ETA**2 + 2 * a1 * ETA + rational(k.spectrum.a2) + 2 * XI**2 - 4 * XI * ETA
-    form += (4 - 4 * a1 + 16 * rational(noise.rate)) * XI
-    first, second, *others = coefficients(k, form / 16)
-    inner = others.pop()
-    for value in reversed(others):
-        inner = total(x * inner, None if value == 0 else value)
-    over_xi = (k.r * HALF) / k.x
-    inner = (over * over_xi) * total(over * inner, weighted(k.index, second))
-    return total(inner, weighted(k.index * (k.index * over_xi), first))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
@@ -11,11 +12,18 @@ import sympy as sp
 from gainproof.derive.expression import real
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.steady_state.towers import rational
-from gainproof.derive.three_state import inverses, kernel_derivatives, kernel_forms
+from gainproof.derive.three_state import (
+    inverses,
+    kernel_curvature_covariances,
+    kernel_curvature_gains,
+    kernel_derivatives,
+    kernel_forms,
+    kernel_updated,
+)
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.kernel_basis import UNIT, KernelBasis, kernel_basis
 from gainproof.derive.three_state.kernel_forms import Noise
-from gainproof.derive.three_state.names import DELTA, ETA, INDEX, XI
+from gainproof.derive.three_state.names import DELTA, ETA, XI
 
 FormsOf = Callable[[KernelBasis, Noise], Mapping[str, Any]]
 
@@ -28,18 +36,38 @@ INDEX_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
     "innovation_deviation": (kernel_forms.innovation,),
     "predicted_covariance": (kernel_forms.predicted_covariance,),
     "predicted_covariance_derivatives": (kernel_derivatives.predicted_covariance_derivatives,),
-    "updated_covariance": (kernel_forms.updated_covariance,),
+    "updated_covariance": (kernel_updated.updated_covariance,),
 }
-NAMED = {
-    "position": real("predictor_position"),
-    "velocity": real("predictor_velocity"),
-    "acceleration": real("gamma"),
+FURTHER: Mapping[str, FormsOf] = {
+    "updated_covariance_derivatives": kernel_updated.updated_covariance_derivatives,
+    "gain_second_derivatives": kernel_curvature_gains.gain_second_derivatives,
+    "predictor_gain_second_derivatives": kernel_curvature_gains.predictor_gain_second_derivatives,
+    "predicted_covariance_second_derivatives": kernel_curvature_covariances.predicted,
+    "predicted_position_second_derivatives": kernel_curvature_covariances.predicted_position,
+    "updated_covariance_second_derivatives": kernel_curvature_covariances.updated,
 }
+"""Kernels that all families of the catalogue have, and some noises of own models have not."""
+
+SHORT = ("gain_second_derivatives",)
+"""Those that noises with a root in a root have: over these numbers the proof that a kernel computes
+what it says takes four times the arithmetic, and the checker's limit is for a whole certificate.
+"""
+
+SCALE = kernel_curvature_covariances.SCALE
+TURN = "_turn"
+"""Ends the name of a difference."""
 
 
 def kernel_graphs(c: Context) -> dict[str, Graph]:
     """Graphs by the names of their kernels."""
     graphs = {name: _index_graph(c, parts) for name, parts in INDEX_KERNELS.items()}
+    nested = any(entry.symbol == "b" for entry in c.constants.generators)
+    for name, part in FURTHER.items():
+        if nested and name not in SHORT:
+            continue
+        # a noise without a form that has no subtraction has no such kernel
+        with suppress(ArithmeticError):
+            graphs[name] = _index_graph(c, (part,))
     if c.spectrum.rational_in_root:
         graphs |= {
             "index_from_alpha": _alpha_graph(inverses.index_from_alpha),
@@ -54,29 +82,24 @@ def kernel_roots(c: Context, kernel: str) -> Mapping[str, sp.Expr]:
     The roots b and c stand in every start, which proves nothing, and in what holds xi - (1 + b).
     """
     r, k = real("fourth_root"), c.constants
+    held = kernel in ("updated_covariance", "updated_covariance_derivatives")
     return {
-        **({"root_b": k.b, "root_c": k.c} if kernel == "updated_covariance" else {}),
+        **({"root_b": k.b, "root_c": k.c} if held else {}),
         "p": r**2,
         "r": r,
         "c_scaled": rational(UNIT) * DELTA * r**2 / 8,
         "x": XI * r / 2,
         "e": ETA * r**2 / 4,
+        "eta_of_map": ETA * r**2 / 4,
         "w": real("w"),
     }
 
 
-def meant(kernel: str, output: str) -> sp.Expr:
-    """What an output of a kernel stands for."""
-    if output.startswith("d_"):
-        return sp.Derivative(real(output.removeprefix("d_")), INDEX)
-    value = NAMED.get(output, real(output))
-    if kernel.endswith("_derivatives") and kernel != "gains_with_derivatives":
-        return sp.Derivative(value, INDEX)
-    return value
-
-
 def _index_graph(c: Context, parts: tuple[FormsOf, ...]) -> Graph:
-    """The graph of the outputs of one or more forms; a name met again is prefixed d_."""
+    """The graph of the outputs of one or more forms; a name met again is prefixed d_.
+
+    A difference that a scale measures has a name.
+    """
     builder = GraphBuilder()
     basis = kernel_basis(builder, c.spectrum)
     noise = _noise(c)
@@ -84,7 +107,8 @@ def _index_graph(c: Context, parts: tuple[FormsOf, ...]) -> Graph:
     for part in parts:
         for key, value in part(basis, noise).items():
             outputs[f"d_{key}" if key in outputs else key] = value
-    return builder.graph(outputs, basis.names)
+    turns = {f"{key}{TURN}": value for key, value in outputs.items() if f"{key}{SCALE}" in outputs}
+    return builder.graph(outputs, basis.names | turns)
 
 
 def _noise(c: Context) -> Noise:

@@ -10,6 +10,7 @@ import sympy
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
 from gainproof.derive.three_state.context import Context
+from gainproof.derive.three_state.kernels import SCALE, TURN
 
 SUMMARIES = {
     "gains": "Steady-state filter gain.",
@@ -21,6 +22,14 @@ SUMMARIES = {
     "predicted_covariance": "Predicted covariance in units of sigma_v^2 and T.",
     "predicted_covariance_derivatives": "First derivatives of the predicted covariance.",
     "updated_covariance": "Updated covariance in units of sigma_v^2 and T.",
+    "updated_covariance_derivatives": "First derivatives of the updated covariance.",
+    "gain_second_derivatives": "Second derivatives of the filter gain, all negative.",
+    "predictor_gain_second_derivatives": "Second derivatives of the predictor gain.",
+    "predicted_covariance_second_derivatives": "Second derivatives of the predicted covariance "
+    "but for M11 and M12.",
+    "predicted_position_second_derivatives": "Second derivatives of M11 and M12.",
+    "updated_covariance_second_derivatives": "Second derivatives of the updated covariance but "
+    "for its first row.",
     "index_from_alpha": "The tracking index that belongs to a position gain.",
     "gains_from_alpha": "The velocity and acceleration gain that belong to a position gain.",
 }
@@ -37,9 +46,20 @@ MEANINGS = {
     "tracking_index": "tracking index Lambda",
     "innovation_deviation": "standard deviation of an innovation over sigma_v",
 }
+STEADY = (f"updated_23{TURN}", f"updated_33{TURN}")
+APART = "what the update takes from M'' stays less than it; the scale is the sum of both"
+TURNS = (
+    "it bends down for a small index and up for a large one; the scale is the sum of the two terms "
+    "whose difference it is"
+)
 # Squares of larger indices, and for derivatives their multiples, leave the range of the format.
 # The cube of a smaller position gain, an index, leaves it at the other end.
 LEAST_ALPHA = (Fraction(1, 2**330), Fraction(1, 2**40))
+# Parts of M11'' and M12'' both leave it below an index.
+TURNING = (Fraction(1, 2**750), Fraction(1, 2**80))
+# Where a difference is measured by its parts none of their factors, squares of 1/Lambda among them,
+# may be subnormal.
+PRODUCTS = (2**480, 2**56)
 SQUARES, MULTIPLES = (2**511, 2**63), (2**1000, 2**120)
 
 
@@ -60,31 +80,53 @@ def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
         result="".join(word.capitalize() for word in name.split("_")),
         summary=SUMMARIES[name],
         equations=_equations(c, name),
-        inputs=(_input(c, name),),
-        outputs=tuple(Output(output, _meaning(name, output)) for output in graph["outputs"]),
+        inputs=(_input(c, name, graph),),
+        outputs=tuple(
+            Output(
+                output,
+                _meaning(name, output),
+                relative_to=f"{output}{SCALE}" if f"{output}{SCALE}" in graph["outputs"] else None,
+            )
+            for output in graph["outputs"]
+            if not output.endswith(SCALE)
+        ),
         graph=graph,
         source=f"derivation {c.model.name}",
+        cancellations=_cancellations(graph),
     )
 
 
-def _input(c: Context, name: str) -> Input:
+def _cancellations(graph: Graph) -> Mapping[str, str]:
+    """The differences that are meant, each with its reason."""
+    names = graph.get("names", {})
+    return {name: APART if name in STEADY else TURNS for name in names if name.endswith(TURN)}
+
+
+def _input(c: Context, name: str, graph: Graph) -> Input:
     if name.endswith("from_alpha"):
         least, small = LEAST_ALPHA
         return Input("alpha", "position gain", least, "1", False, single=(small, "1"))
     meaning = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
-    if "covariance" not in name:
+    if "predicted_" not in name and "updated_" not in name:
         return Input("tracking_index", meaning)
+    turns = any(output.endswith(SCALE) for output in graph["outputs"])
     double, single = MULTIPLES if name.endswith("_derivatives") else SQUARES
+    double, single = PRODUCTS if turns else (double, single)
+    if name == "predicted_position_second_derivatives":
+        low, least = TURNING
+        return Input("tracking_index", meaning, low, double, False, False, single=(least, single))
     return Input("tracking_index", meaning, "0", double, upper_open=False, single=("0", single))
 
 
 def _meaning(kernel: str, output: str) -> str:
     plain = output.removeprefix("d_")
+    second = kernel.endswith("_second_derivatives")
     derivative = plain != output or (
         kernel.endswith("_derivatives") and kernel != "gains_with_derivatives"
     )
     meaning = MEANINGS.get(plain) or _entry(plain)
-    return f"derivative of the {meaning}" if derivative else meaning
+    word = "second derivative by Lambda" if second else "derivative"
+    return f"{word} of the {meaning}" if derivative else meaning
 
 
 def _entry(name: str) -> str:

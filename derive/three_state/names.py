@@ -13,6 +13,8 @@ NU, TAU = real("nu"), real("tau")
 ALPHA, BETA, GAMMA = real("alpha"), real("beta"), real("gamma")
 DEVIATION = real("innovation_deviation")
 REST = real("rest")
+FALL, SLOWING = real("omega"), real("mu")
+GROWTH, BEND = real("psi"), real("chi")
 Z, S, U = real("z"), real("s"), real("u")
 
 ENTRIES = ("11", "12", "13", "22", "23", "33")
@@ -33,6 +35,10 @@ LATEX = {
     "gamma": r"\gamma",
     "innovation_deviation": r"\sigma",
     "rest": r"(1 - \alpha)",
+    "omega": r"\omega",
+    "mu": r"\mu",
+    "psi": r"\psi",
+    "chi": r"\chi",
     "w": "w",
     "transition_matrix": "F",
     "process_noise": "Q",

@@ -12,10 +12,12 @@ from typing import Any
 
 import sympy as sp
 
+from gainproof.derive.algebra.derivative import derivative
+from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.lowest_terms import Quotient, over_parameter
-from gainproof.derive.three_state.names import INDEX, Z, rows
+from gainproof.derive.three_state.names import INDEX, PARAMETER, Z, rows
 from gainproof.derive.three_state.towers import scale_of_parameter
 
 Hint = dict[str, Any]
@@ -77,11 +79,31 @@ def slope(c: Context, name: str) -> Hint:
     )
 
 
-def bend(c: Context, name: str) -> Hint:
-    """Less the second derivative of an element by the index."""
-    return _if_shown(c, lambda c: {"form": _bend(c, name)})
+def curve(c: Context, name: str, up: bool) -> Hint:
+    """The second derivative of an element by the index, or where it bends down its negative."""
+    known = _if_shown(c, lambda c: {"form": _curve(c, name, up)})
+    return known or {"form": _second(c.tower, name, up)}
 
 
-def _bend(c: Context, name: str) -> sp.Expr:
+def _curve(c: Context, name: str, up: bool) -> sp.Expr:
     first = c.quotients.along_index(c.quotients.of(real(name)))
-    return shown(c, (first - c.quotients.along_index(first)) * c.quotients.of(1 / INDEX**2))
+    value = (c.quotients.along_index(first) - first) * c.quotients.of(1 / INDEX**2)
+    return shown(c, value if up else -value)
+
+
+def _second(tower: Tower, name: str, up: bool) -> sp.Expr:
+    first = tower.expression(derivative(tower, real(name), INDEX.name))
+    value = derivative(tower, first, INDEX.name)
+    return tower.expression(value if up else Fraction(-value.num, value.den))
+
+
+def slope_by_parameter(c: Context, expression: sp.Expr) -> Hint:
+    """The derivative of an expression by the variable of limits."""
+    return _if_shown(c, lambda c: {"form": _by_parameter(c, expression)})
+
+
+def _by_parameter(c: Context, expression: sp.Expr) -> sp.Expr:
+    """d/dp, as d/dxi with xi = 1 + b + 4/wide."""
+    value = c.quotients.of(expression)
+    fall = sp.diff(4 / scale_of_parameter(c.spectrum), PARAMETER)
+    return shown(c, -value.diff(c.quotients.field.gens[0])) * -fall

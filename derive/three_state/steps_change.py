@@ -1,4 +1,4 @@
-"""Steps on the change with the index: first derivatives, trends, second derivatives."""
+"""Steps on the change with the index: first derivatives and trends."""
 
 from __future__ import annotations
 
@@ -7,11 +7,9 @@ from dataclasses import replace
 
 import sympy as sp
 
-from gainproof.derive.algebra.derivative import derivative
-from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
-from gainproof.derive.relation import Relation, equal, monotone, positive
+from gainproof.derive.relation import Relation, equal, monotone
 from gainproof.derive.three_state import forms, shown_signs
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.names import DELTA, DEVIATION, GAINS, INDEX, TAU, XI
@@ -21,17 +19,11 @@ UPDATED = ("updated_22", "updated_23", "updated_33")
 
 def numbers(c: Context) -> forms.Numbers:
     """The family's numbers in the forms of the derivatives."""
-    noise = c.model.process_noise
-    return forms.Numbers(
-        *c.numbers,
-        noise[0, 2],
-        noise[1, 2],
-        noise[1, 1] - noise[0, 1] - noise[0, 2] / 2 - noise[1, 2] / 4,
-    )
+    return forms.numbers(c.model, c.spectrum)
 
 
 def change_steps(c: Context) -> list[Step]:
-    """First derivatives by the index, the trends, and the curvature of the gains."""
+    """First derivatives by the index and the trends."""
     n = numbers(c)
     gains, predicted = forms.gain_derivatives(n), forms.predicted_derivatives(n)
     return [
@@ -50,7 +42,6 @@ def change_steps(c: Context) -> list[Step]:
             "same way.",
         ),
         *_trends(c, predicted),
-        *_curvature(c),
     ]
 
 
@@ -120,33 +111,3 @@ def _trends(c: Context, predicted: Mapping[str, sp.Expr]) -> list[Step]:
             for name in names[1:]
         ),
     ]
-
-
-def _curvature(c: Context) -> list[Step]:
-    """The second derivatives, negative."""
-    start, *rest = (
-        (
-            f"concave-{name}",
-            positive(-sp.Derivative(real(name), INDEX, INDEX)),
-            shown_signs.bend(c, name) or {"form": _second(c.tower, name)},
-        )
-        for name in GAINS
-    )
-    return [
-        Step(
-            start[0],
-            "The second derivatives are negative: each gain rises ever more slowly.",
-            start[1],
-            "Differentiate step @derivative-alpha once more; over `p` the negative is a quotient "
-            "of sums without a minus sign.",
-            hint=start[2],
-        ),
-        *(joined(name, relation, hint=hint) for name, relation, hint in rest),
-    ]
-
-
-def _second(tower: Tower, gain: str) -> sp.Expr:
-    """Less the second derivative of a gain."""
-    first = tower.expression(derivative(tower, real(gain), "tracking_index"))
-    second = derivative(tower, first, "tracking_index")
-    return tower.expression(Fraction(-second.num, second.den))

@@ -10,11 +10,14 @@ from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 from gainproof.derive.source import ALGEBRA
 from gainproof.derive.subject import Program, Subject
+from gainproof.derive.three_state.bending import bending_tower
 from gainproof.derive.three_state.context import Context, context
-from gainproof.derive.three_state.kernels import kernel_graphs, kernel_roots, meant
+from gainproof.derive.three_state.kernel_meanings import meant
+from gainproof.derive.three_state.kernels import kernel_graphs, kernel_roots
 from gainproof.derive.three_state.module import kernel_module
 from gainproof.derive.three_state.names import LATEX
 from gainproof.derive.three_state.steps_change import change_steps
+from gainproof.derive.three_state.steps_curvature import curvature_steps
 from gainproof.derive.three_state.steps_ends import end_steps
 from gainproof.derive.three_state.steps_gains import gain_steps
 from gainproof.derive.three_state.steps_inverse import inverse_steps, twin_steps
@@ -55,7 +58,7 @@ def derive_three_state(
             sources if found.value is None else (*sources, ALGEBRA.key),
             latex,
         ),
-        towers={tower.name: tower for tower in (c.tower, found.tower, roots)},
+        towers={tower.name: tower for tower in (c.tower, bending_tower(c), found.tower, roots)},
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
         textbook=dict,
@@ -70,6 +73,7 @@ def _steps(c: Context, twin: ScaledModel | None) -> tuple[Step, ...]:
         *covariance_steps(c),
         *proof_steps(c),
         *change_steps(c),
+        *curvature_steps(c),
         *end_steps(c),
         *pole_steps(c),
         *inverse_steps(c),

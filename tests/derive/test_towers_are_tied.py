@@ -30,9 +30,10 @@ ANOTHER_ROOT = {
     "with_root_of_e": "a number's root, for the kernel that computes with it",
     "turning": "a number's root, for the places where signs change",
     "kernels": "a root that only the kernels name",
+    "bending": "long fractions that only second derivatives need",
 }
 """Towers that need no equation of their own, with the reason for which they are not `main`: they
-are `main` with one more generator. That it is so is shown below, letter for letter.
+are `main` with one more generator or more elements, which is shown below, letter for letter.
 """
 
 

@@ -18,6 +18,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_errors import broken_promises, log_uniform, measure, near_supremum
+from kernel_truth import truth_at
 from printed_kernels import DTYPES, PrintedKernel, common_domain, groups, printed_kernels, promise
 
 GROUPS = groups(printed_kernels())
@@ -107,9 +108,11 @@ def test_an_error_just_above_the_bound_is_noticed(kernel: PrintedKernel, dtype: 
     assert not broken_promises([kernel], dtype, measure([kernel], dtype, [point]))
     for output in kernel.outputs:
         # an honest error of up to one bound cannot hide an added one of more than two
-        factor = 1 + (9 if output in kernel.by_terms else 3) * kernel.promises[dtype][output].error(
-            dtype
-        )
+        times = 3
+        if output in kernel.by_terms:
+            true = truth_at(kernel.family, kernel.argument, point)[kernel.truth_name(output)]
+            times *= math.ceil(abs(float(true.scale / true.value)))
+        factor = 1 + times * kernel.promises[dtype][output].error(dtype)
         spoiled = altered(kernel, output, partial(multiplied, factor), dtype)
         found = broken_promises([spoiled], dtype, measure([spoiled], dtype, [point]))
         assert len(found) == 1, output

@@ -28,8 +28,10 @@ def second_slopes(
 
     The scale is the derivative's own ball. ``predicted_11_by_terms`` is that of predicted_11, which
     may vanish, with another: 2 M11'^2/(1 + M11) - M11'', (1 + M11)^2 times how fast the gain
-    1 - 1/(1 + M11) bends down. Radii are at most 10^-digits of the scales; NotConverged where that
-    is not reached.
+    1 - 1/(1 + M11) bends down. Of three states ``predicted_12_by_terms`` is M12'' with the scale
+    M12'' - 2 M12' x'/x, where x = beta/gamma falls, and ``updated_ij_by_terms`` is X'' = M'' - U''
+    with the scale M'' + U'', for the entries beyond the first row. Radii are at most 10^-digits of
+    the scales; NotConverged where that is not reached.
     """
     index = exact(tracking_index)
     # the gains bend like its fourth inverse power
@@ -87,4 +89,14 @@ def _scaled(
     innovation, slope = found.state.innovation[0][0], found.slope.innovation[0][0]
     own = named["predicted_11"]
     both = {name: (value, value) for name, value in named.items()}
-    return {**both, "predicted_11_by_terms": (own, 2 * slope * slope / innovation - own)}
+    both["predicted_11_by_terms"] = own, 2 * slope * slope / innovation - own
+    if "gamma" not in named:
+        return both
+    at, d = quantities.values(found), quantities.slopes(found)
+    falling = d["beta"] / at["beta"] - d["gamma"] / at["gamma"]
+    turning = named["predicted_12"]
+    both["predicted_12_by_terms"] = turning, turning - 2 * d["predicted_12"] * falling
+    for place in ("22", "23", "33"):
+        after = named[f"updated_{place}"]
+        both[f"updated_{place}_by_terms"] = after, 2 * named[f"predicted_{place}"] - after
+    return both
