@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 from gainproof import cli, derivations
+from gainproof.bad_input import BadInputError
+from gainproof.model_file import build_model_file
 
 Capture = pytest.CaptureFixture[str]
 
@@ -69,7 +71,22 @@ def test_own_model_is_derived_and_proved(file: Path, capsys: Capture) -> None:
         (MODEL.replace("T**4 / 3", "T**3 / 3"), "one strength times a matrix of numbers"),
     ],
 )
-def test_each_mistake_has_status_2_and_names_the_file(
+def test_each_mistake_is_bad_input_and_names_the_file(text: str, message: str, file: Path) -> None:
+    file.write_text(text)
+    with pytest.raises(BadInputError) as caught:
+        build_model_file(str(file))
+    assert message in str(caught.value)
+    assert "own_model.py" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("raise SystemExit(0)\n", "SystemExit"),
+        (MODEL.replace("[[1, 0]]", "[[2, 0]]"), "the first state is to be measured"),
+    ],
+)
+def test_a_mistake_has_status_2_and_one_line(
     text: str, message: str, file: Path, capsys: Capture
 ) -> None:
     file.write_text(text)
