@@ -25,6 +25,7 @@ from gainproof.derive.three_state.steps_model import model_steps
 from gainproof.derive.three_state.steps_poles import pole_steps, turning
 from gainproof.derive.three_state.steps_proof import covariance_steps, proof_steps
 from gainproof.derive.three_state.steps_spectrum import spectrum_steps
+from gainproof.derive.three_state.textbook import textbook_forms
 from gainproof.derive.three_state.towers import kernel_tower
 
 OPENING = (
@@ -61,7 +62,7 @@ def derive_three_state(
         towers={tower.name: tower for tower in (c.tower, bending_tower(c), found.tower, roots)},
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
-        textbook=dict,
+        textbook=lambda: textbook_forms(c),
     )
 
 
