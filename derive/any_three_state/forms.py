@@ -23,7 +23,8 @@ from gainproof.derive.any_three_state.shape import Shape
 from gainproof.derive.model import ModelError
 
 MOST_FACTORS = 5
-EFFORT = {False: 20_000, True: 5_000}  # terms of all products tried, without and with parameters
+EFFORT = (20_000, 5_000, 800)  # terms of all products tried: without, with one, with more numbers
+LONGEST = 150  # terms of a quantity itself, parameters multiplied out: more would not be checked
 
 
 @dataclass(frozen=True)
@@ -77,8 +78,14 @@ def _real_poles(shape: Shape) -> list[sp.Expr]:
 def find(shape: Shape, tower: Tower, value: Fraction, more: tuple[sp.Expr, ...] = ()) -> Form:
     """The form of a value over the sums `more`: without a subtraction where the search finds one.
 
-    The value's denominator is a positive number of the model.
+    The value's denominator is a positive number of the model. Raises ModelError for a value too
+    long to search.
     """
+    if len(value.num) > LONGEST:
+        raise ModelError(
+            f"model {shape.model.name}: with its free numbers multiplied out a quantity has "
+            f"{len(value.num)} terms, more than {LONGEST}: no form is looked for"
+        )
     known = [(entry, tower.fraction(entry)) for entry in multipliers(shape)]
     best: tuple[int, tuple[int, ...], Poly] | None = None
     sums = [entry.num for _, entry in known]
@@ -101,7 +108,7 @@ def _products(
     tower: Tower, value: Poly, known: list[Poly]
 ) -> Iterator[tuple[tuple[int, ...], Poly]]:
     """The quantity times each product of the sums, few factors first."""
-    limit = EFFORT[len(tower.parameters) > 1]
+    limit = EFFORT[min(len(tower.parameters), len(EFFORT)) - 1]
     made: dict[tuple[int, ...], Poly] = {(): value}
     yield (), value
     tried = 0

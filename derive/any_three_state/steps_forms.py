@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import sympy as sp
 
+from gainproof.derive.any_three_state import derivatives
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.covariances import hidden_entries
 from gainproof.derive.any_three_state.names import DEVIATION, GAINS, INDEX
+from gainproof.derive.any_three_state.quantities import Values
 from gainproof.derive.any_two_state.names import row
+from gainproof.derive.any_two_state.signed import Signed
 from gainproof.derive.any_two_state.steps_derivatives import followed, left_out
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
+from gainproof.derive.model import ModelError
 from gainproof.derive.relation import equal
 
 HIDDEN = ("22", "23", "33")
@@ -91,7 +95,11 @@ def form_steps(c: Context) -> list[Step]:
 
 def derivative_steps(c: Context) -> list[Step]:
     """How the gains change with the index."""
-    found = c.quantities.gain_derivatives(c.basis)
+    found: Values
+    try:
+        found = c.quantities.gain_derivatives(c.basis)
+    except ModelError:  # the step on the kernel that is not printed says why
+        found = {"alpha": Signed(derivatives.alpha(c.basis))}
     (first, relation), *others = (
         (f"derivative-{name}", equal(sp.Derivative(real(name), INDEX), value.value))
         for name, value in found.items()
