@@ -21,6 +21,7 @@ __all__ = [
     "Gains",
     "GainsWithDerivatives",
     "InnovationDeviation",
+    "PoleProduct",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
     "PredictorGainDerivatives",
@@ -31,6 +32,7 @@ __all__ = [
     "gains",
     "gains_with_derivatives",
     "innovation_deviation",
+    "pole_product",
     "predicted_covariance",
     "predicted_covariance_derivatives",
     "predictor_gain_derivatives",
@@ -1053,6 +1055,138 @@ _INNOVATION_DEVIATION = Signature(
     ("innovation_deviation",),
     9,
     _innovation_deviation_block,
+)
+
+
+class PoleProduct(NamedTuple):
+    """Result of `pole_product`."""
+
+    pole_product: Real
+    """Product of the poles, and what is left of 1 beside the position gain."""
+
+
+def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -> PoleProduct:
+    """Product of the three poles of the filter, which is 1 - alpha.
+
+        pole_product = 1/sigma^2, sigma = Lambda nu/8,
+        with d(s) = 1 + xi s + eta s^2 + delta s^3 and z = (1 + s)/(1 - s),
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
+        error at most 11.36 * 2^-52 (float64), 11.36 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0003752096714334e154 (float64) and 1e-45 <= tracking_index <=
+        1.3763372e19 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out))
+
+
+def _pole_product_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    (pole_product,) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    p = np.sqrt(tracking_index, pole_product)
+    r = np.sqrt(p, w0)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, w1)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w2)
+    t9 = np.add(t6, t8, w1)
+    c_scaled = np.sqrt(t9, w1)
+    t12 = np.multiply(c_scaled, 67108864.0, w1)
+    t13 = np.multiply(t12, r, w2)
+    t14 = np.multiply(t13, 2.0, w2)
+    t16 = np.multiply(p, 0.5, w3)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w4)
+    t19 = np.multiply(p, r, w5)
+    t22 = np.multiply(t19, 1.5516447222296765, w5)
+    t24 = np.divide(8.0, r, w6)
+    t25 = np.add(t22, t24, w5)
+    t26 = near_cbrt(t25, w5, single)
+    t28 = np.multiply(t14, t26, w6)
+    t29 = np.add(t28, t18, w6)
+    t30 = np.sqrt(t29, w6)
+    t31 = np.multiply(t30, 2.0, w7)
+    t32 = np.add(t31, t16, w7)
+    t33 = np.sqrt(t32, w7)
+    t34 = np.multiply(t14, 0.5, w8)
+    t35 = np.multiply(t30, t33, w6)
+    t36 = np.multiply(t33, t35, w7)
+    t37 = np.multiply(t34, t26, w5)
+    t38 = np.subtract(t36, t37, w7)
+    t39 = np.subtract(t35, t34, w6)
+    t40 = np.divide(t38, t39, w7)
+    t42 = np.multiply(t14, t40, w5)
+    t43 = np.add(t42, t18, w5)
+    t44 = np.sqrt(t43, w5)
+    t45 = np.multiply(t44, 2.0, w6)
+    t46 = np.add(t45, t16, w6)
+    t47 = np.sqrt(t46, w6)
+    t48 = np.multiply(t44, t47, w5)
+    t49 = np.multiply(t47, t48, w6)
+    t50 = np.multiply(t34, t40, w7)
+    t51 = np.subtract(t49, t50, w6)
+    t52 = np.subtract(t48, t34, w5)
+    t53 = np.divide(t51, t52, w6)
+    t55 = np.multiply(t14, t53, w5)
+    t56 = np.add(t55, t18, w5)
+    t57 = np.sqrt(t56, w5)
+    t58 = np.multiply(t57, 2.0, w7)
+    t59 = np.add(t58, t16, w7)
+    t60 = np.sqrt(t59, w7)
+    t61 = np.multiply(t57, t60, w5)
+    t62 = np.multiply(t60, t61, w7)
+    t63 = np.multiply(t34, t53, w6)
+    t64 = np.subtract(t62, t63, w7)
+    t65 = np.subtract(t61, t34, w5)
+    t66 = np.divide(t64, t65, w7)
+    t68 = np.multiply(t14, t66, w5)
+    t69 = np.add(t68, t18, w5)
+    t70 = np.sqrt(t69, w5)
+    t71 = np.multiply(t70, 2.0, w6)
+    t72 = np.add(t71, t16, w6)
+    t73 = np.sqrt(t72, w6)
+    t74 = np.multiply(t70, t73, w5)
+    t75 = np.multiply(t73, t74, w6)
+    t76 = np.multiply(t34, t66, w7)
+    t77 = np.subtract(t75, t76, w6)
+    t78 = np.subtract(t74, t34, w5)
+    t79 = np.divide(t77, t78, w6)
+    t81 = np.multiply(t14, t79, w2)
+    t82 = np.add(t81, t18, w2)
+    e = np.sqrt(t82, w2)
+    t84 = np.multiply(e, 2.0, w4)
+    t85 = np.add(t84, t16, w4)
+    x = np.sqrt(t85, w4)
+    t87 = np.multiply(e, 0.5, w2)
+    t88 = np.add(t12, t87, w1)
+    t89 = np.multiply(x, r, w4)
+    t91 = np.multiply(t89, 0.25, w4)
+    t92 = np.multiply(p, 0.125, w0)
+    t93 = np.add(t91, t92, w4)
+    t94 = np.add(t88, t93, w1)
+    t95 = np.multiply(p, t94, pole_product)
+    t96 = np.divide(1.0, t95, pole_product)
+    np.square(t96, pole_product)
+
+
+_POLE_PRODUCT = Signature(
+    "pole_product",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("pole_product",),
+    9,
+    _pole_product_block,
 )
 
 

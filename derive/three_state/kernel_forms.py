@@ -66,6 +66,12 @@ def innovation(k: KernelBasis, _: Noise) -> Forms:
     return {"innovation_deviation": k.deviation}
 
 
+def pole_product(k: KernelBasis, _: Noise) -> Forms:
+    """The product of the three poles, 1 - alpha = 1/sigma^2."""
+    root = 1 / k.deviation
+    return {"pole_product": root * root}
+
+
 def curve(k: KernelBasis) -> Any:
     """Lambda (3 eta^2 + 2 a1 eta + a2)/64, which is Lambda xi tau/32."""
     s = k.spectrum

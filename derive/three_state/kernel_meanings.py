@@ -12,6 +12,7 @@ NAMED = {
     "position": real("predictor_position"),
     "velocity": real("predictor_velocity"),
     "acceleration": real("gamma"),
+    "pole_product": 1 - real("alpha"),
 }
 
 

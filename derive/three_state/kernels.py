@@ -34,6 +34,7 @@ INDEX_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
     "predictor_gains": (kernel_forms.predictor_gains,),
     "predictor_gain_derivatives": (kernel_derivatives.predictor_gain_derivatives,),
     "innovation_deviation": (kernel_forms.innovation,),
+    "pole_product": (kernel_forms.pole_product,),
     "predicted_covariance": (kernel_forms.predicted_covariance,),
     "predicted_covariance_derivatives": (kernel_derivatives.predicted_covariance_derivatives,),
     "updated_covariance": (kernel_updated.updated_covariance,),

@@ -19,6 +19,7 @@ SUMMARIES = {
     "predictor_gains": "Steady-state predictor gain F K.",
     "predictor_gain_derivatives": "First derivatives of the predictor gain.",
     "innovation_deviation": "Standard deviation of an innovation in units of sigma_v.",
+    "pole_product": "Product of the three poles of the filter, which is 1 - alpha.",
     "predicted_covariance": "Predicted covariance in units of sigma_v^2 and T.",
     "predicted_covariance_derivatives": "First derivatives of the predicted covariance.",
     "updated_covariance": "Updated covariance in units of sigma_v^2 and T.",
@@ -45,6 +46,7 @@ MEANINGS = {
     "acceleration": "acceleration entry of F K times the square of the sampling interval, gamma",
     "tracking_index": "tracking index Lambda",
     "innovation_deviation": "standard deviation of an innovation over sigma_v",
+    "pole_product": "product of the poles, and what is left of 1 beside the position gain",
 }
 STEADY = (f"updated_23{TURN}", f"updated_33{TURN}")
 APART = "what the update takes from M'' stays less than it; the scale is the sum of both"
@@ -139,6 +141,17 @@ def _entry(name: str) -> str:
     return f"covariance of {kind} {STATES[first - 1]} and {STATES[second - 1]} {unit}"
 
 
+def _of_poles(c: Context) -> tuple[str, ...]:
+    """What is said of the poles beside their product."""
+    known = (
+        "one pole is w = 1/sigma, the others solve z^2 - 2 m z + w = 0, "
+        "m = (xi^2 - 8)/(xi^2 + 2 xi),"
+        if c.spectrum.rational_in_root
+        else "with d(s) = 1 + xi s + eta s^2 + delta s^3 and z = (1 + s)/(1 - s),"
+    )
+    return ("pole_product = 1/sigma^2, sigma = Lambda nu/8,", known)
+
+
 def _equations(c: Context, name: str) -> tuple[str, ...]:
     a1, a2, e = c.numbers
     if name.endswith("from_alpha"):
@@ -149,6 +162,7 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
     own = {
         "gains": ("alpha = 2 (1 + eta)/nu, beta = 4 xi/nu, gamma = 8/nu,",),
         "innovation_deviation": ("sigma = Lambda nu/8,",),
+        "pole_product": _of_poles(c),
         "predicted_covariance": (
             "predicted_1j = sigma^2 (alpha, beta, gamma), sigma = Lambda nu/8,",
         ),

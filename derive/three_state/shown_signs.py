@@ -40,6 +40,11 @@ def _if_shown(c: Context, hint: Callable[[Context], Hint]) -> Hint:
         return {}
 
 
+def value(c: Context, expression: sp.Expr) -> Hint:
+    """An expression over the named quantities."""
+    return _if_shown(c, lambda c: {"form": shown(c, c.quotients.of(expression))})
+
+
 def minors(c: Context, kind: str) -> Hint:
     """The leading minors of a covariance."""
     return _if_shown(c, lambda c: _minors(c, kind))

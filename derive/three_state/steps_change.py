@@ -57,9 +57,9 @@ def _logarithmic(n: forms.Numbers) -> list[Step]:
             first[0],
             "All three coefficients of `d` fall as the index grows.",
             first[1],
-            "Differentiate step @three-equations: `2 delta delta' = -128/Lambda^3`, "
-            "`xi xi' = eta'` and `eta eta' = delta' xi + delta xi'`. Solve the last two; "
-            "`xi eta - delta = tau`.",
+            "Write `L f` for `Lambda (d/dLambda) f`. Step @three-equations gives "
+            "`delta L delta = -64/Lambda^2`, `xi L xi = L eta` and "
+            "`eta L eta = xi L delta + delta L xi`. Solve the last two; `xi eta - delta = tau`.",
             heading="How the steady state changes with the index",
         ),
         *(joined(*entry) for entry in others),

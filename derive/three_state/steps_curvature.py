@@ -26,6 +26,7 @@ from gainproof.derive.three_state.names import (
     XI,
 )
 from gainproof.derive.three_state.steps_change import numbers
+from gainproof.derive.three_state.surds import plain_number
 
 UPWARD = ("predicted_13", "predicted_22", "predicted_23", "predicted_33")
 UPDATED = ("updated_23", "updated_33")
@@ -71,8 +72,7 @@ def _powers(c: Context) -> list[Step]:
         joined("power-chi", equal((1 - BEND) * GROWTH, slope[GROWTH])),
         Step(
             "power-forms",
-            "All are sums of positive terms: `delta^2` is more than "
-            f"`{n.e}`, by step @three-equations."
+            f"All are sums of positive terms: `delta^2` is more than `{n.e}` (step @above-e)."
             if n.e
             else "All are sums of positive terms.",
             equal(FALL, curvature.fall(n)),
@@ -145,8 +145,8 @@ def _covariances(c: Context) -> list[Step]:
             "And those of the covariances; the first row of `X` are the gains.",
             "`M11 = sigma^2 - 1`, `M12 = Lambda sigma xi/2` and `M13 = Lambda sigma` with step "
             "@powers; the others of step @predicted-33 are `Lambda^2` times a sum, and "
-            "`(d/dLambda)^2 (Lambda^2 f) = 2 f + 3 Lambda f' + Lambda (Lambda f')'`, where the "
-            "prime is `d/dLambda`.",
+            "`(d/dLambda)^2 (Lambda^2 f) = 2 f + 3 L f + L L f` with `L` of step "
+            "@derivative-delta.",
         ),
         *_opened(
             _signs(c, (*UPWARD, *UPDATED), up=True),
@@ -169,7 +169,7 @@ def _turning(c: Context) -> list[Step]:
     ]
     if turns(c):
         form = curvature.covariance_second_derivatives(n)["updated_22"] / ETA
-        end = _far_rate(c) / (c.constants.b + c.constants.c)
+        end = plain_number(_far_rate(c) / (c.constants.b + c.constants.c))
         found.append(_rising(c, "updated_22", (second("updated_22") / ETA, form), (-share, end)))
     return _opened(
         found,

@@ -13,6 +13,7 @@ from gainproof.derive.relation import increasing_onto, limit
 from gainproof.derive.three_state import covariance_entries
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.names import ALPHA, BETA, GAMMA, INDEX, NU, PREDICTED, REST, XI
+from gainproof.derive.three_state.surds import plain_number
 
 Limits = Mapping[str, tuple[sp.Expr, sp.Expr]]
 
@@ -41,8 +42,10 @@ def end_steps(c: Context) -> list[Step]:
     top = c.constants.least + c.constants.c
     ranges = {
         "alpha-range": increasing_onto(ALPHA, sp.Integer(0), sp.Integer(1), c.running),
-        "beta-range": increasing_onto(BETA, sp.Integer(0), 2 * c.constants.least / top, c.running),
-        "gamma-range": increasing_onto(GAMMA, sp.Integer(0), 4 / top, c.running),
+        "beta-range": increasing_onto(
+            BETA, sp.Integer(0), plain_number(2 * c.constants.least / top), c.running
+        ),
+        "gamma-range": increasing_onto(GAMMA, sp.Integer(0), plain_number(4 / top), c.running),
     }
     first, *others = (
         joined(name, relation, hint={"ends": c.ends}) for name, relation in ranges.items()
@@ -116,16 +119,16 @@ def _large(c: Context) -> Limits:
         **covariance_entries.updated(c.model.process_noise, c.numbers[0]),
     }
     found: dict[str, tuple[sp.Expr, sp.Expr]] = {
-        "alpha": (REST * INDEX**2, 16 / top**2),
-        "beta": (BETA, 2 * k.least / top),
-        "gamma": (GAMMA, 4 / top),
+        "alpha": (REST * INDEX**2, plain_number(16 / top**2)),
+        "beta": (BETA, plain_number(2 * k.least / top)),
+        "gamma": (GAMMA, plain_number(4 / top)),
     }
     for name in (*PREDICTED, "updated_22", "updated_23", "updated_33"):
         value = sp.expand(entries[name].subs(known))
         if c.tower.is_zero(value):
             found[name] = real(name) / INDEX, _linear(c, name)
         else:
-            found[name] = real(name) / INDEX**2, value
+            found[name] = real(name) / INDEX**2, plain_number(value)
     return found
 
 

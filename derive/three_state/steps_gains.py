@@ -7,6 +7,7 @@ import sympy as sp
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.relation import equal, increasing_onto, positive
+from gainproof.derive.three_state import shown_signs
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.names import (
     ALPHA,
@@ -70,12 +71,17 @@ def _parameter(c: Context) -> list[Step]:
         ),
         Step(
             "positive-coefficients",
-            "All three are positive.",
+            f"All three are positive{', and so is what `Lambda^2` is made of' if e else ''}.",
             positive(XI),
             "Over `p` no minus sign is left in them.",
         ),
         joined("positive-eta", positive(ETA)),
         joined("positive-delta", positive(DELTA)),
+        *(
+            [joined("above-e", positive(DELTA**2 - e), hint=shown_signs.value(c, DELTA**2 - e))]
+            if e
+            else []
+        ),
         Step(
             "parameter-range",
             "Every positive index belongs to exactly one `p`.",

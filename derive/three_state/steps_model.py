@@ -56,6 +56,7 @@ def _scaling(c: Context) -> list[Step]:
     backward = sp.diag(*(1 / entry for entry in c.model.state_scale)).as_immutable()
     plain = {q.symbol: sp.Symbol(_plain(q.latex)) for q in c.original.quantities}
     units = [str(entry.subs(plain)).replace("**", "^") for entry in c.model.state_scale]
+    ratio = str(c.model.noise_ratio.subs(plain)).replace("**", "^").replace("*", " ")
     transition = (backward, c.original.transition, forward)
     weighted = (c.model.noise_ratio * forward).as_immutable()
     noise = (weighted, c.model.process_noise, forward)
@@ -71,8 +72,8 @@ def _scaling(c: Context) -> list[Step]:
         ),
         Step(
             "scaled-process-noise",
-            "In the same units the process noise is one ratio times a matrix `Q0` of numbers, the "
-            "middle one on the right side.",
+            f"In the same units the process noise is the ratio `{ratio}` times a matrix `Q0` of "
+            "numbers, the middle one on the right side.",
             equal(
                 c.original.process_noise,
                 sp.MatMul(*noise, evaluate=False),
@@ -83,7 +84,7 @@ def _scaling(c: Context) -> list[Step]:
         ),
         Step(
             "index",
-            "The root of that ratio is the tracking index `Lambda`, the only number that is left. "
+            "The root of this ratio is the tracking index `Lambda`, the only number that is left. "
             "From here on `T = 1`, `sigma_v = 1`, and the process noise has covariance "
             "`Lambda^2 Q0`.",
             definition(INDEX**2, c.model.noise_ratio),

@@ -8,14 +8,17 @@ from fractions import Fraction
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Tower
-from gainproof.derive.derivation import Step
+from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import real
 from gainproof.derive.relation import Relation, cited, equal, positive, same_sign
 from gainproof.derive.source import ALGEBRA
 from gainproof.derive.steady_state.spectrum import V
 from gainproof.derive.steady_state.towers import surd
 from gainproof.derive.three_state.context import Context
-from gainproof.derive.three_state.names import INDEX, NU, REST, TAU, Z
+from gainproof.derive.three_state.names import INDEX, NU, REST, TAU, XI, Z
 from gainproof.derive.three_state.steps_spectrum import polynomial_text
+
+W = real("w")
 
 
 @dataclass(frozen=True)
@@ -86,6 +89,37 @@ def pole_steps(c: Context) -> list[Step]:
             "differences.",
         ),
         *_turning_step(found, discriminant),
+        *_in_root(c),
+    ]
+
+
+def _in_root(c: Context) -> list[Step]:
+    """Where all is rational in w, so are the real pole and the quadratic of the others."""
+    if not c.spectrum.rational_in_root:
+        return []
+    a2 = c.spectrum.closed_loop.coeff(Z, 2)
+    half_sum = (XI**2 - 8) / (XI * (XI + 2))
+    factors = ((Z - W), (Z**2 - 2 * half_sum * Z + W))
+    c_of_z = sum(c.spectrum.closed_loop.coeff(Z, n) * Z**n for n in range(4))
+    spread = 4 * (16 - 3 * XI**2) / (XI * (XI + 2)) ** 2
+    return [
+        Step(
+            "poles-in-w",
+            "Here the cubic has a factor for every index: one pole is the positive number `w`, "
+            "`w^2 = 1 - alpha`; the product of the other two is `w` as well.",
+            equal(c_of_z, sp.Mul(*factors, evaluate=False), free=("z",)),
+            "`d(s) = (1 + xi s/2)(1 + xi s/2 + (xi^2/4 - 1) s^2)`: insert "
+            "`eta = xi^2/2 - 1` and `delta = xi (xi^2 - 4)/8`, and `s = (z - 1)/(z + 1)`. "
+            "`w = (xi - 2)/(xi + 2)`.",
+        ),
+        joined("half-sum-of-pair", equal(-a2 - W, 2 * half_sum)),
+        Step(
+            "spread-of-pair",
+            "The square of half the distance of these two: they are a complex pair while "
+            "`3 xi^2` is more than 16.",
+            equal(half_sum**2 - W, spread),
+            "Half their sum, squared, less their product.",
+        ),
     ]
 
 

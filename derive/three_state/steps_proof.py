@@ -115,9 +115,11 @@ def proof_steps(c: Context) -> list[Step]:
             "All poles lie inside the unit circle for every positive index, so the errors of a "
             "start die out.",
             Relation("stable", {"model": model, "gain": list(GAINS)}),
-            "The test of Schur and Cohn: the three pairs of numbers that it forms from `c(z)` are "
-            "positive. (In the half plane it is that of Hurwitz: `xi`, `eta`, `delta` and `tau` "
-            "are positive.)",
+            "The test of Schur and Cohn: the three pairs of numbers that it forms from "
+            "`c(z) = z^3 + c2 z^2 + c1 z + c0` are positive. They are `1 - c0` and `1 + c0`; with "
+            "`a = 1 - c0^2` and `f = c1 - c0 c2` then `a - f` and `a + f`; with `m = c2 - c0 c1` "
+            "at last `(a - f)(a + f - m)` and `(a - f)(a + f + m)`. (In the half plane it is that "
+            "of Hurwitz: `xi`, `eta`, `delta` and `tau` are positive.)",
             hint=shown_signs.schur_cohn(c),
         ),
         Step(

@@ -29,6 +29,17 @@ def by_powers(polynomial: sp.Expr, at: sp.Expr) -> sp.Expr:
     return sp.Add(*terms, evaluate=False)
 
 
+def in_place(polynomial: sp.Expr, v: sp.Expr) -> sp.Expr:
+    """A polynomial in v with v written out and not multiplied out."""
+    terms = sorted(sp.Poly(polynomial, V).terms())
+    parts = [
+        sp.Mul(coefficient, sp.Pow(v, power, evaluate=False), evaluate=False) if power else number
+        for (power,), coefficient in terms
+        for number in (coefficient,)
+    ]
+    return sp.Add(*parts, evaluate=False)
+
+
 def _determinant(matrix: sp.MatrixBase) -> sp.Expr:
     """A 3 x 3 determinant by its first column, not multiplied out."""
     return sp.Add(
@@ -76,7 +87,7 @@ def _on_the_circle(c: Context) -> list[Step]:
             f"{polynomial_text(noise, V)}`.",
             equal(
                 sp.MatMul(row, shape, column, evaluate=False),
-                sp.ImmutableDenseMatrix([[noise.subs(V, v)]]),
+                sp.ImmutableDenseMatrix([[in_place(noise, v)]]),
                 free=("z",),
             ),
             "The inverse of `z I - F` is its adjugate `adj(z I - F)` over its determinant. "
@@ -88,7 +99,7 @@ def _on_the_circle(c: Context) -> list[Step]:
             "steady state are white, seen through the filter; `sigma` is the standard deviation "
             "of an innovation. So `v^3 + Lambda^2 noise(v) = sigma^2 c(z) c(1/z)` for every `z`.",
             equal(
-                v**3 + INDEX**2 * noise.subs(V, v),
+                v**3 + sp.Mul(INDEX**2, in_place(noise, v), evaluate=False),
                 sp.Mul(DEVIATION**2, closed, mirrored, evaluate=False),
                 free=("z",),
             ),

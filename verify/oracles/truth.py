@@ -5,7 +5,7 @@ Arguments: ``tracking_index``, or a gain (``alpha``, ``beta``) from which the in
 bracketing; for growing-memory fits ``sample_number``. Quantities: gains, predictor gains
 (``position``, ...), ``predicted_ij``, ``updated_ij``; their derivatives with respect to the index
 under ``d_`` and the name, the second ones under ``dd_``; ``innovation_deviation``, the square root
-of the innovation variance; real and imaginary parts of the poles,
+of the innovation variance; ``pole_product``; real and imaginary parts of the poles,
 ``first_real`` and so on.
 """
 
@@ -116,6 +116,10 @@ def _everything(found: Enclosure) -> dict[str, Truth]:
     named |= {f"d_{name}": _plain(ball) for name, ball in quantities.slopes(found).items()}
     with flint.ctx.workprec(found.bits):
         named["innovation_deviation"] = _plain(found.state.innovation[0][0].sqrt())
+        product = flint.acb(1)
+        for root in found.poles:
+            product *= root
+        named["pole_product"] = _plain(product.real)
     for ordinal, pole in zip(ORDINALS, quantities.poles(found), strict=False):
         named[f"{ordinal}_real"] = Truth(pole.real, pole.modulus)
         named[f"{ordinal}_imaginary"] = Truth(pole.imaginary, pole.modulus)

@@ -1,0 +1,64 @@
+"""Second derivatives: what is printed of them, and that altered forms are noticed."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import pytest
+import sympy as sp
+from catalogue_subjects import certificate, subject
+
+from gainproof.derive.three_state.excess import Surds, positive_terms
+from gainproof.derive.three_state.names import XI
+from gainproof.derive.three_state.spectrum import Spectrum
+from gainproof.verify.certificate import check_statement
+
+FAMILIES = ("acceleration-increments", "wiener-acceleration", "random-jerk")
+NOISES = ((1, 0), (Fraction(2, 3), Fraction(1, 9)), (1, Fraction(2, 15)))
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_an_altered_kernel_is_rejected(name: str) -> None:
+    data = json.loads(json.dumps(certificate(name)))
+    for kernel in ("gain_second_derivatives", "updated_covariance_derivatives"):
+        entry = f"kernel-{kernel.replace('_', '-')}"
+        assert check_statement(data, entry).status == "proved"
+        nodes = data["programs"][kernel]["graph"]["nodes"]
+        last = max(n for n, node in enumerate(nodes) if node[0] == "number" and node[1] != "1")
+        nodes[last][1] = "17/16"
+        assert check_statement(data, entry).status == "rejected"
+
+
+def test_an_altered_claim_of_a_sign_is_rejected() -> None:
+    data = json.loads(json.dumps(certificate("random-jerk")))
+    (entry,) = (x for x in data["statements"] if x["id"] == "second-derivative-updated-33")
+    node = next(n for n in entry["claim"]["right"]["nodes"] if n[0] == "number")
+    node[1] = "5/7"
+    assert check_statement(data, entry["id"]).status == "rejected"
+
+
+@pytest.mark.parametrize("numbers", NOISES)
+def test_positive_terms_add_up_with_few_powers_of_the_difference(
+    numbers: tuple[Fraction, Fraction],
+) -> None:
+    m1, m2 = (Fraction(number) for number in numbers)
+    empty = sp.Integer(0)
+    spectrum = Spectrum(empty, empty, m1, m2)
+    surds = Surds(spectrum)
+    polynomial = 7 * (XI - surds.least) ** 3 + 2 * XI * (XI - surds.least) + XI**3
+    terms = positive_terms(spectrum, polynomial)
+    total = sum(value * (XI - surds.least) ** i * XI**j for (i, j), value in terms.items())
+    assert surds.reduced(sp.expand(total - polynomial)) == 0
+    assert all(surds.number(value) > 0 for value in terms.values())
+    assert min(i for i, _ in terms) == 0
+    with pytest.raises(ArithmeticError, match="without subtraction"):
+        positive_terms(spectrum, XI - 2 * surds.least)
+
+
+def test_a_root_in_a_root_has_the_second_derivatives_of_the_gains_alone() -> None:
+    kernels = {kernel.name for kernel in subject("continuous-white-jerk").module.kernels}
+    assert "gain_second_derivatives" in kernels
+    assert "updated_covariance_second_derivatives" not in kernels
+    ids = {step.id for step in subject("continuous-white-jerk").derivation.steps}
+    assert "second-derivative-updated-22" in ids
