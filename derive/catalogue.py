@@ -9,6 +9,7 @@ from gainproof.derive.families import (
     acceleration_increments,
     continuous_white_acceleration,
     continuous_white_jerk,
+    fixed_gain_alpha_beta,
     least_squares,
     position_velocity,
     position_velocity_random_acceleration,
@@ -64,4 +65,5 @@ CATALOGUE: tuple[Entry, ...] = (
     ),
     Entry(two_states.NAME, two_states.TITLE, two_states.build),
     Entry(three_states.NAME, three_states.TITLE, three_states.build),
+    Entry(fixed_gain_alpha_beta.NAME, fixed_gain_alpha_beta.TITLE, fixed_gain_alpha_beta.build),
 )

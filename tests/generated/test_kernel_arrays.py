@@ -24,7 +24,7 @@ def sample(kernel: PrintedKernel, count: int, dtype: Any = np.float64) -> Any:
     if kernel.whole:
         return (low + np.arange(count) % 1000).astype(dtype)
     top = min(high, 1e3)
-    return (top * (np.arange(count) + 1) / (count + 1)).astype(dtype)
+    return (low + (top - low) * (np.arange(count) + 1) / (count + 1)).astype(dtype)
 
 
 @EVERY
@@ -51,7 +51,7 @@ def test_numbers_give_numbers(kernel: PrintedKernel) -> None:
 @EVERY
 def test_integers_and_lists_become_float64(kernel: PrintedKernel) -> None:
     if kernel.argument in {"alpha", "beta"}:
-        assert kernel.function([0.25, 0.5])[0].dtype == np.float64
+        assert kernel.function([0.25, 0.375])[0].dtype == np.float64
         return
     expected = kernel.function(np.array([3.0, 7.0]))
     for given_ in ([3, 7], (3, 7), np.array([3, 7]), np.array([3, 7], np.uint8)):

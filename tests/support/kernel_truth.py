@@ -14,6 +14,7 @@ from typing import Any
 
 import flint
 from both_measured import BothMeasuredTruth, both_measured
+from fixed_gain_truth import AlphaBetaTruth
 
 from gainproof.verify.oracles.truth import FitTruth, SteadyStateTruth, Truth, steady_state_truth
 
@@ -103,7 +104,9 @@ class HandOverTruth:
 
 
 @cache
-def truth_of(family: str) -> SteadyStateTruth | FitTruth | BothMeasuredTruth | HandOverTruth:
+def truth_of(
+    family: str,
+) -> SteadyStateTruth | FitTruth | BothMeasuredTruth | HandOverTruth | AlphaBetaTruth:
     """The truth about a family; LookupError for one without an oracle."""
     if family in STEADY_STATES:
         return steady_state_truth(STEADY_STATES[family])
@@ -115,6 +118,8 @@ def truth_of(family: str) -> SteadyStateTruth | FitTruth | BothMeasuredTruth | H
         return FitTruth(FITS[family])
     if family == "recursion_two_states":
         return HandOverTruth()
+    if family == "alpha_beta":
+        return AlphaBetaTruth()
     raise LookupError(f"no oracle knows the family {family}: add its model to kernel_truth")
 
 

@@ -1,0 +1,150 @@
+"""Steps on the steady covariance, under measurement noise and with process noise, and on lags."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import real
+from gainproof.derive.fixed_gain.loop import (
+    Loop,
+    listed,
+    lyapunov,
+    lyapunov_map,
+    pairs,
+    product,
+    row,
+    rows,
+    symmetric,
+    tidy,
+    total,
+)
+from gainproof.derive.relation import Relation, equal
+
+NOISE = "q"
+
+
+def variance_steps(loop: Loop, lecture: sp.Expr) -> list[Step]:
+    """The Lyapunov equation, its one solution, the smoothed covariance; `lecture`: its P11."""
+    size = loop.size
+    p, x = symmetric("predicted", size), symmetric("updated", size)
+    carried = product(loop.closed, p, loop.closed.T)
+    seen = product(loop.transition, loop.column, loop.column.T, loop.transition.T)
+    return [
+        Step(
+            "lyapunov",
+            "A target that moves as predicted leaves the noise of the measurements alone, of "
+            "variance 1 here (`B` in general, which multiplies all entries). Then `e`, the error "
+            "of the prediction, becomes `F (I - K H) e` less `F K` times the next noise, and its "
+            "steady covariance `P` is that for which",
+            equal(p, total(carried, seen)),
+            "The noise is white: it does not know the error before it.",
+            heading="Variance under measurement noise",
+        ),
+        Step(
+            "unique",
+            "There is no other: `P - A P A'` is linear in the entries of `P`, by a matrix whose "
+            "determinant is not 0 on the region of stability.",
+            equal(
+                product(lyapunov_map(loop), _adjugate(loop)),
+                (_common(loop) * sp.eye(len(pairs(size)))).as_immutable(),
+            ),
+            "Multiply out. (No product of two roots of `c(z)` is 1.)",
+            shown=size == 2,
+        ),
+        Step(
+            "entries",
+            "In the gains:",
+            equal(row(*listed(p)), row(*listed(_solution(loop)))),
+            "Solve step @lyapunov.",
+        ),
+        Step(
+            "lecture-variance",
+            "The smoothing index of the lecture, the variance of the predicted position:",
+            equal(p[0, 0], lecture),
+            "The first entry, in other words.",
+        ),
+        Step(
+            "innovation-variance",
+            "The variance of the innovation is `S = P11 + 1`:",
+            equal(real("innovation_variance"), p[0, 0] + 1),
+            "Innovation is error of the prediction and noise, which are independent.",
+        ),
+        Step(
+            "smoothed",
+            "The covariance `X` after the update:",
+            equal(
+                x,
+                total(product(loop.rest, p, loop.rest.T), product(loop.column, loop.column.T)),
+            ),
+            "Joseph's form, which holds for any gain.",
+        ),
+        joined("smoothed-ahead", equal(p, product(loop.transition, x, loop.transition.T))),
+        Step(
+            "predicted-definite",
+            "`P` is positive definite, and with it `X`, as `F` has an inverse.",
+            Relation("positive_definite", {"matrix": rows("predicted", size)}),
+            "Its leading minors have no minus sign.",
+        ),
+        *_with_noise(loop),
+    ]
+
+
+def _solution(loop: Loop) -> sp.ImmutableDenseMatrix:
+    seen = loop.transition * loop.column * loop.column.T * loop.transition.T
+    return lyapunov(loop, seen)
+
+
+def _inverse(loop: Loop) -> sp.ImmutableDenseMatrix:
+    return lyapunov_map(loop).inv(method="LU").applyfunc(tidy).as_immutable()
+
+
+def _common(loop: Loop) -> sp.Expr:
+    """The least common denominator of the inverse, positive inside."""
+    return tidy(1 / sp.lcm_list([sp.fraction(sp.together(x))[1] for x in _inverse(loop)])) ** -1
+
+
+def _adjugate(loop: Loop) -> sp.ImmutableDenseMatrix:
+    """The inverse times its denominator."""
+    common = _common(loop)
+    return _inverse(loop).applyfunc(lambda x: sp.factor(sp.cancel(x * common))).as_immutable()
+
+
+def _with_noise(loop: Loop) -> list[Step]:
+    """Any process noise of covariance Q beside."""
+    size = loop.size
+    noise = symmetric(NOISE, size)
+    names = tuple(f"{NOISE}_{ij}" for ij in pairs(size))
+    column = sp.ImmutableDenseMatrix([real(name) for name in names])
+    common = _common(loop)
+    entries = [sp.collect(sp.expand(x), list(column)) for x in _adjugate(loop) * column]
+    matrix = _matrix(size, [x / common for x in entries])
+    return [
+        Step(
+            "process-noise",
+            "A process noise of covariance `Q` adds to `P` the solution `D` of `D = A D A' + Q`, "
+            "whatever the gains: the equation is linear. The entries of `D`, row by row, are those "
+            "of the vector here over the factor on the right.",
+            equal(
+                product(lyapunov_map(loop), sp.ImmutableDenseMatrix(entries)),
+                product(common, column),
+                free=names,
+            ),
+            "Step @unique, applied to `Q`.",
+            heading="Variance with process noise",
+        ),
+        Step(
+            "process-noise-solves",
+            "The same as matrices.",
+            equal(matrix, total(product(loop.closed, matrix, loop.closed.T), noise), free=names),
+            "Insert.",
+            shown=False,
+        ),
+    ]
+
+
+def _matrix(size: int, entries: list[sp.Expr]) -> sp.ImmutableDenseMatrix:
+    named = dict(zip(pairs(size), entries, strict=True))
+    return sp.ImmutableDenseMatrix(
+        size, size, lambda i, j: named[f"{min(i, j) + 1}{max(i, j) + 1}"]
+    )

@@ -1,0 +1,74 @@
+"""What the kernels of alpha-beta filters say of themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+SUMMARIES = {
+    "coordinates": "How far gains are inside the region of stability.",
+    "gains_of_coordinates": "Gains of any stable alpha-beta filter from its coordinates.",
+    "variances": "Covariances under measurement noise alone, from the gains.",
+    "variances_of_coordinates": "Covariances under measurement noise alone, any stable filter.",
+    "lags": "Steady errors behind a constant acceleration a, over a T^2 (positions) and a T.",
+    "closed_loop_poles": "Closed-loop poles, half_sum +- sqrt(quarter_discriminant).",
+    "minimum_variance_by_lag": "The stable filter of least position variance at a lag (MV).",
+    "random_acceleration_by_lag": "The random acceleration filter (RA) of a lag.",
+    "random_velocity_by_lag": "The random velocity filter (RV) of a lag, where it is stable.",
+    "minimum_variance_by_gain": "Both minimum variance filters (MV) of one position gain.",
+    "random_acceleration_by_gain": "The stable random acceleration filter (RA) of a position gain.",
+    "random_velocity_by_gain": "The random velocity filter (RV) of a position gain.",
+}
+MARGIN_TEXT = "margin = 4 - 2 alpha - beta, stable where alpha, beta and margin are positive"
+EQUATIONS: Mapping[str, tuple[str, ...]] = {
+    "coordinates": (
+        MARGIN_TEXT,
+        "linear_coefficient = 2 alpha/beta, quadratic_coefficient = margin/beta",
+    ),
+    "gains_of_coordinates": (
+        "alpha = 2 x/(1 + x + y), beta = 4/(1 + x + y), all x > 0 and y > 0 are stable",
+    ),
+    "variances": (
+        "predicted_11 = (2 alpha^2 + 2 beta + alpha beta)/(alpha margin),",
+        "predicted_12 = beta (2 alpha + beta)/(alpha margin),",
+        "predicted_22 = updated_22 = 2 beta^2/(alpha margin),",
+        "updated_11 = (2 alpha^2 - 3 alpha beta + 2 beta)/(alpha margin),",
+        "updated_12 = beta (2 alpha - beta)/(alpha margin), margin = 4 - 2 alpha - beta",
+    ),
+    "variances_of_coordinates": (
+        "predicted_11 = ((1 + x)^2 + y)/(x y), predicted_12 = 2 (1 + x)/(x y),",
+        "predicted_22 = updated_22 = 4/(x y),",
+        "updated_11 = ((x - 1)^2 + y)/(x y), updated_12 = 2 (x - 1)/(x y)",
+    ),
+    "lags": (
+        "predicted_position_lag = 1/beta, predicted_velocity_lag = alpha/beta + 1/2,",
+        "updated_position_lag = (1 - alpha)/beta, updated_velocity_lag = alpha/beta - 1/2;",
+        "none behind rest and constant velocity; behind a jerk j the position error grows by",
+        "j T^3/beta a sample",
+    ),
+    "closed_loop_poles": (
+        "half_sum = 1 - (alpha + beta)/2, modulus = sqrt(1 - alpha) (of a complex pair),",
+        "quarter_discriminant = (alpha + beta)^2/4 - beta; the scales of the errors are the sums",
+        "half_sum_scale = 1 + (alpha + beta)/2,",
+        "quarter_discriminant_scale = (alpha + beta)^2/4 + beta",
+    ),
+    "minimum_variance_by_lag": (
+        "alpha + beta/2 = sqrt(beta), beta = 1/lag; with x = 2 sqrt(lag) - 1:",
+        "minimum_variance_predicted_11 = (1 + 1/x)^2 - 1",
+    ),
+    "random_acceleration_by_lag": (
+        "(alpha + beta/2)^2 = 2 beta, beta = 1/lag; with x = sqrt(8 lag) - 1:",
+        "random_acceleration_predicted_11 = (3 x + 1)/(x (x - 1))",
+    ),
+    "random_velocity_by_lag": (
+        "alpha (alpha + beta) = 2 beta, beta = 1/lag; with x = sqrt(8 lag + 1) - 1:",
+        "random_velocity_predicted_11 = ((1 + x)^2 + y)/(x y), y = (x^2 - 2)/2",
+    ),
+    "minimum_variance_by_gain": (
+        "(alpha + beta/2)^2 = beta: beta = (1 - m)^2 (slow), (1 + m)^2 (fast),",
+        "m = sqrt(1 - 2 alpha)",
+    ),
+    "random_acceleration_by_gain": (
+        "(alpha + beta/2)^2 = 2 beta: beta = 2 (1 - w)^2, w = sqrt(1 - alpha)",
+    ),
+    "random_velocity_by_gain": ("alpha (alpha + beta) = 2 beta: beta = alpha^2/(2 - alpha)",),
+}

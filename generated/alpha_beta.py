@@ -1,0 +1,1030 @@
+# Made by: gainproof generate alpha-beta
+# From: gainproof derive alpha-beta, SymPy 1.14.0
+"""Alpha-beta filters with any gains."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Arrays, Real
+
+__all__ = [
+    "ClosedLoopPoles",
+    "Coordinates",
+    "GainsOfCoordinates",
+    "Lags",
+    "MinimumVarianceByGain",
+    "MinimumVarianceByLag",
+    "RandomAccelerationByGain",
+    "RandomAccelerationByLag",
+    "RandomVelocityByGain",
+    "RandomVelocityByLag",
+    "Variances",
+    "VariancesOfCoordinates",
+    "closed_loop_poles",
+    "coordinates",
+    "gains_of_coordinates",
+    "lags",
+    "minimum_variance_by_gain",
+    "minimum_variance_by_lag",
+    "random_acceleration_by_gain",
+    "random_acceleration_by_lag",
+    "random_velocity_by_gain",
+    "random_velocity_by_lag",
+    "variances",
+    "variances_of_coordinates",
+]
+
+_ALPHA_DOMAIN = Domain(
+    "alpha",
+    "a number at least 1e-30 and at most 0.9999999, in float32 at least 1e-12 and at most 0.999999",
+    (1e-30, 0.9999999),
+    (9.999999960041972e-13, 0.9999989867210388),
+)
+_BETA_DOMAIN = Domain(
+    "beta",
+    "a number at least 1e-30 and at most 1.9999999, in float32 at least 1e-12 and at most 1.999999",
+    (1e-30, 1.9999999),
+    (9.999999960041972e-13, 1.9999990463256836),
+)
+_LINEAR_COEFFICIENT_DOMAIN = Domain(
+    "linear_coefficient",
+    "a number at least 1e-60 and at most 1e60, in float32 at least 1e-9 and at most 1e9",
+    (1e-60, 1e60),
+    (9.999999717180685e-10, 1000000000.0),
+)
+_QUADRATIC_COEFFICIENT_DOMAIN = Domain(
+    "quadratic_coefficient",
+    "a number at least 1e-60 and at most 1e60, in float32 at least 1e-9 and at most 1e9",
+    (1e-60, 1e60),
+    (9.999999717180685e-10, 1000000000.0),
+)
+_LAG_DOMAIN = Domain(
+    "lag",
+    "a number above 1/4 and at most 1e30, in float32 above 1/4 and at most 1e9",
+    (0.25000000000000006, 1e30),
+    (0.2500000298023224, 1000000000.0),
+)
+_LAG_DOMAIN_2 = Domain(
+    "lag",
+    "a number above 1/2 and at most 1e30, in float32 above 1/2 and at most 1e9",
+    (0.5000000000000001, 1e30),
+    (0.5000000596046448, 1000000000.0),
+)
+_LAG_DOMAIN_3 = Domain(
+    "lag",
+    "a number above 0.6036 and at most 1e30, in float32 above 0.6036 and at most 1e9",
+    (0.6036, 1e30),
+    (0.603600025177002, 1000000000.0),
+)
+_ALPHA_DOMAIN_2 = Domain(
+    "alpha",
+    "a number at least 1e-15 and below 1/2, in float32 at least 1e-9 and below 1/2",
+    (1e-15, 0.49999999999999994),
+    (9.999999717180685e-10, 0.4999999701976776),
+)
+_ALPHA_DOMAIN_3 = Domain(
+    "alpha",
+    "a number at least 1e-15 and below 1, in float32 at least 1e-9 and below 1",
+    (1e-15, 0.9999999999999999),
+    (9.999999717180685e-10, 0.9999999403953552),
+)
+
+
+class Coordinates(NamedTuple):
+    """Result of `coordinates`."""
+
+    margin: Real
+    """4 - 2 alpha - beta, positive inside."""
+    linear_coefficient: Real
+    """X, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the constant one."""
+    quadratic_coefficient: Real
+    """Y, that of s^2."""
+
+
+def coordinates(
+    alpha: ArrayLike, beta: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> Coordinates:
+    """How far gains are inside the region of stability.
+
+        margin = 4 - 2 alpha - beta, stable where alpha, beta and margin are positive
+        linear_coefficient = 2 alpha/beta, quadratic_coefficient = margin/beta
+
+    alpha: gain of the position; a number at least 1e-30 and at most 0.9999999, in float32 at least
+        1e-12 and at most 0.999999.
+    beta: gain of the velocity times T; a number at least 1e-30 and at most 1.9999999, in float32 at
+        least 1e-12 and at most 1.999999.
+
+    margin: 4 - 2 alpha - beta, positive inside. Relative error at most 1.01 * 2^-52 (float64), 1.01
+        * 2^-23 (float32), proved for every input.
+    linear_coefficient: x, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the
+        constant one. Relative error at most 0.51 * 2^-52 (float64), 0.51 * 2^-23 (float32), proved
+        for every input.
+    quadratic_coefficient: y, that of s^2. Relative error at most 1.51 * 2^-52 (float64), 1.51 *
+        2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return Coordinates(*evaluate(_COORDINATES, (alpha, beta), out))
+
+
+def _coordinates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    alpha, beta = given
+    margin, linear_coefficient, quadratic_coefficient = out
+    w0, w1 = work
+    t3 = np.subtract(1.0, alpha, w0)
+    t5 = np.multiply(t3, 2.0, w0)
+    t6 = np.subtract(2.0, beta, w1)
+    np.add(t5, t6, margin)
+    t8 = np.multiply(alpha, 2.0, w0)
+    np.divide(t8, beta, linear_coefficient)
+    np.divide(margin, beta, quadratic_coefficient)
+
+
+_COORDINATES = Signature(
+    "coordinates",
+    (_ALPHA_DOMAIN, _BETA_DOMAIN),
+    ("margin", "linear_coefficient", "quadratic_coefficient"),
+    2,
+    _coordinates_block,
+)
+
+
+class GainsOfCoordinates(NamedTuple):
+    """Result of `gains_of_coordinates`."""
+
+    alpha: Real
+    """Gain of the position."""
+    beta: Real
+    """Gain of the velocity times T."""
+
+
+def gains_of_coordinates(
+    linear_coefficient: ArrayLike,
+    quadratic_coefficient: ArrayLike,
+    *,
+    out: tuple[Real, Real] | None = None,
+) -> GainsOfCoordinates:
+    """Gains of any stable alpha-beta filter from its coordinates.
+
+        alpha = 2 x/(1 + x + y), beta = 4/(1 + x + y), all x > 0 and y > 0 are stable
+
+    linear_coefficient: x, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the
+        constant one; a number at least 1e-60 and at most 1e60, in float32 at least 1e-9 and at most
+        1e9.
+    quadratic_coefficient: y, that of s^2; a number at least 1e-60 and at most 1e60, in float32 at
+        least 1e-9 and at most 1e9.
+
+    alpha: gain of the position. Relative error at most 1.51 * 2^-52 (float64), 1.51 * 2^-23
+        (float32), proved for every input.
+    beta: gain of the velocity times T. Relative error at most 1.51 * 2^-52 (float64), 1.51 * 2^-23
+        (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return GainsOfCoordinates(
+        *evaluate(_GAINS_OF_COORDINATES, (linear_coefficient, quadratic_coefficient), out)
+    )
+
+
+def _gains_of_coordinates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    linear_coefficient, quadratic_coefficient = given
+    alpha, beta = out
+    w0, w1 = work
+    t3 = np.add(1.0, linear_coefficient, w0)
+    t4 = np.add(t3, quadratic_coefficient, w0)
+    t6 = np.multiply(linear_coefficient, 2.0, w1)
+    np.divide(t6, t4, alpha)
+    np.divide(4.0, t4, beta)
+
+
+_GAINS_OF_COORDINATES = Signature(
+    "gains_of_coordinates",
+    (_LINEAR_COEFFICIENT_DOMAIN, _QUADRATIC_COEFFICIENT_DOMAIN),
+    ("alpha", "beta"),
+    2,
+    _gains_of_coordinates_block,
+)
+
+
+class Variances(NamedTuple):
+    """Result of `variances`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Covariance of predicted position and velocity over sigma_v^2, times T."""
+    predicted_22: Real
+    """Variance of the predicted velocity over sigma_v^2, times T^2."""
+    updated_11: Real
+    """Variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Covariance of updated position and velocity over sigma_v^2, times T."""
+    updated_22: Real
+    """Variance of the updated velocity over sigma_v^2, times T^2."""
+
+
+def variances(
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> Variances:
+    """Covariances under measurement noise alone, from the gains.
+
+        predicted_11 = (2 alpha^2 + 2 beta + alpha beta)/(alpha margin),
+        predicted_12 = beta (2 alpha + beta)/(alpha margin),
+        predicted_22 = updated_22 = 2 beta^2/(alpha margin),
+        updated_11 = (2 alpha^2 - 3 alpha beta + 2 beta)/(alpha margin),
+        updated_12 = beta (2 alpha - beta)/(alpha margin), margin = 4 - 2 alpha - beta
+
+    alpha: gain of the position; a number at least 1e-30 and at most 0.9999999, in float32 at least
+        1e-12 and at most 0.999999.
+    beta: gain of the velocity times T; a number at least 1e-30 and at most 1.9999999, in float32 at
+        least 1e-12 and at most 1.999999.
+
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 3.01 *
+        2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
+    predicted_12: covariance of predicted position and velocity over sigma_v^2, times T. Relative
+        error at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
+    predicted_22: variance of the predicted velocity over sigma_v^2, times T^2. Relative error at
+        most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input.
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 5.33 * 2^-52
+        (float64), 5.17 * 2^-23 (float32), proved for every input.
+    updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
+        predicted_12 at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
+        Cancellation in updated_12_difference, condition number 1: changes its sign at beta = 2
+        alpha; error over the sum of its terms.
+    updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
+        2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return Variances(*evaluate(_VARIANCES, (alpha, beta), out))
+
+
+def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    alpha, beta = given
+    predicted_11, predicted_12, predicted_22, updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3 = work
+    t3 = np.subtract(1.0, alpha, w0)
+    t5 = np.multiply(t3, 2.0, w1)
+    t6 = np.subtract(2.0, beta, w2)
+    t7 = np.add(t5, t6, w1)
+    t8 = np.divide(beta, alpha, updated_12)
+    t9 = np.multiply(alpha, 2.0, w2)
+    t10 = np.multiply(t8, 2.0, w3)
+    t11 = np.add(t9, t10, w2)
+    t12 = np.add(t11, beta, w2)
+    np.divide(t12, t7, predicted_11)
+    t14 = np.multiply(beta, 2.0, w2)
+    t15 = np.divide(t14, t7, predicted_12)
+    t16 = np.multiply(t8, beta, updated_12)
+    t17 = np.divide(t16, t7, updated_11)
+    t19 = np.multiply(t16, 2.0, w2)
+    t22 = np.square(t3, w0)
+    t23 = np.multiply(t22, predicted_11, w0)
+    t24 = np.square(alpha, w3)
+    np.subtract(t15, t17, updated_12)
+    np.divide(t19, t7, predicted_22)
+    np.add(t15, t17, predicted_12)
+    np.add(t23, t24, updated_11)
+    np.copyto(updated_22, predicted_22)
+
+
+_VARIANCES = Signature(
+    "variances",
+    (_ALPHA_DOMAIN, _BETA_DOMAIN),
+    ("predicted_11", "predicted_12", "predicted_22", "updated_11", "updated_12", "updated_22"),
+    4,
+    _variances_block,
+)
+
+
+class VariancesOfCoordinates(NamedTuple):
+    """Result of `variances_of_coordinates`."""
+
+    predicted_11: Real
+    """Variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Covariance of predicted position and velocity over sigma_v^2, times T."""
+    predicted_22: Real
+    """Variance of the predicted velocity over sigma_v^2, times T^2."""
+    updated_11: Real
+    """Variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Covariance of updated position and velocity over sigma_v^2, times T."""
+    updated_22: Real
+    """Variance of the updated velocity over sigma_v^2, times T^2."""
+
+
+def variances_of_coordinates(
+    linear_coefficient: ArrayLike,
+    quadratic_coefficient: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> VariancesOfCoordinates:
+    """Covariances under measurement noise alone, any stable filter.
+
+        predicted_11 = ((1 + x)^2 + y)/(x y), predicted_12 = 2 (1 + x)/(x y),
+        predicted_22 = updated_22 = 4/(x y),
+        updated_11 = ((x - 1)^2 + y)/(x y), updated_12 = 2 (x - 1)/(x y)
+
+    linear_coefficient: x, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the
+        constant one; a number at least 1e-60 and at most 1e60, in float32 at least 1e-9 and at most
+        1e9.
+    quadratic_coefficient: y, that of s^2; a number at least 1e-60 and at most 1e60, in float32 at
+        least 1e-9 and at most 1e9.
+
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 3.01 *
+        2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
+    predicted_12: covariance of predicted position and velocity over sigma_v^2, times T. Relative
+        error at most 1.51 * 2^-52 (float64), 1.51 * 2^-23 (float32), proved for every input.
+    predicted_22: variance of the predicted velocity over sigma_v^2, times T^2. Relative error at
+        most 1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for every input.
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 3.01 * 2^-52
+        (float64), 3.01 * 2^-23 (float32), proved for every input.
+    updated_12: covariance of updated position and velocity over sigma_v^2, times T. Error over
+        predicted_12 at most 1.51 * 2^-52 (float64), 1.51 * 2^-23 (float32), proved for every input.
+    updated_22: variance of the updated velocity over sigma_v^2, times T^2. Relative error at most
+        1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return VariancesOfCoordinates(
+        *evaluate(_VARIANCES_OF_COORDINATES, (linear_coefficient, quadratic_coefficient), out)
+    )
+
+
+def _variances_of_coordinates_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    linear_coefficient, quadratic_coefficient = given
+    predicted_11, predicted_12, predicted_22, updated_11, updated_12, updated_22 = out
+    w0, w1, w2, w3, w4 = work
+    t3 = np.add(1.0, linear_coefficient, w0)
+    t5 = np.add(linear_coefficient, -1.0, w1)
+    t6 = np.multiply(linear_coefficient, quadratic_coefficient, w2)
+    t7 = np.square(t3, w3)
+    t8 = np.add(t7, quadratic_coefficient, w3)
+    t11 = np.multiply(t3, 2.0, w0)
+    t15 = np.square(t5, w4)
+    t16 = np.add(t15, quadratic_coefficient, w4)
+    t18 = np.multiply(t5, 2.0, w1)
+    np.divide(t8, t6, predicted_11)
+    np.divide(t11, t6, predicted_12)
+    np.divide(4.0, t6, predicted_22)
+    np.divide(t16, t6, updated_11)
+    np.divide(t18, t6, updated_12)
+    np.copyto(updated_22, predicted_22)
+
+
+_VARIANCES_OF_COORDINATES = Signature(
+    "variances_of_coordinates",
+    (_LINEAR_COEFFICIENT_DOMAIN, _QUADRATIC_COEFFICIENT_DOMAIN),
+    ("predicted_11", "predicted_12", "predicted_22", "updated_11", "updated_12", "updated_22"),
+    5,
+    _variances_of_coordinates_block,
+)
+
+
+class Lags(NamedTuple):
+    """Result of `lags`."""
+
+    predicted_position_lag: Real
+    """Truth less predicted position."""
+    predicted_velocity_lag: Real
+    """Truth less predicted velocity."""
+    updated_position_lag: Real
+    """Truth less updated position."""
+    updated_velocity_lag: Real
+    """Truth less updated velocity."""
+
+
+def lags(
+    alpha: ArrayLike, beta: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> Lags:
+    """Steady errors behind a constant acceleration a, over a T^2 (positions) and a T.
+
+        predicted_position_lag = 1/beta, predicted_velocity_lag = alpha/beta + 1/2,
+        updated_position_lag = (1 - alpha)/beta, updated_velocity_lag = alpha/beta - 1/2;
+        none behind rest and constant velocity; behind a jerk j the position error grows by
+        j T^3/beta a sample
+
+    alpha: gain of the position; a number at least 1e-30 and at most 0.9999999, in float32 at least
+        1e-12 and at most 0.999999.
+    beta: gain of the velocity times T; a number at least 1e-30 and at most 1.9999999, in float32 at
+        least 1e-12 and at most 1.999999.
+
+    predicted_position_lag: truth less predicted position. Relative error at most 0.51 * 2^-52
+        (float64), 0.51 * 2^-23 (float32), proved for every input.
+    predicted_velocity_lag: truth less predicted velocity. Relative error at most 1.01 * 2^-52
+        (float64), 1.01 * 2^-23 (float32), proved for every input.
+    updated_position_lag: truth less updated position. Relative error at most 1.01 * 2^-52
+        (float64), 1.01 * 2^-23 (float32), proved for every input.
+    updated_velocity_lag: truth less updated velocity. Error over predicted_velocity_lag at most
+        1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for every input. Cancellation in
+        updated_velocity_lag_difference, condition number 1: changes its sign at beta = 2 alpha;
+        error over the sum of its terms.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return Lags(*evaluate(_LAGS, (alpha, beta), out))
+
+
+def _lags_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    alpha, beta = given
+    predicted_position_lag, predicted_velocity_lag, updated_position_lag, updated_velocity_lag = out
+    w0, w1, w2 = work
+    t3 = np.subtract(1.0, alpha, w0)
+    t5 = np.multiply(beta, 2.0, w1)
+    t6 = np.multiply(alpha, 2.0, w2)
+    t7 = np.divide(t6, t5, predicted_velocity_lag)
+    t8 = np.divide(beta, t5, updated_position_lag)
+    np.subtract(t7, t8, updated_velocity_lag)
+    np.divide(1.0, beta, predicted_position_lag)
+    np.add(t7, t8, predicted_velocity_lag)
+    np.divide(t3, beta, updated_position_lag)
+
+
+_LAGS = Signature(
+    "lags",
+    (_ALPHA_DOMAIN, _BETA_DOMAIN),
+    (
+        "predicted_position_lag",
+        "predicted_velocity_lag",
+        "updated_position_lag",
+        "updated_velocity_lag",
+    ),
+    3,
+    _lags_block,
+)
+
+
+class ClosedLoopPoles(NamedTuple):
+    """Result of `closed_loop_poles`."""
+
+    half_sum: Real
+    """Half the sum of the poles."""
+    modulus: Real
+    """Square root of the product of the poles, the modulus of a complex pair."""
+    quarter_discriminant: Real
+    """The square of half their difference, negative where they are complex."""
+
+
+def closed_loop_poles(
+    alpha: ArrayLike, beta: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> ClosedLoopPoles:
+    """Closed-loop poles, half_sum +- sqrt(quarter_discriminant).
+
+        half_sum = 1 - (alpha + beta)/2, modulus = sqrt(1 - alpha) (of a complex pair),
+        quarter_discriminant = (alpha + beta)^2/4 - beta; the scales of the errors are the sums
+        half_sum_scale = 1 + (alpha + beta)/2,
+        quarter_discriminant_scale = (alpha + beta)^2/4 + beta
+
+    alpha: gain of the position; a number at least 1e-30 and at most 0.9999999, in float32 at least
+        1e-12 and at most 0.999999.
+    beta: gain of the velocity times T; a number at least 1e-30 and at most 1.9999999, in float32 at
+        least 1e-12 and at most 1.999999.
+
+    half_sum: half the sum of the poles. Error over half_sum_scale at most 0.80 * 2^-52 (float64),
+        0.81 * 2^-23 (float32), proved for every input. Cancellation in half_sum_difference,
+        condition number 1: changes its sign; error over the sum of its terms.
+    modulus: square root of the product of the poles, the modulus of a complex pair. Relative error
+        at most 0.76 * 2^-52 (float64), 0.76 * 2^-23 (float32), proved for every input.
+    quarter_discriminant: the square of half their difference, negative where they are complex.
+        Error over quarter_discriminant_scale at most 2.01 * 2^-52 (float64), 2.01 * 2^-23
+        (float32), proved for every input. Cancellation in quarter_discriminant_difference,
+        condition number 1: changes its sign where poles turn real; error over the sum of its terms.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta), out))
+
+
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    alpha, beta = given
+    half_sum, modulus, quarter_discriminant = out
+    w0, w1, w2 = work
+    t3 = np.subtract(1.0, alpha, w0)
+    t5 = np.add(alpha, beta, w1)
+    t6 = np.multiply(t5, 0.5, w1)
+    t8 = np.square(t6, w2)
+    np.subtract(1.0, t6, half_sum)
+    np.subtract(t8, beta, quarter_discriminant)
+    np.sqrt(t3, modulus)
+
+
+_CLOSED_LOOP_POLES = Signature(
+    "closed_loop_poles",
+    (_ALPHA_DOMAIN, _BETA_DOMAIN),
+    ("half_sum", "modulus", "quarter_discriminant"),
+    3,
+    _closed_loop_poles_block,
+)
+
+
+class MinimumVarianceByLag(NamedTuple):
+    """Result of `minimum_variance_by_lag`."""
+
+    minimum_variance_alpha: Real
+    """Gain of the position, minimum variance."""
+    minimum_variance_beta: Real
+    """Gain of the velocity times T, minimum variance."""
+    minimum_variance_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, minimum variance."""
+
+
+def minimum_variance_by_lag(
+    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> MinimumVarianceByLag:
+    """The stable filter of least position variance at a lag (MV).
+
+        alpha + beta/2 = sqrt(beta), beta = 1/lag; with x = 2 sqrt(lag) - 1:
+        minimum_variance_predicted_11 = (1 + 1/x)^2 - 1
+
+    lag: 1/beta: lag of the predicted position behind a constant acceleration a over a T^2; a number
+        above 1/4 and at most 1e30, in float32 above 1/4 and at most 1e9.
+
+    minimum_variance_alpha: gain of the position, minimum variance. Relative error at most 2.51 *
+        2^-52 (float64), 2.51 * 2^-23 (float32), proved for 0.25000000000000006 <= lag <= 1e30
+        (float64) and 0.25000003 <= lag <= 1e09 (float32).
+    minimum_variance_beta: gain of the velocity times T, minimum variance. Relative error at most
+        0.51 * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 0.25000000000000006 <= lag <=
+        1e30 (float64) and 0.25000003 <= lag <= 1e09 (float32).
+    minimum_variance_predicted_11: variance of the predicted position over sigma_v^2, minimum
+        variance. Relative error at most 5.01 * 2^-52 (float64), 5.01 * 2^-23 (float32), proved for
+        0.25000000000000006 <= lag <= 1e30 (float64) and 0.25000003 <= lag <= 1e09 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out))
+
+
+def _minimum_variance_by_lag_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (lag,) = given
+    minimum_variance_alpha, minimum_variance_beta, minimum_variance_predicted_11 = out
+    w0, w1 = work
+    root = np.sqrt(lag, minimum_variance_alpha)
+    t3 = np.multiply(root, 2.0, minimum_variance_alpha)
+    t5 = np.multiply(lag, 4.0, w0)
+    t8 = np.add(t5, -1.0, w0)
+    t9 = np.add(t3, 1.0, minimum_variance_alpha)
+    t10 = np.divide(t8, t9, minimum_variance_predicted_11)
+    t11 = np.multiply(lag, 2.0, w0)
+    t14 = np.multiply(t10, 2.0, minimum_variance_alpha)
+    t15 = np.add(t14, 1.0, minimum_variance_alpha)
+    t16 = np.divide(t15, t10, w1)
+    np.divide(t10, t11, minimum_variance_alpha)
+    np.divide(1.0, lag, minimum_variance_beta)
+    np.divide(t16, t10, minimum_variance_predicted_11)
+
+
+_MINIMUM_VARIANCE_BY_LAG = Signature(
+    "minimum_variance_by_lag",
+    (_LAG_DOMAIN,),
+    ("minimum_variance_alpha", "minimum_variance_beta", "minimum_variance_predicted_11"),
+    2,
+    _minimum_variance_by_lag_block,
+)
+
+
+class RandomAccelerationByLag(NamedTuple):
+    """Result of `random_acceleration_by_lag`."""
+
+    random_acceleration_alpha: Real
+    """Gain of the position, random acceleration."""
+    random_acceleration_beta: Real
+    """Gain of the velocity times T, random acceleration."""
+    random_acceleration_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, random acceleration."""
+
+
+def random_acceleration_by_lag(
+    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> RandomAccelerationByLag:
+    """The random acceleration filter (RA) of a lag.
+
+        (alpha + beta/2)^2 = 2 beta, beta = 1/lag; with x = sqrt(8 lag) - 1:
+        random_acceleration_predicted_11 = (3 x + 1)/(x (x - 1))
+
+    lag: 1/beta: lag of the predicted position behind a constant acceleration a over a T^2; a number
+        above 1/2 and at most 1e30, in float32 above 1/2 and at most 1e9.
+
+    random_acceleration_alpha: gain of the position, random acceleration. Relative error at most
+        2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for 0.5000000000000001 <= lag <= 1e30
+        (float64) and 0.50000006 <= lag <= 1e09 (float32).
+    random_acceleration_beta: gain of the velocity times T, random acceleration. Relative error at
+        most 0.51 * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 0.5000000000000001 <= lag <=
+        1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
+    random_acceleration_predicted_11: variance of the predicted position over sigma_v^2, random
+        acceleration. Relative error at most 4.09 * 2^-52 (float64), 4.09 * 2^-23 (float32), proved
+        for 0.5000000000000001 <= lag <= 1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return RandomAccelerationByLag(*evaluate(_RANDOM_ACCELERATION_BY_LAG, (lag,), out))
+
+
+def _random_acceleration_by_lag_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (lag,) = given
+    random_acceleration_alpha, random_acceleration_beta, random_acceleration_predicted_11 = out
+    w0, w1 = work
+    t2 = np.multiply(lag, 8.0, w0)
+    root = np.sqrt(t2, random_acceleration_alpha)
+    t6 = np.add(t2, -1.0, w0)
+    t7 = np.add(root, 1.0, w1)
+    t8 = np.divide(t6, t7, random_acceleration_predicted_11)
+    t10 = np.multiply(lag, 2.0, w0)
+    t11 = np.add(t10, -1.0, w1)
+    t13 = np.multiply(t11, 4.0, w1)
+    t14 = np.add(root, 2.0, random_acceleration_alpha)
+    t15 = np.divide(t13, t14, random_acceleration_beta)
+    t18 = np.multiply(t8, 3.0, w1)
+    t19 = np.add(t18, 1.0, w1)
+    t20 = np.divide(t19, t8, w1)
+    np.divide(t8, t10, random_acceleration_alpha)
+    np.divide(t20, t15, random_acceleration_predicted_11)
+    np.divide(1.0, lag, random_acceleration_beta)
+
+
+_RANDOM_ACCELERATION_BY_LAG = Signature(
+    "random_acceleration_by_lag",
+    (_LAG_DOMAIN_2,),
+    ("random_acceleration_alpha", "random_acceleration_beta", "random_acceleration_predicted_11"),
+    2,
+    _random_acceleration_by_lag_block,
+)
+
+
+class RandomVelocityByLag(NamedTuple):
+    """Result of `random_velocity_by_lag`."""
+
+    random_velocity_alpha: Real
+    """Gain of the position, random velocity."""
+    random_velocity_beta: Real
+    """Gain of the velocity times T, random velocity."""
+    random_velocity_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, random velocity."""
+
+
+def random_velocity_by_lag(
+    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> RandomVelocityByLag:
+    """The random velocity filter (RV) of a lag, where it is stable.
+
+        alpha (alpha + beta) = 2 beta, beta = 1/lag; with x = sqrt(8 lag + 1) - 1:
+        random_velocity_predicted_11 = ((1 + x)^2 + y)/(x y), y = (x^2 - 2)/2
+
+    lag: 1/beta: lag of the predicted position behind a constant acceleration a over a T^2; a number
+        above 0.6036 and at most 1e30, in float32 above 0.6036 and at most 1e9.
+
+    random_velocity_alpha: gain of the position, random velocity. Relative error at most 1.76 *
+        2^-52 (float64), 1.76 * 2^-23 (float32), proved for 0.6036 <= lag <= 1e30 (float64) and
+        0.6036 <= lag <= 1e09 (float32).
+    random_velocity_beta: gain of the velocity times T, random velocity. Relative error at most 0.51
+        * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 0.6036 <= lag <= 1e30 (float64) and
+        0.6036 <= lag <= 1e09 (float32).
+    random_velocity_predicted_11: variance of the predicted position over sigma_v^2, random
+        velocity. Relative error at most 8.44 * 2^-52 (float64), 8.44 * 2^-23 (float32), proved for
+        0.6036 <= lag <= 1e30 (float64) and 0.6036 <= lag <= 1e09 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return RandomVelocityByLag(*evaluate(_RANDOM_VELOCITY_BY_LAG, (lag,), out))
+
+
+def _random_velocity_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (lag,) = given
+    random_velocity_alpha, random_velocity_beta, random_velocity_predicted_11 = out
+    w0, w1, w2, w3 = work
+    t2 = np.multiply(lag, 4.0, w0)
+    t4 = np.multiply(lag, 8.0, w1)
+    t6 = np.add(t4, 1.0, w2)
+    root = np.sqrt(t6, random_velocity_predicted_11)
+    t8 = np.add(root, 1.0, w2)
+    t9 = np.divide(t4, t8, random_velocity_alpha)
+    rest = 9.500605813173024e-08 if single else -1.2537167179050217e-16
+    np.add(t2, -2.414213562373095, w1)
+    t11 = np.add(w1, rest, w1)
+    t13 = np.add(t2, 0.41421356237309503, w3)
+    t14 = np.multiply(t11, t13, w1)
+    t15 = np.add(t2, root, w0)
+    t16 = np.divide(t14, t15, random_velocity_beta)
+    t17 = np.square(root, random_velocity_predicted_11)
+    t18 = np.add(t17, t16, random_velocity_predicted_11)
+    t19 = np.divide(t18, t9, random_velocity_predicted_11)
+    np.divide(t19, t16, random_velocity_predicted_11)
+    np.divide(4.0, t8, random_velocity_alpha)
+    np.divide(1.0, lag, random_velocity_beta)
+
+
+_RANDOM_VELOCITY_BY_LAG = Signature(
+    "random_velocity_by_lag",
+    (_LAG_DOMAIN_3,),
+    ("random_velocity_alpha", "random_velocity_beta", "random_velocity_predicted_11"),
+    4,
+    _random_velocity_by_lag_block,
+)
+
+
+class MinimumVarianceByGain(NamedTuple):
+    """Result of `minimum_variance_by_gain`."""
+
+    slow_minimum_variance_beta: Real
+    """Gain of the velocity times T, the minimum variance filter of smaller beta."""
+    slow_minimum_variance_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, the minimum variance filter of smaller
+    beta."""
+    fast_minimum_variance_beta: Real
+    """Gain of the velocity times T, the minimum variance filter of larger beta."""
+    fast_minimum_variance_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, the minimum variance filter of larger
+    beta."""
+
+
+def minimum_variance_by_gain(
+    alpha: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> MinimumVarianceByGain:
+    """Both minimum variance filters (MV) of one position gain.
+
+        (alpha + beta/2)^2 = beta: beta = (1 - m)^2 (slow), (1 + m)^2 (fast),
+        m = sqrt(1 - 2 alpha)
+
+    alpha: gain of the position; a number at least 1e-15 and below 1/2, in float32 at least 1e-9 and
+        below 1/2.
+
+    slow_minimum_variance_beta: gain of the velocity times T, the minimum variance filter of smaller
+        beta. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved for
+        1e-15 <= alpha <= 0.49999999999999994 (float64) and 1e-09 <= alpha <= 0.49999997 (float32).
+    slow_minimum_variance_predicted_11: variance of the predicted position over sigma_v^2, the
+        minimum variance filter of smaller beta. Relative error at most 4.94 * 2^-52 (float64), 4.95
+        * 2^-23 (float32), proved for 1e-15 <= alpha <= 0.49999999999999994 (float64) and 1e-09 <=
+        alpha <= 0.49999997 (float32).
+    fast_minimum_variance_beta: gain of the velocity times T, the minimum variance filter of larger
+        beta. Relative error at most 2.26 * 2^-52 (float64), 2.26 * 2^-23 (float32), proved for
+        1e-15 <= alpha <= 0.49999999999999994 (float64) and 1e-09 <= alpha <= 0.49999997 (float32).
+    fast_minimum_variance_predicted_11: variance of the predicted position over sigma_v^2, the
+        minimum variance filter of larger beta. Relative error at most 4.01 * 2^-52 (float64), 4.01
+        * 2^-23 (float32), proved for 1e-15 <= alpha <= 0.49999999999999994 (float64) and 1e-09 <=
+        alpha <= 0.49999997 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return MinimumVarianceByGain(*evaluate(_MINIMUM_VARIANCE_BY_GAIN, (alpha,), out))
+
+
+def _minimum_variance_by_gain_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (alpha,) = given
+    (
+        slow_minimum_variance_beta,
+        slow_minimum_variance_predicted_11,
+        fast_minimum_variance_beta,
+        fast_minimum_variance_predicted_11,
+    ) = out
+    w0, w1, w2 = work
+    t2 = np.multiply(alpha, 2.0, w0)
+    t4 = np.subtract(1.0, t2, w1)
+    root = np.sqrt(t4, slow_minimum_variance_beta)
+    t6 = np.add(root, 1.0, w1)
+    t7 = np.divide(t2, t6, slow_minimum_variance_predicted_11)
+    t8 = np.subtract(1.0, alpha, w0)
+    t11 = np.add(root, 3.0, w2)
+    t12 = np.multiply(t7, t11, w2)
+    np.square(t6, fast_minimum_variance_beta)
+    t15 = np.add(t8, root, w0)
+    t16 = np.divide(t15, alpha, fast_minimum_variance_predicted_11)
+    t17 = np.add(t6, alpha, w1)
+    t18 = np.divide(t17, alpha, w1)
+    np.square(t7, slow_minimum_variance_beta)
+    np.divide(t12, fast_minimum_variance_beta, slow_minimum_variance_predicted_11)
+    np.multiply(t16, t18, fast_minimum_variance_predicted_11)
+
+
+_MINIMUM_VARIANCE_BY_GAIN = Signature(
+    "minimum_variance_by_gain",
+    (_ALPHA_DOMAIN_2,),
+    (
+        "slow_minimum_variance_beta",
+        "slow_minimum_variance_predicted_11",
+        "fast_minimum_variance_beta",
+        "fast_minimum_variance_predicted_11",
+    ),
+    3,
+    _minimum_variance_by_gain_block,
+)
+
+
+class RandomAccelerationByGain(NamedTuple):
+    """Result of `random_acceleration_by_gain`."""
+
+    random_acceleration_beta: Real
+    """Gain of the velocity times T, random acceleration."""
+    random_acceleration_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, random acceleration."""
+
+
+def random_acceleration_by_gain(
+    alpha: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> RandomAccelerationByGain:
+    """The stable random acceleration filter (RA) of a position gain.
+
+        (alpha + beta/2)^2 = 2 beta: beta = 2 (1 - w)^2, w = sqrt(1 - alpha)
+
+    alpha: gain of the position; a number at least 1e-15 and below 1, in float32 at least 1e-9 and
+        below 1.
+
+    random_acceleration_beta: gain of the velocity times T, random acceleration. Relative error at
+        most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved for 1e-15 <= alpha <=
+        0.9999999999999999 (float64) and 1e-09 <= alpha <= 0.99999994 (float32).
+    random_acceleration_predicted_11: variance of the predicted position over sigma_v^2, random
+        acceleration. Relative error at most 4.78 * 2^-52 (float64), 4.77 * 2^-23 (float32), proved
+        for 1e-15 <= alpha <= 0.9999999999999999 (float64) and 1e-09 <= alpha <= 0.99999994
+        (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return RandomAccelerationByGain(*evaluate(_RANDOM_ACCELERATION_BY_GAIN, (alpha,), out))
+
+
+def _random_acceleration_by_gain_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (alpha,) = given
+    random_acceleration_beta, random_acceleration_predicted_11 = out
+    w0, w1, w2 = work
+    t2 = np.subtract(1.0, alpha, w0)
+    root = np.sqrt(t2, random_acceleration_beta)
+    t4 = np.add(root, 1.0, w0)
+    t5 = np.divide(alpha, t4, random_acceleration_predicted_11)
+    t6 = np.square(t5, w1)
+    t9 = np.add(root, 2.0, w2)
+    t10 = np.multiply(t5, t9, random_acceleration_predicted_11)
+    t11 = np.multiply(root, t4, w0)
+    np.multiply(t6, 2.0, random_acceleration_beta)
+    np.divide(t10, t11, random_acceleration_predicted_11)
+
+
+_RANDOM_ACCELERATION_BY_GAIN = Signature(
+    "random_acceleration_by_gain",
+    (_ALPHA_DOMAIN_3,),
+    ("random_acceleration_beta", "random_acceleration_predicted_11"),
+    3,
+    _random_acceleration_by_gain_block,
+)
+
+
+class RandomVelocityByGain(NamedTuple):
+    """Result of `random_velocity_by_gain`."""
+
+    random_velocity_beta: Real
+    """Gain of the velocity times T, random velocity."""
+    random_velocity_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, random velocity."""
+
+
+def random_velocity_by_gain(
+    alpha: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> RandomVelocityByGain:
+    """The random velocity filter (RV) of a position gain.
+
+        alpha (alpha + beta) = 2 beta: beta = alpha^2/(2 - alpha)
+
+    alpha: gain of the position; a number at least 1e-15 and below 1, in float32 at least 1e-9 and
+        below 1.
+
+    random_velocity_beta: gain of the velocity times T, random velocity. Relative error at most 1.51
+        * 2^-52 (float64), 1.51 * 2^-23 (float32), proved for 1e-15 <= alpha <= 0.9999999999999999
+        (float64) and 1e-09 <= alpha <= 0.99999994 (float32).
+    random_velocity_predicted_11: variance of the predicted position over sigma_v^2, random
+        velocity. Relative error at most 2.53 * 2^-52 (float64), 2.53 * 2^-23 (float32), proved for
+        1e-15 <= alpha <= 0.9999999999999999 (float64) and 1e-09 <= alpha <= 0.99999994 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return RandomVelocityByGain(*evaluate(_RANDOM_VELOCITY_BY_GAIN, (alpha,), out))
+
+
+def _random_velocity_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (alpha,) = given
+    random_velocity_beta, random_velocity_predicted_11 = out
+    w0, w1, w2, w3 = work
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(t2, 8.0, w0)
+    t5 = np.square(alpha, w1)
+    t6 = np.add(t4, t5, w0)
+    t8 = np.subtract(2.0, alpha, w2)
+    t11 = np.subtract(6.0, alpha, w3)
+    t12 = np.multiply(alpha, t11, w3)
+    np.divide(t5, t8, random_velocity_beta)
+    np.divide(t12, t6, random_velocity_predicted_11)
+
+
+_RANDOM_VELOCITY_BY_GAIN = Signature(
+    "random_velocity_by_gain",
+    (_ALPHA_DOMAIN_3,),
+    ("random_velocity_beta", "random_velocity_predicted_11"),
+    4,
+    _random_velocity_by_gain_block,
+)
