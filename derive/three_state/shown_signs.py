@@ -85,9 +85,12 @@ def slope(c: Context, name: str) -> Hint:
 
 
 def curve(c: Context, name: str, up: bool) -> Hint:
-    """The second derivative of an element by the index, or where it bends down its negative."""
+    """The second derivative of an element by the index, or where it bends down its negative.
+
+    Empty where the constants are roots and lowest terms show no sign.
+    """
     known = _if_shown(c, lambda c: {"form": _curve(c, name, up)})
-    return known or {"form": _second(c.tower, name, up)}
+    return known if known or c.spectrum.m2 else {"form": _second(c.tower, name, up)}
 
 
 def _curve(c: Context, name: str, up: bool) -> sp.Expr:

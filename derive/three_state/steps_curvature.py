@@ -94,21 +94,22 @@ def _equal(entries: Mapping[str, sp.Expr]) -> Iterable[Step]:
 
 
 def _signs(c: Context, names: Iterable[str], up: bool) -> Iterable[Step]:
-    """Steps on the sign of second derivatives, all alike."""
+    """Steps on the sign of second derivatives, all alike; own noises may leave a sign open."""
     word, sign = ("convex", 1) if up else ("concave", -1)
+    hints = ((name, shown_signs.curve(c, name, up)) for name in names)
     return (
-        joined(
-            label(word, name),
-            positive(sign * second(name)),
-            hint=shown_signs.curve(c, name, up),
-        )
-        for name in names
+        joined(label(word, name), positive(sign * second(name)), hint=hint)
+        for name, hint in hints
+        if hint
     )
 
 
 def _opened(steps: Iterable[Step], sentence: str, reason: str) -> list[Step]:
-    first, *others = steps
-    return [replace(first, sentence=sentence, reason=reason, joins=False), *others]
+    """The steps, the first of which speaks for all; none for none."""
+    return [
+        step if number else replace(step, sentence=sentence, reason=reason, joins=False)
+        for number, step in enumerate(steps)
+    ]
 
 
 def _gains(c: Context) -> list[Step]:
@@ -171,6 +172,8 @@ def _turning(c: Context) -> list[Step]:
         form = curvature.covariance_second_derivatives(n)["updated_22"] / ETA
         end = plain_number(_far_rate(c) / (c.constants.b + c.constants.c))
         found.append(_rising(c, "updated_22", (second("updated_22") / ETA, form), (-share, end)))
+    if c.spectrum.m2 and not all("form" in step.hint for step in found):
+        return []  # some own noise, of which more cannot be shown
     return _opened(
         found,
         f"`M11`{', `M12` and `X22`' if turns(c) else ' and `M12`'} turn once: they bend down up to "
