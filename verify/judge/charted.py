@@ -18,6 +18,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Statement, Witness
 from gainproof.verify.judge.exact.zero_divisor import divisor_factors, rational_zero
+from gainproof.verify.judge.fixed_gain.judging import judge_free
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.catalogue import judge_reading
 from gainproof.verify.judge.scope import Scope
@@ -34,6 +35,8 @@ def judge_in(
     claim: Claim, reading: Reading | None, setting: Setting, environment: Environment
 ) -> Finding:
     """The finding on one reading. Raises Undecided, UndefinedSymbol, Malformed."""
+    if environment.region is not None:
+        return judge_free(claim, reading, setting, environment)
     chart = environment.chart
     if chart is None or claim.kind not in KINDS:
         return judge_reading(claim, reading, Scope(setting, environment, held=claim.held))

@@ -12,6 +12,8 @@ from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.convention_effect import choices, with_conventions, with_units
 from gainproof.verify.judge.definition_reading import with_one_reading
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.fixed_gain.environment import fixed_gain
+from gainproof.verify.judge.fixed_gain.matrices import gain_model, gain_model_key
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished, algebra
 from gainproof.verify.judge.setting.own_matrices import model_key
 from gainproof.verify.judge.setting.own_model import own_environment
@@ -83,6 +85,8 @@ def _bases(
             if key not in solved:
                 solved[key] = memory(setting.degree if setting.degree is not None else -1)
             yield solved[key]
+        case "fixed_gain":
+            yield _free(setting, solved)
         case "steady_state" if setting.own_model is not None:
             yield _own(setting, solved)
         case "steady_state":
@@ -122,6 +126,16 @@ def _own(setting: Setting, solved: dict[Any, Environment]) -> Environment | Unus
     try:
         if key not in solved:
             solved[key] = own_environment(setting)
+    except (Undecided, Malformed, NotEstablished) as reason:
+        return Unusable(setting.name, str(reason))
+    return solved[key]
+
+
+def _free(setting: Setting, solved: dict[Any, Environment]) -> Environment | Unusable:
+    key = ("gains", gain_model_key(setting))
+    try:
+        if key not in solved:
+            solved[key] = fixed_gain(gain_model(setting))
     except (Undecided, Malformed, NotEstablished) as reason:
         return Unusable(setting.name, str(reason))
     return solved[key]

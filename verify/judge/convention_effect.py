@@ -107,6 +107,9 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
                 quantities[name] = power(quantities[name], 2)
     name = environment.name + chosen.in_words()
     chart = None if environment.chart is None else with_conventions(environment.chart, chosen)
+    region = environment.region
+    if region is not None:
+        region = replace(region, charted=with_conventions(region.charted, chosen))
     return replace(
         environment,
         name=name,
@@ -114,6 +117,7 @@ def with_conventions(environment: Environment, chosen: Chosen) -> Environment:
         boxes=boxes,
         continued=continued,
         chart=chart,
+        region=region,
     )
 
 

@@ -53,6 +53,8 @@ def _refuted(claim: Claim, reading: Reading, convention: Convention) -> Finding 
     failing = [p for p in points if truth(Values(scope, p, put_in), formula) is False]
     if put_in or len(failing) < 2:
         return None
+    if scope.uses_steady() and convention.environment.region is not None:
+        stated = (*stated, *convention.environment.region.relations)
     domains = [r for token in scope.used for r in convention.setting.symbols[token].domain]
     conditions = (*stated, *[scope.relation(r) for r in domains])
     outcome = try_points(Statement(relations, conditions), scope.boxes(), scope.labels())

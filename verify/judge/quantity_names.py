@@ -19,6 +19,7 @@ from types import MappingProxyType
 from gainproof.verify.judge.claim.record import Unit
 
 _MOST_STATES = 3
+_ORDERS = range(4)
 _ONE = Unit()
 _METRE = Unit(metre=Fraction(1))
 _COVARIANCES = {
@@ -86,7 +87,26 @@ def quantity_names() -> Mapping[str, QuantityName]:
         for i in (1, 2)
         for j in (1, 2)
     ]
+    found += [
+        QuantityName(f"target_motion.{m}", _motion(m), f"constant derivative {m} of the target")
+        for m in _ORDERS
+    ]
+    found += [
+        QuantityName(
+            f"closed_loop_coefficient.{j}", _ONE, f"of z^{j} in det(zI - F (I - K H)), T = 1"
+        )
+        for j in range(_MOST_STATES + 1)
+    ]
     for i in range(1, _MOST_STATES + 1):
+        found += [
+            QuantityName(
+                f"{which}_lag.{i}.{m}",
+                _motion(i - 1),
+                f"steady error of component {i} of the {which} state, derivative {m} constant",
+            )
+            for which in ("predicted", "updated")
+            for m in _ORDERS
+        ]
         found += [
             QuantityName(f"gain.{i}", _ONE, f"gain {i}, by the conventions of the setting"),
             QuantityName(f"filter_gain.{i}", _ONE, f"component {i} of K, times T^{i - 1}"),

@@ -85,6 +85,12 @@ class Scope(Table):
             if isinstance(value, Expr) and is_whole(value, boxes)
         }
 
+    def uses_steady(self) -> bool:
+        """Whether a symbol met so far stands for what only a stable filter has."""
+        region = self.environment.region
+        met = (self.setting.symbols[token].quantity or "" for token in self.used)
+        return region is not None and any(name.startswith(region.steady) for name in met)
+
     def labels(self) -> dict[str, str]:
         """Base variables in the source's own symbols, as far as it has them."""
         found = {name: token_of(name) for name in self.boxes()}
@@ -92,6 +98,12 @@ class Scope(Table):
         for token, entry in self.setting.symbols.items():
             if entry.role == "quantity" and entry.quantity in found:
                 found[entry.quantity] = token
+            value = self.environment.quantities.get(entry.quantity or "")
+            if self.environment.region is not None and value is not None:
+                # a gain by the source's own name
+                name = value.name if value.kind == "symbol" else ""
+                if name in found:
+                    found[name] = token
         return found
 
     def boxes(self) -> dict[str, Box]:

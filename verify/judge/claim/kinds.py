@@ -9,13 +9,16 @@ from typing import Any
 from gainproof.verify.judge.claim.fields import Fields
 from gainproof.verify.judge.claim.formulas import Symbols, formula_of, graph_in, token_in
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.claim.vocabulary import LOCATIONS, TRENDS
-from gainproof.verify.judge.formula import Formula, Reading
+from gainproof.verify.judge.claim.vocabulary import LOCATIONS, SENSES, TRENDS
+from gainproof.verify.judge.formula import Formula, Graph, Reading
 
 MOST_ABOUT = 20
 MOST_ORDER = 64
+MOST_FIXED = 3
 
-WITHOUT_FORMULA = frozenset(("determines", "monotone", "location", "remark"))
+WITHOUT_FORMULA = frozenset(
+    ("determines", "monotone", "location", "stability", "ordering", "remark")
+)
 """Kinds of claims that need no formula: what they say is in their fields, or in words."""
 
 OWN_FIELDS: Mapping[str, tuple[str, ...]] = {
@@ -24,6 +27,9 @@ OWN_FIELDS: Mapping[str, tuple[str, ...]] = {
     "asymptotics": ("order",),
     "location": ("polynomial", "variable", "where"),
     "steady_state": ("recursion", "previous"),
+    "stability": ("sense",),
+    "optimum": ("minimised", "fixed"),
+    "ordering": ("compared", "ascending", "fixed"),
 }
 """Fields that only claims of one kind take."""
 
@@ -69,8 +75,39 @@ def _own(claim: Claim, fields: Fields, symbols: Symbols) -> dict[str, Any]:
                 "recursion": _recursion(fields, symbols),
                 "previous": token_in(fields, "previous", previous, symbols),
             }
+        case "stability":
+            return {"sense": fields.choice("sense", SENSES, SENSES[0])}
+        case "optimum":
+            return {
+                "minimised": _one(fields, "minimised", symbols),
+                "fixed": _fixed(fields, symbols),
+            }
+        case "ordering":
+            return _ordering(fields, symbols)
         case _:
             return {}
+
+
+def _one(fields: Fields, name: str, symbols: Symbols) -> Graph:
+    return graph_in(fields, name, fields.required_text(name), symbols)
+
+
+def _fixed(fields: Fields, symbols: Symbols) -> tuple[Graph, ...]:
+    found = fields.texts("fixed", MOST_FIXED)
+    if not found:
+        raise fields.fail("fixed", "this field is missing: a list of what is the same")
+    return tuple(graph_in(fields, "fixed", text, symbols) for text in found)
+
+
+def _ordering(fields: Fields, symbols: Symbols) -> dict[str, Any]:
+    names = fields.texts("ascending", MOST_ABOUT)
+    if len(names) < 2 or len(set(names)) < len(names):
+        raise fields.fail("ascending", "two or more different filters of the setting are wanted")
+    return {
+        "minimised": _one(fields, "compared", symbols),
+        "ascending": names,
+        "fixed": _fixed(fields, symbols),
+    }
 
 
 def _determines(fields: Fields, symbols: Symbols) -> tuple[str, ...]:

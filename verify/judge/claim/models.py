@@ -17,6 +17,8 @@ from gainproof.verify.judge.formula import Graph
 
 MOST_STATES = 12
 MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
+GAIN_MATRICES = ("transition", "measurement", "process_noise")
+"""Those of a filter with free gains."""
 Rows = tuple[tuple[Graph, ...], ...]
 
 
@@ -33,6 +35,25 @@ def read_own_model(fields: Fields, symbols: Symbols) -> OwnModel | None:
     for name in ("process_noise", "measurement_noise"):
         _check_covariance(fields, name, read[name])
     return OwnModel(**read)
+
+
+def read_gain_matrices(fields: Fields, symbols: Symbols) -> dict[str, Rows]:
+    """Transition, measurement and process noise of a filter with free gains, as far as given.
+    Raises ClaimFileError.
+    """
+    names = [name for name in GAIN_MATRICES if fields.has(name)]
+    read = {name: _matrix(fields, name, symbols) for name in names}
+    states = len(read["transition"]) if "transition" in read else None
+    wanted = {"transition": states, "measurement": 1, "process_noise": states}
+    for name, matrix in read.items():
+        rows = wanted[name] or len(matrix)
+        columns = states or len(matrix[0])
+        if (len(matrix), len(matrix[0])) != (rows, columns):
+            shape = f"{len(matrix)} by {len(matrix[0])}"
+            raise fields.fail(name, f"wanted {rows} by {columns}, but it is {shape}")
+    if "process_noise" in read:
+        _check_covariance(fields, "process_noise", read["process_noise"])
+    return read
 
 
 def _matrix(fields: Fields, name: str, symbols: Symbols) -> Rows:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
@@ -80,9 +80,12 @@ class Setting:
     """What claims are about.
 
     `kind` is `steady_state` (`model` is a catalogue name, `search`, or None with `own_model`),
-    `growing_memory` (least squares over all samples with a polynomial of `degree`), or `algebra`
-    (no model: identities that follow from the definitions). `symbols` holds every symbol of the
-    file with this setting's own declarations put over the file's.
+    `growing_memory` (least squares over all samples with a polynomial of `degree`), `fixed_gain`
+    (a filter with any gains: of `states`, position with its derivatives, or of `gain_matrices`), or
+    `algebra` (no model: identities that follow from the definitions). `symbols` holds every symbol
+    of the file with this setting's own declarations put over the file's.
+
+    `filters` are named filters with free gains, each with the equations between its gains.
 
     Conventions, each of which may be `search` where the source does not say; they act on the
     quantities `gain.i` and `covariance.i.j` and on noise symbols, and on nothing else:
@@ -103,6 +106,9 @@ class Setting:
     model: str | None = None
     own_model: OwnModel | None = None
     degree: int | None = None
+    states: int | None = None
+    gain_matrices: Mapping[str, tuple[tuple[Graph, ...], ...]] = field(default_factory=dict)
+    filters: Mapping[str, tuple[Formula, ...]] = field(default_factory=dict)
     gain: str = "search"
     third_gain: str = "1"
     power_of_T: str = "1"
@@ -126,7 +132,9 @@ class Claim:
     The other fields belong to one kind or two (see `vocabulary`). `about` lists the symbols
     that a claim of kind `determines` speaks of; for `monotone` it holds the text of the expression
     whose graph is `subject`, and the symbol with which it changes. `order` is that of the error in
-    a claim of kind `asymptotics`, if its formula does not say it.
+    a claim of kind `asymptotics`, if its formula does not say it. `sense` says how conditions of a
+    claim of kind `stability` are meant. `minimised` is what an `optimum` minimises or an
+    `ordering` compares, `fixed` what is kept or equal, `ascending` the names of filters.
     """
 
     id: str
@@ -151,6 +159,10 @@ class Claim:
     where: str | None = None
     recursion: Formula | None = None
     previous: str | None = None
+    sense: str | None = None
+    minimised: Graph | None = None
+    fixed: tuple[Graph, ...] = ()
+    ascending: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

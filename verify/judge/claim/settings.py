@@ -8,13 +8,24 @@ from gainproof.verify.judge.claim.declarations import read_declarations
 from gainproof.verify.judge.claim.domains import contradiction, relations_of
 from gainproof.verify.judge.claim.errors import FileText
 from gainproof.verify.judge.claim.fields import Fields, nearest_hint
-from gainproof.verify.judge.claim.models import MATRICES, read_own_model
-from gainproof.verify.judge.claim.record import Setting, SymbolEntry
+from gainproof.verify.judge.claim.formulas import formula_of
+from gainproof.verify.judge.claim.models import (
+    GAIN_MATRICES,
+    MATRICES,
+    Rows,
+    read_gain_matrices,
+    read_own_model,
+)
+from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import complete_symbols
 
 MOST_SETTINGS = 100
 MOST_DEGREE = 8
-SETTING_KINDS = ("steady_state", "growing_memory", "algebra")
+SETTING_KINDS = ("steady_state", "growing_memory", "fixed_gain", "algebra")
+MOST_STATES = 3
+MOST_FILTERS = 20
+MOST_EQUATIONS = 3
+MOST_NAME = 80
 CONVENTIONS: Mapping[str, tuple[str, ...]] = {
     "gain": ("filter", "predictor", "search"),
     "third_gain": ("1", "1/2", "2", "search"),
@@ -31,7 +42,18 @@ FIXED_NAMES: Mapping[str, tuple[str, tuple[str, ...]]] = {
     "covariance": ("covariance.", ("predicted_covariance.", "updated_covariance.")),
 }
 """What a convention acts on, and the quantities beside them on which it never does."""
-FIELDS = ("kind", "title", "model", "degree", "note", "symbols", *MATRICES, *CONVENTIONS)
+FIELDS = (
+    "kind",
+    "title",
+    "model",
+    "degree",
+    "states",
+    "filters",
+    "note",
+    "symbols",
+    *MATRICES,
+    *CONVENTIONS,
+)
 """Fields of a setting."""
 
 
@@ -71,7 +93,11 @@ def _setting(
         hint = nearest_hint(str(model), models) or f"; known are {', '.join(models)}"
         raise fields.fail("model", f"no model is called {str(model)[:80]!r}{hint}")
     symbols = _symbols(text, where, own_symbols, shared)
-    own_model = read_own_model(fields, symbols)
+    is_free = kind == "fixed_gain"
+    own_model = None if is_free else read_own_model(fields, symbols)
+    gain_matrices = read_gain_matrices(fields, symbols) if is_free else {}
+    states = fields.whole_number("states", 1, MOST_STATES)
+    _check_noise_size(fields, states, gain_matrices)
     fault = contradiction(relations_of(symbols, symbols), symbols)
     if fault is not None:
         raise fields.fail("", f"the domains of its symbols contradict one another: {fault}")
@@ -84,6 +110,9 @@ def _setting(
         model=model,
         own_model=own_model,
         degree=degree,
+        states=states,
+        gain_matrices=gain_matrices,
+        filters=_filters(fields, symbols),
         note=note,
         **_conventions(fields, symbols),
     )
@@ -137,6 +166,12 @@ def _check_kind(
     degree: int | None,
 ) -> None:
     given = any(fields.has(name) for name in MATRICES)
+    if kind == "fixed_gain":
+        _check_free(fields, model, degree)
+        return
+    for name in ("states", "filters"):
+        if fields.has(name):
+            raise fields.fail(name, f"a setting of kind {kind} does not take this field")
     if kind == "steady_state" and (model is None) == (not given):
         raise fields.fail("model", "wanted: either `model` or the four matrices of a model")
     if kind != "steady_state" and (model is not None or given):
@@ -145,6 +180,47 @@ def _check_kind(
         raise fields.fail("degree", "this field is missing: the degree of the polynomial")
     if kind != "growing_memory" and degree is not None:
         raise fields.fail("degree", f"a setting of kind {kind} has no degree")
+
+
+def _check_free(fields: Fields, model: str | None, degree: int | None) -> None:
+    if model is not None or degree is not None or fields.has("measurement_noise"):
+        name = "model" if model is not None else "degree" if degree is not None else MATRICES[-1]
+        raise fields.fail(name, "a setting of kind fixed_gain does not take this field")
+    own = [name for name in GAIN_MATRICES[:2] if fields.has(name)]
+    if fields.has("states") == bool(own):
+        raise fields.fail("states", "wanted: either `states` or `transition` and `measurement`")
+    if len(own) == 1:
+        missing = next(name for name in GAIN_MATRICES[:2] if name not in own)
+        raise fields.fail(missing, "this matrix is missing")
+
+
+def _check_noise_size(fields: Fields, states: int | None, matrices: Mapping[str, Rows]) -> None:
+    noise = matrices.get("process_noise")
+    if states is not None and noise is not None and len(noise) != states:
+        raise fields.fail("process_noise", f"wanted {states} by {states}")
+
+
+def _filters(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> dict[str, tuple[Formula, ...]]:
+    """Named filters with the equations between their gains."""
+    table = fields.take("filters")
+    if table is None:
+        return {}
+    if not isinstance(table, Mapping) or not 1 <= len(table) <= MOST_FILTERS:
+        raise fields.fail("filters", f"a table of 1 to {MOST_FILTERS} named filters is wanted")
+    found: dict[str, tuple[Formula, ...]] = {}
+    own = Fields(fields.text, f"{fields.where}.filters", table, tuple(table), fields.line)
+    for name in table:
+        texts = own.texts(name, MOST_EQUATIONS)
+        if not texts or len(name) > MOST_NAME:
+            raise own.fail(name, "a list of equations between the gains is wanted")
+        found[name] = tuple(formula_of(own, name, text, symbols) for text in texts)
+        for formula in found[name]:
+            relations = [r for reading in formula.readings for r in reading.relations]
+            if len(formula.readings) != 1 or any(r.operator != "=" for r in relations):
+                raise own.fail(name, "equations with one reading are wanted")
+            if formula.readings[0].conditions:
+                raise own.fail(name, "an equation without conditions is wanted")
+    return found
 
 
 def _symbols(

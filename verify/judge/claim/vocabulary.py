@@ -16,6 +16,9 @@ CLAIM_KINDS = (
     "implication",
     "equivalence",
     "determines",
+    "stability",
+    "optimum",
+    "ordering",
     "remark",
 )
 """What a claim may be.
@@ -35,11 +38,21 @@ CLAIM_KINDS = (
   right of an arrow);
 * `equivalence`: the same in both directions;
 * `determines`: each symbol of `about` fixes the others in this setting;
+* `stability`: the filter with free gains is stable exactly where the conditions hold, or as `sense`
+  says;
+* `optimum`: the gains that the formula states are the one minimum of `minimised` while `fixed`
+  stays;
+* `ordering`: `compared` rises strictly along the filters `ascending`, all with the same `fixed`;
 * `remark`: a sentence without decidable content; its note says why.
 """
 
 TRENDS = ("increasing", "decreasing", "nondecreasing", "nonincreasing")
 """How the subject of a claim of kind `monotone` changes; the first two are strict."""
+
+SENSES = ("exact", "sufficient", "necessary", "unstable")
+"""How conditions of a claim of kind `stability` are meant: stable exactly where they hold, wherever
+they do, only where they do, nowhere where they do.
+"""
 
 LOCATIONS = ("inside the unit circle", "left half plane", "real", "complex", "equal")
 """Where the roots of a claim of kind `location` lie; `equal`: all in one place."""

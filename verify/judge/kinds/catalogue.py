@@ -19,6 +19,9 @@ from gainproof.verify.judge.kinds.implication import judge_implication
 from gainproof.verify.judge.kinds.limit import judge_limit
 from gainproof.verify.judge.kinds.location import judge_location
 from gainproof.verify.judge.kinds.monotone import judge_monotone
+from gainproof.verify.judge.kinds.optimum import judge_optimum
+from gainproof.verify.judge.kinds.ordering import judge_ordering
+from gainproof.verify.judge.kinds.stability import judge_stability
 from gainproof.verify.judge.kinds.steady_state import judge_steady_state
 from gainproof.verify.judge.kinds.value import judge_value
 from gainproof.verify.judge.scope import Scope
@@ -50,6 +53,9 @@ KINDS = (
     Kind("location", judge_location, in_fields=True),
     Kind("steady_state", judge_steady_state),
     Kind("determines", judge_determines, in_fields=True),
+    Kind("stability", judge_stability, in_fields=True),
+    Kind("optimum", judge_optimum),
+    Kind("ordering", judge_ordering, in_fields=True),
 )
 NO_FORMULA = Reading(())
 

@@ -89,6 +89,9 @@ def framed(
         for token in pending:
             done.add(token)
             stated += [scope.relation(r) for r in scope.setting.symbols[token].domain]
+    if scope.uses_steady() and scope.environment.region is not None:
+        # without stability a steady covariance or lag has no value
+        stated += scope.environment.region.relations
     only_plain(stated)
     boxes = scope.boxes()
     before = {s for rel in used for s in symbols_of(rel.left, rel.right)}

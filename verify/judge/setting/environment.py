@@ -11,6 +11,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
 from gainproof.verify.judge.exact.statement import Outcome, Statement
+from gainproof.verify.judge.setting.stable_region import StableRegion
 
 INTERVAL = "sampling_interval"
 DEVIATION = "measurement_noise_deviation"
@@ -55,6 +56,8 @@ class Environment:
     Where two parameters are needed they are `coordinates`, and `chart` may be the same setting in
     other base variables, in which more is decided: there `decide` is what decides, `charted` are
     the coordinates, whatever a source calls them, and `squares` those of these.
+
+    With free gains `region` is where the filter is stable.
     """
 
     name: str
@@ -72,6 +75,7 @@ class Environment:
     decide: Decide | None = None
     charted: Mapping[str, Expr] = field(default_factory=dict)
     squares: Mapping[str, Expr] = field(default_factory=dict)
+    region: StableRegion | None = None
 
     def own_variables(self) -> frozenset[str]:
         """The base variables that stand for the tracking index and other parameters of a model."""

@@ -44,19 +44,19 @@ def steady_state(model: Mapping[str, Any], gain_form: str = "filter") -> Environ
     state = solve(model)
     factor, size = state.factor, len(state.filter_gain)
     named = {"filter": state.filter_gain, "predictor": state.predictor_gain}
-    quantities = {**_common(), **state.put_in, INDEX: factor.index}
+    quantities = {**common_quantities(), **state.put_in, INDEX: factor.index}
     for i in range(size):
         quantities[f"gain.{i + 1}"] = named[gain_form][i]
         quantities[f"filter_gain.{i + 1}"] = state.filter_gain[i]
         quantities[f"predictor_gain.{i + 1}"] = state.predictor_gain[i]
-    quantities |= _covariances("predicted", state.predicted) | _covariances(
+    quantities |= covariances_in_units("predicted", state.predicted) | covariances_in_units(
         "updated", state.updated
     )
     quantities["innovation_variance"] = state.innovation * power(SIGMA, 2)
     quantities["closed_loop.trace"] = -factor.coefficients[-1]
     quantities["closed_loop.determinant"] = (-1) ** size * factor.coefficients[0]
-    quantities |= _states(state.transition, state.filter_gain, state.measurement)
-    boxes = {factor.parameter: factor.box, **_boxes(size)}
+    quantities |= filter_states(state.transition, state.filter_gain, state.measurement)
+    boxes = {factor.parameter: factor.box, **base_boxes(size)}
     name = str(model.get("name", "model"))
     suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
     return Environment(
@@ -74,22 +74,27 @@ def memory(degree: int, gain_form: str = "filter") -> Environment:
         tuple(substituted(e, {SAMPLE: symbol(SAMPLE) - 1}) for e in row) for row in fit.updated
     )
     predicted = times(times(fit.transition, before), transposed(fit.transition))
-    quantities = _common()
+    quantities = common_quantities()
     for i in range(size):
         quantities[f"gain.{i + 1}"] = named[gain_form][i]
         quantities[f"filter_gain.{i + 1}"] = fit.gain[i]
         quantities[f"predictor_gain.{i + 1}"] = predictor[i]
-    quantities |= _covariances("predicted", predicted) | _covariances("updated", fit.updated)
+    quantities |= covariances_in_units("predicted", predicted) | covariances_in_units(
+        "updated", fit.updated
+    )
     quantities["innovation_variance"] = (predicted[0][0] + 1) * power(SIGMA, 2)
-    quantities |= _covariances("information", fit.information)
-    quantities |= _states(fit.transition, fit.gain, _first(size))
+    quantities |= covariances_in_units("information", fit.information)
+    quantities |= filter_states(fit.transition, fit.gain, _first(size))
     quantities[SAMPLE] = symbol(SAMPLE)
     missing = {}
     if degree == 0:
         quantities["first_updated_state.1"] = symbol("first_measurement")
     else:
         missing["first_updated_state.1"] = "one sample does not determine the least-squares fit"
-    boxes = {SAMPLE: Box(lower=Fraction(degree), lower_open=False, integer=True), **_boxes(size)}
+    boxes = {
+        SAMPLE: Box(lower=Fraction(degree), lower_open=False, integer=True),
+        **base_boxes(size),
+    }
     what = {0: "mean", 1: "line", 2: "parabola"}[degree]
     suffix = "" if gain_form == "filter" else ", gains are those of the predictor (F K)"
     continued = {f"filter_gain.{i + 1}": gain for i, gain in enumerate(fit.continued_gain)}
@@ -102,7 +107,7 @@ def _first(size: int) -> Exprs:
     return (tuple(number(int(i == 0)) for i in range(size)),)
 
 
-def _common() -> dict[str, Expr]:
+def common_quantities() -> dict[str, Expr]:
     names = (INTERVAL, DEVIATION, "measurement", "first_measurement")
     return {
         **{name: symbol(name) for name in names},
@@ -111,12 +116,12 @@ def _common() -> dict[str, Expr]:
     }
 
 
-def _boxes(size: int) -> dict[str, Box]:
+def base_boxes(size: int) -> dict[str, Box]:
     free = ("measurement", "first_measurement", *[f"previous_state.{i + 1}" for i in range(size)])
     return {INTERVAL: POSITIVE, DEVIATION: POSITIVE, **dict.fromkeys(free, ANY_REAL)}
 
 
-def _covariances(which: str, matrix: Exprs) -> dict[str, Expr]:
+def covariances_in_units(which: str, matrix: Exprs) -> dict[str, Expr]:
     found = {}
     for i, row in enumerate(matrix):
         for j, entry in enumerate(row):
@@ -126,7 +131,7 @@ def _covariances(which: str, matrix: Exprs) -> dict[str, Expr]:
     return found
 
 
-def _states(transition: Exprs, gain: tuple[Expr, ...], measurement: Exprs) -> dict[str, Expr]:
+def filter_states(transition: Exprs, gain: tuple[Expr, ...], measurement: Exprs) -> dict[str, Expr]:
     """Predicted and updated state from the previous state and the new measurement; T enters with
     its powers.
     """

@@ -1,0 +1,63 @@
+"""Claims about filters with free gains: decided over coordinates of the stable filters where these
+prove it, else in the gains themselves.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.catalogue import judge_reading
+from gainproof.verify.judge.reader.latex import relations_to_latex
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.setting.environment import Environment
+from gainproof.verify.judge.verdict import Finding
+
+CHARTED = ("identity", "inequality", "recursion", "implication", "equivalence")
+STABLE = "wherever the filter is stable"
+
+
+def judge_free(
+    claim: Claim, reading: Reading | None, setting: Setting, environment: Environment
+) -> Finding:
+    """The finding on one reading. Raises Undecided, UndefinedSymbol, Malformed.
+
+    Only what speaks of a steady quantity is about stable filters alone; all else is decided for
+    all gains.
+    """
+    scope = Scope(setting, environment, held=claim.held)
+    if environment.region is None or reading is None or claim.kind not in CHARTED:
+        return judge_reading(claim, reading, scope)
+    for relation in (*reading.relations, *reading.conditions):
+        scope.relations(relation)
+    for token in [t for formula in claim.given for t in formula.symbols]:
+        scope.symbol(token)
+    if not scope.uses_steady():
+        return judge_reading(claim, reading, Scope(setting, environment, held=claim.held))
+    try:
+        chart = environment.region.charted
+        found = judge_reading(claim, reading, Scope(setting, chart, held=claim.held))
+    except Undecided:
+        found = None
+    if found is not None and found.verdict == "proved":
+        return replace(found, domain=_domain(claim, reading))
+    try:
+        plain = judge_reading(claim, reading, Scope(setting, environment, held=claim.held))
+    except Undecided:
+        if found is None:
+            raise
+        return found
+    settled = plain.verdict in ("proved", "refuted", "conditional")
+    return plain if settled or found is None else found
+
+
+def _domain(claim: Claim, reading: Reading) -> str:
+    """Where it was proved, in words and in the source's symbols."""
+    stated = list(claim.domain)
+    if reading.connective == "if":
+        stated += reading.conditions
+    told = [relations_to_latex([relation]) for relation in stated]
+    told += [relations_to_latex(f.readings[0].relations) for f in claim.given]
+    return ", ".join([STABLE, *told])

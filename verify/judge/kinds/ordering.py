@@ -1,0 +1,127 @@
+"""Orders between the same quantity of several filters with free gains that have something in
+common, such as their lag.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from gainproof.verify.judge.claim.record import Claim
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import differentiated, substituted
+from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain, strictly
+from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.verdict import Finding, finding_of
+
+METHOD = "each filter with gains of its own, all with the same fixed quantity"
+
+
+@dataclass(frozen=True)
+class _Filter:
+    """What is compared, and what holds of the gains: the equations of the filter, stability, the
+    domain of the claim.
+    """
+
+    compared: Expr
+    conditions: tuple[Rel, ...]
+
+
+def judge_ordering(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """Whether the quantity rises strictly from each filter to the next wherever all of them exist
+    and are stable. Raises Undecided.
+    """
+    region = scope.environment.region
+    if region is None or claim.minimised is None or reading.relations:
+        raise Undecided("an ordering compares filters of a setting of kind fixed_gain")
+    compared = scope.expression(claim.minimised)
+    fixed = [scope.expression(graph) for graph in claim.fixed]
+    laws = {name: _laws(name, scope) for name in claim.ascending}
+    frame = framed(claim, scope)
+    stated = (*frame.conditions, *region.relations)
+    by_gain = [(expr, _shared(expr, region.gains, region.relations, frame)) for expr in fixed]
+    shared = {name for _, name in by_gain if name is not None}
+    open_ = [expr for expr, name in by_gain if name is None]
+    copies: dict[str, _Filter] = {}
+    boxes, labels = dict(frame.boxes), dict(frame.labels)
+    first: list[Expr] = []
+    for name in claim.ascending:
+        own = {g: symbol(f"{g} of {name}") for g in region.gains if g not in shared}
+        for gain, changed in own.items():
+            boxes[changed.name] = frame.boxes[gain]
+            labels[changed.name] = f"{frame.labels.get(gain, gain)} of {name}"
+        values = [substituted(expr, own) for expr in open_]
+        first = first or values
+        same = [Rel("=", a, b) for a, b in zip(first, values, strict=True) if a != b]
+        conditions = tuple(_moved(rel, own) for rel in (*laws[name], *stated))
+        copies[name] = _Filter(substituted(compared, own), (*conditions, *same))
+    bare = strictly(replace(frame, boxes=boxes, conditions=(), labels=labels))
+    return _chain(claim.ascending, copies, bare)
+
+
+def _laws(name: str, scope: Scope) -> tuple[Rel, ...]:
+    """The equations of a named filter."""
+    formulas = scope.setting.filters.get(name)
+    if formulas is None:
+        raise Undecided(f"the setting has no filter {name}")
+    found = [rel for f in formulas for r in f.readings[0].relations for rel in scope.relations(r)]
+    only_plain(found)
+    return tuple(found)
+
+
+def _shared(
+    expr: Expr, gains: tuple[str, ...], stable: tuple[Rel, ...], frame: Frame
+) -> str | None:
+    """The one gain that an expression fixes, being strictly monotone in it over all positive values
+    where stability asks for these; None where it fixes no single one.
+    """
+    names = symbols_of(expr) & set(gains)
+    if len(names) != 1:
+        return None
+    (name,) = names
+    if expr == symbol(name):
+        return name
+    moving = [n for n in symbols_of(expr) if n.startswith("target_motion.")]
+    nonzero = [Rel("!=", symbol(n), number(0)) for n in moving]
+    if Rel(">", symbol(name), number(0)) not in stable:
+        return None
+    boxes = {**frame.boxes, name: Box(lower=number(0).fraction)}
+    around = strictly(replace(frame, boxes=boxes, conditions=tuple(nonzero)))
+    slope = differentiated(expr, name)
+    one_way = around.holds(Rel("=", expr, expr)) and around.holds(Rel("!=", slope, number(0)))
+    return name if one_way else None
+
+
+def _moved(rel: Rel, own: dict[str, Expr]) -> Rel:
+    return Rel(rel.operator, substituted(rel.left, own), substituted(rel.right, own))
+
+
+def _chain(names: tuple[str, ...], copies: dict[str, _Filter], frame: Frame) -> Finding:
+    """Neighbour by neighbour, first wherever these two exist, then wherever all do."""
+    every = tuple(dict.fromkeys(rel for name in names for rel in copies[name].conditions))
+    found: list[Finding] = []
+    for lower, upper in pairwise(names):
+        rises = (Rel("<", copies[lower].compared, copies[upper].compared),)
+        own = tuple(dict.fromkeys((*copies[lower].conditions, *copies[upper].conditions)))
+        finding = finding_of(frame.decide(Statement(rises, own)))
+        if finding.verdict != "proved" and len(names) > 2:
+            finding = finding_of(frame.decide(Statement(rises, every)))
+        if finding.verdict != "proved":
+            reason = f"{lower} is not always below {upper}: {finding.reason}"
+            return replace(finding, reason=reason, method=f"{METHOD}; {finding.method}")
+        found.append(finding)
+    certificate = {
+        f"{lower} < {upper}": dict(finding.certificate)
+        for (lower, upper), finding in zip(pairwise(names), found, strict=True)
+    }
+    return replace(
+        found[-1],
+        reason=f"strictly ascending: {', '.join(names)}",
+        domain=f"wherever {', '.join(names)} exist and are stable",
+        method=f"{METHOD}; {found[-1].method}",
+        certificate=certificate,
+    )
