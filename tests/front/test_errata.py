@@ -108,7 +108,7 @@ def test_a_sheet_is_written_and_renewed(tmp_path: Path, capsys: Capture) -> None
     for _ in range(2):
         assert cli.main(["check", "kosuge-slides", "--errata", str(sheet)]) == 0
         assert sheet.read_text().endswith("\\end{document}\n")
-    assert "64 claims" in capsys.readouterr().out
+    assert "91 claims" in capsys.readouterr().out
 
 
 def test_a_sheet_to_standard_output(capsys: Capture) -> None:

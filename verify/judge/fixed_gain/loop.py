@@ -34,7 +34,8 @@ from gainproof.verify.judge.setting.matrix import Exprs, Numbers
 from gainproof.verify.judge.setting.stability import circle_moved, left_half_plane
 
 Polys = tuple[tuple[Poly, ...], ...]
-STEPS = ("x", "w", "e")
+STEPS = ("step.1", "step.2", "step.3")
+"""x, w and e; x and e for two states."""
 MOST_STATES = 3
 
 
@@ -134,7 +135,7 @@ def _chart(
 ) -> tuple[tuple[str, ...], dict[str, Expr]]:
     """The gains over positive steps: d_1 .. d_n in their ratios to d_0, solved for the gains."""
     size = len(names)
-    steps = {1: ("e",), 2: ("x", "e"), 3: ("x", "w", "e")}[size]
+    steps = STEPS[:size]
     over_steps = ring(steps)
     gens = [over_steps.gen(i) for i in range(size)]
     one = constant(over_steps, 1)
@@ -165,10 +166,10 @@ def _chart(
 def steps_of_gains(loop: Loop) -> dict[str, Expr]:
     """The steps over the gains: quotients of what is positive where the filter is stable."""
     moved = loop.moved
-    found: dict[str, Expr] = {"e": moved[-1] / moved[0]}
-    if loop.size > 1:
-        found["x"] = moved[1] / moved[0]
-    if loop.size > 2:
-        found["w"] = moved[2] / moved[0] - moved[3] / moved[1]
-        found["e"] = moved[3] / moved[0] + moved[3] / moved[1]
+    ratios = [moved[i] / moved[0] for i in range(1, loop.size + 1)]
+    if loop.size == MOST_STATES:
+        # y = e / (1 + x) is that of d_3 = x y d_0
+        y = moved[3] / moved[1]
+        ratios = [ratios[0], ratios[1] - y, ratios[2] + y]
+    found = dict(zip(loop.steps, ratios, strict=True))
     return {name: lowest(value, loop.gains) for name, value in found.items()}

@@ -160,13 +160,13 @@ def _best_gains(environment: Environment, curve: Curve, scope: Scope) -> str:
     region = scope.environment.region
     labels = scope.labels()
     names = () if region is None else region.gains
+    first = next(iter(curve.steps))
     told = []
     for name in names:
         value = substituted(environment.quantities[name], dict(curve.steps))
-        told.append(
-            f"{labels.get(name, name)} = {labelled(lowest(value, tuple(curve.steps)[:1]), {})}"
-        )
-    return ", ".join(told) + f" with {next(iter(curve.steps))} > 0"
+        shown = labelled(lowest(value, (first,)), {first: "s"})
+        told.append(f"{labels.get(name, name)} = {shown}")
+    return ", ".join(told) + " with s > 0"
 
 
 def _better(witness: Witness, least: Expr, frame: Frame, scope: Scope) -> Witness | None:

@@ -1,6 +1,4 @@
-"""The claim file of the lecture: everything that the growing memories and two-state steady states
-cover.
-"""
+"""The claim file of the lecture: what growing memories, steady states and free gains cover."""
 
 from __future__ import annotations
 
