@@ -10,6 +10,7 @@ from gainproof.derive.families import (
     continuous_white_acceleration,
     continuous_white_jerk,
     fixed_gain_alpha_beta,
+    fixed_gain_alpha_beta_gamma,
     least_squares,
     position_velocity,
     position_velocity_random_acceleration,
@@ -66,4 +67,9 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(two_states.NAME, two_states.TITLE, two_states.build),
     Entry(three_states.NAME, three_states.TITLE, three_states.build),
     Entry(fixed_gain_alpha_beta.NAME, fixed_gain_alpha_beta.TITLE, fixed_gain_alpha_beta.build),
+    Entry(
+        fixed_gain_alpha_beta_gamma.NAME,
+        fixed_gain_alpha_beta_gamma.TITLE,
+        fixed_gain_alpha_beta_gamma.build,
+    ),
 )

@@ -2,6 +2,7 @@
 
 - `acceleration_increments`: Acceleration increments (acceleration random walk): steady state
   with measured position.
+- `alpha_beta_gamma`: Alpha-beta-gamma filters with any gains.
 - `alpha_beta`: Alpha-beta filters with any gains.
 - `continuous_white_acceleration`: Continuous white acceleration: steady state with measured
   position.

@@ -22,8 +22,8 @@ def answer_steps(loop: Loop) -> list[Step]:
 def _numerators(loop: Loop) -> list[sp.Expr]:
     """What stands over c(z) in the transfer functions to the smoothed state."""
     system = sp.Matrix(Z * sp.eye(loop.size) - loop.smoothed)
-    answer = system.LUsolve(sp.Matrix(Z * loop.column))
-    return [sp.expand(sp.cancel(x * loop.polynomial(Z))) for x in answer]
+    answer = system.adjugate(method="berkowitz") * sp.Matrix(Z * loop.column)
+    return [sp.expand(x) for x in answer]
 
 
 def _transfer(loop: Loop) -> list[Step]:
@@ -128,5 +128,6 @@ def _recursion(loop: Loop) -> list[Step]:
             equal(states[-1], sp.ImmutableDenseMatrix(shown), free=given(loop, *seen)),
             f"{('Two', 'Three')[size - 2]} samples of step @matrix-form with `t = 1`.",
             tower=EQUATIONS,
+            shown=size == 2,
         ),
     ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sympy as sp
+from sympy.polys.matrices import DomainMatrix
 
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
@@ -19,13 +20,17 @@ from gainproof.derive.fixed_gain.loop import (
     tidy,
     total,
 )
-from gainproof.derive.relation import Relation, equal
+from gainproof.derive.relation import Relation, described, equal
 
 NOISE = "q"
 
 
-def variance_steps(loop: Loop, lecture: sp.Expr) -> list[Step]:
-    """The Lyapunov equation, its one solution, the smoothed covariance; `lecture`: its P11."""
+def variance_steps(loop: Loop, lecture: sp.Expr, minors: tuple[sp.Expr, ...] = ()) -> list[Step]:
+    """The Lyapunov equation, its one solution, the smoothed covariance.
+
+    `lecture`: its P11. `minors`: forms that show the signs of the leading minors of P.
+    """
+    above, below = _inverse(loop)
     size = loop.size
     p, x = symmetric("predicted", size), symmetric("updated", size)
     carried = product(loop.closed, p, loop.closed.T)
@@ -46,8 +51,8 @@ def variance_steps(loop: Loop, lecture: sp.Expr) -> list[Step]:
             "There is no other: `P - A P A'` is linear in the entries of `P`, by a matrix whose "
             "determinant is not 0 on the region of stability.",
             equal(
-                product(lyapunov_map(loop), _adjugate(loop)),
-                (_common(loop) * sp.eye(len(pairs(size)))).as_immutable(),
+                product(lyapunov_map(loop), above),
+                (below * sp.eye(len(pairs(size)))).as_immutable(),
             ),
             "Multiply out. (No product of two roots of `c(z)` is 1.)",
             shown=size == 2,
@@ -84,9 +89,10 @@ def variance_steps(loop: Loop, lecture: sp.Expr) -> list[Step]:
             "predicted-definite",
             "`P` is positive definite, and with it `X`, as `F` has an inverse.",
             Relation("positive_definite", {"matrix": rows("predicted", size)}),
-            "Its leading minors have no minus sign.",
+            "Its leading minors can be written without a minus sign.",
+            hint={"minors": minors},
         ),
-        *_with_noise(loop),
+        *_with_noise(loop, above, below),
     ]
 
 
@@ -95,43 +101,60 @@ def _solution(loop: Loop) -> sp.ImmutableDenseMatrix:
     return lyapunov(loop, seen)
 
 
-def _inverse(loop: Loop) -> sp.ImmutableDenseMatrix:
-    return lyapunov_map(loop).inv(method="LU").applyfunc(tidy).as_immutable()
+STABLE = {"alpha": "1/2", "beta": "1/4", "gamma": "1/16"}
+"""Gains inside, where a sign is looked up."""
 
 
-def _common(loop: Loop) -> sp.Expr:
-    """The least common denominator of the inverse, positive inside."""
-    return tidy(1 / sp.lcm_list([sp.fraction(sp.together(x))[1] for x in _inverse(loop)])) ** -1
+def _inverse(loop: Loop) -> tuple[sp.ImmutableDenseMatrix, sp.Expr]:
+    """The inverse of the map as numerators over one denominator, which is positive inside."""
+    found = DomainMatrix.from_Matrix(lyapunov_map(loop))
+    domain = found.domain
+    numerators, denominator = found.inv_den()
+    shared = denominator
+    for line in numerators.to_list():
+        for entry in line:
+            shared = domain.gcd(shared, entry)
+    common = sp.factor(domain.to_sympy(domain.quo(denominator, shared)))
+    at = {real(name): sp.Rational(value) for name, value in STABLE.items()}
+    sign = sp.sign(common.subs(at))
+    above = numerators.to_Matrix().applyfunc(
+        lambda x: sign * sp.factor(sp.cancel(x / domain.to_sympy(shared)))
+    )
+    return above.as_immutable(), 1 / tidy(1 / (sign * common))
 
 
-def _adjugate(loop: Loop) -> sp.ImmutableDenseMatrix:
-    """The inverse times its denominator."""
-    common = _common(loop)
-    return _inverse(loop).applyfunc(lambda x: sp.factor(sp.cancel(x * common))).as_immutable()
-
-
-def _with_noise(loop: Loop) -> list[Step]:
+def _with_noise(loop: Loop, above: sp.MatrixBase, below: sp.Expr) -> list[Step]:
     """Any process noise of covariance Q beside."""
     size = loop.size
     noise = symmetric(NOISE, size)
     names = tuple(f"{NOISE}_{ij}" for ij in pairs(size))
     column = sp.ImmutableDenseMatrix([real(name) for name in names])
-    common = _common(loop)
-    entries = [sp.collect(sp.expand(x), list(column)) for x in _adjugate(loop) * column]
-    matrix = _matrix(size, [x / common for x in entries])
+    entries = [sp.collect(sp.expand(x), list(column)) for x in above * column]
+    matrix = _matrix(size, [x / below for x in entries])
+    last = (
+        "The entries of `D`, row by row, are those of the vector here over the factor on the right."
+        if size == 2
+        else "The certificate holds them; each is a sum of the six entries of `Q`."
+    )
     return [
         Step(
+            "superposition",
+            "A process noise of covariance `Q` adds to `P` a matrix `D` with `D = A D A' + Q`, "
+            "whatever the gains: the equation is linear.",
+            described("P = A P A' + F K K' F' + Q is solved by the sum of both parts"),
+            "Add both equations.",
+            heading="Variance with process noise",
+        ),
+        Step(
             "process-noise",
-            "A process noise of covariance `Q` adds to `P` the solution `D` of `D = A D A' + Q`, "
-            "whatever the gains: the equation is linear. The entries of `D`, row by row, are those "
-            "of the vector here over the factor on the right.",
+            f"There is just one such `D`. {last}",
             equal(
                 product(lyapunov_map(loop), sp.ImmutableDenseMatrix(entries)),
-                product(common, column),
+                product(below, column),
                 free=names,
             ),
-            "Step @unique, applied to `Q`.",
-            heading="Variance with process noise",
+            "Step @unique, applied to `Q`." if size == 2 else "",
+            shown=size == 2,
         ),
         Step(
             "process-noise-solves",

@@ -109,3 +109,64 @@ def _by_gain(alpha: Fraction) -> dict[str, Pair]:
         found["slow_minimum_variance"] = beta_of(lambda b: -optimum(given, b), least, middle)
         found["fast_minimum_variance"] = beta_of(lambda b: optimum(given, b), middle, border)
     return found
+
+
+@dataclass(frozen=True)
+class AlphaBetaGammaTruth:
+    """The same of three gains: minimum variance by its lag, random acceleration by alpha.
+
+    Minimum variance is taken from the lecture's two implicit equations; that they are the optimum
+    is held against the oracle's slopes in `test_fixed_gain_alpha_beta_gamma`.
+    """
+
+    def at(self, argument: str, value: float) -> Mapping[str, Truth]:
+        """Every output whose filter exists where the argument has exactly this value."""
+        return _three_at(argument, value)
+
+
+@cache
+def _three_at(argument: str, value: float) -> Mapping[str, Truth]:
+    with flint.ctx.workprec(WORKING):
+        exact = Fraction(value)
+        name, ends = _three_by_lag(exact) if argument == "lag" else _three_by_gain(exact)
+        named = {
+            f"{name}_{gain}": _hull(*(ball(end[place]) for end in ends))
+            for place, gain in enumerate(("alpha", "beta", "gamma"))
+        }
+        variances = (predicted([ball(gain) for gain in end])[0, 0] for end in ends)
+        named[f"{name}_predicted_11"] = _hull(*variances)
+        return {output: Truth(x, x) for output, x in named.items()}
+
+
+Triples = tuple[str, tuple[tuple[Fraction, ...], tuple[Fraction, ...]]]
+
+
+def _three_by_lag(lag: Fraction) -> Triples:
+    """4 alpha beta = gamma (8 - 4 alpha - beta) gives beta, the cubic equation alpha."""
+    gamma = 1 / lag
+
+    def beta_of(alpha: Fraction) -> Fraction:
+        return gamma * (8 - 4 * alpha) / (4 * alpha + gamma)
+
+    def cubic(alpha: flint.arb) -> flint.arb:
+        c = ball(gamma)
+        beta = c * (8 - 4 * alpha) / (4 * alpha + c)
+        return (
+            8 * alpha**2 * (2 - alpha)
+            - beta**3
+            - 2 * (3 * alpha - 8) * beta**2
+            - 4 * (3 * alpha**2 - 12 * alpha + 16) * beta
+        )
+
+    # beta < 4 - 2 alpha is alpha > gamma/4
+    inside = 1 - Fraction(1, 2**120)
+    low, high = between(gamma / 4 / inside, 2 * inside, cubic, 2 * BITS)
+    return "minimum_variance", ((low, beta_of(low), gamma), (high, beta_of(high), gamma))
+
+
+def _three_by_gain(alpha: Fraction) -> Triples:
+    """beta^2 = 2 alpha gamma makes the other relation that of the two gains."""
+    given = ball(alpha)
+    low, high = between(alpha**2 / 8, 4 - 2 * alpha, lambda b: -acceleration(given, b), 2 * BITS)
+    ends = ((alpha, low, low**2 / (2 * alpha)), (alpha, high, high**2 / (2 * alpha)))
+    return "random_acceleration", ends

@@ -14,7 +14,7 @@ from typing import Any
 
 import flint
 from both_measured import BothMeasuredTruth, both_measured
-from fixed_gain_truth import AlphaBetaTruth
+from fixed_gain_truth import AlphaBetaGammaTruth, AlphaBetaTruth
 
 from gainproof.verify.oracles.truth import FitTruth, SteadyStateTruth, Truth, steady_state_truth
 
@@ -103,10 +103,13 @@ class HandOverTruth:
         return 1 / n + (k / 2) ** 2 / (n * (n * n - 1) / 12)
 
 
+FixedGainTruth = AlphaBetaTruth | AlphaBetaGammaTruth
+
+
 @cache
 def truth_of(
     family: str,
-) -> SteadyStateTruth | FitTruth | BothMeasuredTruth | HandOverTruth | AlphaBetaTruth:
+) -> SteadyStateTruth | FitTruth | BothMeasuredTruth | HandOverTruth | FixedGainTruth:
     """The truth about a family; LookupError for one without an oracle."""
     if family in STEADY_STATES:
         return steady_state_truth(STEADY_STATES[family])
@@ -120,6 +123,8 @@ def truth_of(
         return HandOverTruth()
     if family == "alpha_beta":
         return AlphaBetaTruth()
+    if family == "alpha_beta_gamma":
+        return AlphaBetaGammaTruth()
     raise LookupError(f"no oracle knows the family {family}: add its model to kernel_truth")
 
 
