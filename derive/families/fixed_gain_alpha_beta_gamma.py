@@ -15,6 +15,7 @@ from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
 from gainproof.derive.fixed_gain.three_steps_named import named_steps
 from gainproof.derive.fixed_gain.three_steps_optimum import lecture_variance, optimum_steps
+from gainproof.derive.fixed_gain.three_steps_order import ordering_steps
 from gainproof.derive.fixed_gain.three_steps_stability import stability_steps
 from gainproof.derive.fixed_gain.three_towers import LOOP, D, M, X, towers
 from gainproof.derive.source import LECTURE
@@ -39,6 +40,7 @@ def build() -> Subject:
         *lag_steps(LOOP),
         *optimum_steps(),
         *named_steps(),
+        *ordering_steps(),
         *kernel_steps(made),
     )
     return Subject(

@@ -129,6 +129,7 @@ def stable_acceleration_tower() -> Tower:
         "alpha": 8 * x / (x + 2) ** 2,
         "beta": 32 / (x + 2) ** 2,
         "gamma": 64 / (x * (x + 2) ** 2),
+        "lag": x * (x + 2) ** 2 / 64,
         "predicted_11": (20 * x**2 + 24 * x) / ((x - 2) * (3 * x**2 - 4)),
     }
     return Tower("stable_acceleration", positive("e"), (), elements)
@@ -147,6 +148,26 @@ def random_jerk_tower() -> Tower:
     return Tower("random_jerk", positive("e"), (), elements)
 
 
+def same_lag_tower() -> Tower:
+    """Random jerk with x >= 2, and a random acceleration filter of more lag, whose x is `bound`."""
+    below = sp.expand(3 * X**4 + 12 * X**3 + 14 * X**2 + 4 * X - 1)
+    size = below / (24 * X)
+    d = (3 * X**4 - 10 * X**2 - 1) / (24 * X)
+    m = (9 * X**2 - 1) * (X**2 - 1) / (24 * X)
+    bound = X + (2 * X**2 + 4 * X - 1) / (3 * X * (3 * X + 2) * (X + 2))
+    elements = {
+        "alpha": 8 * X * (3 * X**2 + 1) / below,
+        "beta": 96 * X**2 / below,
+        "gamma": 192 * X / below,
+        "lag": size / 8,
+        "predicted_11": size * (X * (1 + X) + m) / (d * m) - 1,
+        "bound": bound,
+        "bound_lag": bound * (bound + 2) ** 2 / 64,
+        "bound_variance": (20 * bound**2 + 24 * bound) / ((bound - 2) * (3 * bound**2 - 4)),
+    }
+    return Tower("same_lag", (Parameter("x", above=None, start="2"),), (), elements)
+
+
 def towers() -> tuple[Tower, ...]:
     """All of them."""
     return (
@@ -160,4 +181,5 @@ def towers() -> tuple[Tower, ...]:
         random_acceleration_tower(),
         stable_acceleration_tower(),
         random_jerk_tower(),
+        same_lag_tower(),
     )

@@ -175,3 +175,22 @@ def test_each_named_filter_near_its_borders(kernel: Any, dtype: str) -> None:
             with flint.ctx.workprec(WORKING):
                 error = abs(ball(float(value)) / truth[output].value - 1)
                 assert error < ball(bound), (output, exact)
+
+
+@pytest.mark.parametrize("alpha", [0.1, 0.5, 0.9, 0.99])
+def test_the_order_of_the_three_at_equal_lag(alpha: float) -> None:
+    """Random jerk from its Riccati equation; random acceleration of its gamma, by bisection."""
+    jerk = truth_at("random_jerk", "alpha", alpha)
+    with flint.ctx.workprec(WORKING):
+        gains = [flint.arb(jerk[name].value.mid()) for name in ("alpha", "beta", "gamma")]
+        second, gamma = float(predicted(gains)[0, 0].mid()), float(gains[2].mid())
+    first = float(alpha_beta_gamma.minimum_variance_by_lag(1 / gamma).minimum_variance_predicted_11)
+    low, high = 1e-9, 1 - 1e-12
+    for _ in range(200):
+        middle = (low + high) / 2
+        found = alpha_beta_gamma.random_acceleration_by_gain(middle)
+        low, high = (middle, high) if found.random_acceleration_gamma < gamma else (low, middle)
+    third = float(
+        alpha_beta_gamma.random_acceleration_by_gain(low).random_acceleration_predicted_11
+    )
+    assert first < second < third

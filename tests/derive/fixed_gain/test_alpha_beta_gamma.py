@@ -47,6 +47,7 @@ def test_its_inner_border_too(alpha: float, part: float, share: float) -> None:
         ("stable", "gamma", "beta"),
         ("entries", "predicted_12", "predicted_22"),
         ("implicit", "alpha", "beta"),
+        ("order-at-equal-lag", "bound_variance", "bound_lag"),
         ("implicit-second", "alpha", "gamma"),
         ("minimum-variance-value", "predicted_11", "alpha"),
     ],
