@@ -13,6 +13,7 @@ from gainproof.derive.fixed_gain.steps_lag import lag_steps
 from gainproof.derive.fixed_gain.steps_variance import variance_steps
 from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
+from gainproof.derive.fixed_gain.three_steps_minimum import minimum_steps
 from gainproof.derive.fixed_gain.three_steps_named import named_steps
 from gainproof.derive.fixed_gain.three_steps_optimum import lecture_variance, optimum_steps
 from gainproof.derive.fixed_gain.three_steps_order import ordering_steps
@@ -39,6 +40,7 @@ def build() -> Subject:
         *variance_steps(LOOP, lecture_variance(), _minors()),
         *lag_steps(LOOP),
         *optimum_steps(),
+        *minimum_steps(),
         *named_steps(),
         *ordering_steps(),
         *kernel_steps(made),
