@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
-from gainproof.derive.any_three_state import module
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.kernels import kernel_roots
-from gainproof.derive.any_three_state.names import INDEX
+from gainproof.derive.any_three_state.module import module_of
 from gainproof.derive.any_three_state.shape import shape_of
 from gainproof.derive.any_three_state.steps_forms import (
     covariance_steps,
@@ -17,14 +14,12 @@ from gainproof.derive.any_three_state.steps_forms import (
 from gainproof.derive.any_three_state.steps_limits import limit_steps, root_steps
 from gainproof.derive.any_three_state.steps_proof import proof_steps
 from gainproof.derive.any_three_state.steps_spectrum import spectrum_steps
-from gainproof.derive.any_three_state.towers import Roots, roots_of
-from gainproof.derive.any_two_state.kernels import SCALE, Made, known_values
+from gainproof.derive.any_three_state.towers import roots_of
 from gainproof.derive.any_two_state.scaling import scale_free
+from gainproof.derive.any_two_state.steps_kernels import kernel_steps
 from gainproof.derive.any_two_state.steps_model import model_steps
-from gainproof.derive.derivation import Derivation, Step
-from gainproof.derive.expression import real
+from gainproof.derive.derivation import Derivation
 from gainproof.derive.model import Model, ModelError
-from gainproof.derive.relation import Relation, described
 from gainproof.derive.subject import Program, Subject
 
 OPENING = (
@@ -45,7 +40,7 @@ def derive_any_three_state(model: Model) -> Subject:
             "= 0: its last gains are not in the poles of the filter"
         )
     roots = roots_of(c.shape)
-    found = module.printed(c)
+    found = module_of(c)
     if not found.graphs:
         reasons = "; ".join(found.refused.values())
         raise ModelError(f"model {model.name}: no kernel has a proved bound: {reasons}")
@@ -58,8 +53,7 @@ def derive_any_three_state(model: Model) -> Subject:
         *proof_steps(c),
         *derivative_steps(c),
         *limit_steps(c),
-        *_program_steps(roots, found),
-        *_refused_steps(found),
+        *kernel_steps(kernel_roots(roots.known), found),
     )
     return Subject(
         name=model.name,
@@ -74,46 +68,3 @@ def derive_any_three_state(model: Model) -> Subject:
         module=found.module,
         textbook=dict,
     )
-
-
-def _program_steps(known: Roots, found: module.Printed) -> list[Step]:
-    """One step for each kernel: it computes what its outputs are called."""
-    roots = kernel_roots(known.known)
-    return [
-        Step(
-            f"kernel-{name.replace('_', '-')}",
-            f"The kernel {name} computes what it says.",
-            Relation("program", {"program": name, "outputs": _meant(name, entry)}),
-            "Evaluate the kernel's graph in the tower.",
-            hint={"graph": entry.graph, "roots": roots},
-            shown=False,
-        )
-        for name, entry in found.graphs.items()
-    ]
-
-
-def _meant(kernel: str, entry: Made) -> dict[str, sp.Expr]:
-    """What each output stands for; a scale is the sum of the parts whose difference it measures."""
-    values = known_values(entry.values)
-    meant: dict[str, sp.Expr] = {}
-    for output in entry.graph["outputs"]:
-        if output.endswith(SCALE):
-            meant[output] = values[output]
-        elif kernel == "gain_derivatives":
-            meant[output] = sp.Derivative(real(output), INDEX)
-        else:
-            meant[output] = real(output)
-    return meant
-
-
-def _refused_steps(found: module.Printed) -> list[Step]:
-    """Why a kernel is not printed."""
-    return [
-        Step(
-            f"no-kernel-{name.replace('_', '-')}",
-            f"There is no kernel {name}.",
-            described(f"no kernel {name}: {reason}"),
-            "The reason is named.",
-        )
-        for name, reason in found.refused.items()
-    ]

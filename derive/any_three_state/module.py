@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping
-from dataclasses import dataclass
-
-import sympy
+from functools import partial
 
 from gainproof.derive.any_three_state.context import Context
 from gainproof.derive.any_three_state.kernels import made
-from gainproof.derive.any_two_state.kernels import SCALE, Made, difference
-from gainproof.derive.model import ModelError
-from gainproof.derive.printer.bound import prove
-from gainproof.derive.printer.formats import FLOAT32, FLOAT64
-from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.any_two_state.printed import (
+    SINGLE_RANGE,
+    WIDTH,
+    Printed,
+    Wording,
+    printed,
+)
 
 SUMMARIES = {
     "gains": "Steady-state filter gain.",
@@ -29,82 +27,15 @@ GAINS = {
     "gamma": "gain of the third state",
 }
 STATES = ("first", "second", "third")
-INDEX_RANGE, SINGLE_RANGE = ("1e-20", "1e20"), ("1e-4", "1e4")
 NARROW_RANGE = ("1/100", "100")
 """Of float32, where the wide one over- or underflows."""
-WIDTH = 88
 
 
-@dataclass(frozen=True)
-class Printed:
-    """The kernels that have a proved bound, their graphs, and the others with the reason."""
-
-    module: Module
-    graphs: Mapping[str, Made]
-    refused: Mapping[str, str]
-
-
-def printed(c: Context) -> Printed:
-    """Every kernel tried: printed where forms and bounds are found, else with its reason."""
-    graphs: dict[str, Made] = {}
-    kernels: list[Kernel] = []
-    refused: dict[str, str] = {}
-    for name in SUMMARIES:
-        try:
-            found = made(c.shape, getattr(c.quantities, name))
-            kernel = _proved(c, name, found)
-        except (ModelError, PrintingError) as error:
-            refused[name] = str(error)
-            continue
-        graphs[name] = found
-        kernels.append(kernel)
-    module = Module(
-        name=c.model.name.replace("-", "_"),
-        title=f"{c.model.title}: steady state with the first state measured.",
-        command=f"gainproof generate {c.model.name}",
-        derivation=f"gainproof derive {c.model.name}, SymPy {sympy.__version__}",
-        kernels=tuple(kernels),
-    )
-    return Printed(module, graphs, refused)
-
-
-def _proved(c: Context, name: str, found: Made) -> Kernel:
-    """The kernel on the widest range of float32 that has a bound. Raises PrintingError."""
-    kernel = _kernel(c, name, found, SINGLE_RANGE)
-    prove(kernel, FLOAT64)
-    try:
-        prove(kernel, FLOAT32)
-    except PrintingError:
-        kernel = _kernel(c, name, found, NARROW_RANGE)
-        prove(kernel, FLOAT32)
-    return kernel
-
-
-def _kernel(c: Context, name: str, found: Made, single: tuple[str, str]) -> Kernel:
-    shown = [output for output in found.graph["outputs"] if not output.endswith(SCALE)]
-    apart = [output for output in shown if output + SCALE in found.graph["outputs"]]
-    return Kernel(
-        name=name,
-        result="".join(word.capitalize() for word in name.split("_")),
-        summary=SUMMARIES[name],
-        equations=_equations(c),
-        inputs=_inputs(c, found, single),
-        outputs=tuple(
-            Output(
-                output,
-                _meaning(name, output),
-                relative_to=output + SCALE if output in apart else None,
-            )
-            for output in shown
-        ),
-        graph=found.graph,
-        source=f"derivation {c.model.name}",
-        cancellations={
-            difference(output): f"no form without it is known; {output}{SCALE} is the sum of both "
-            "positive parts, whose difference the output is"
-            for output in sorted(apart)
-        },
-    )
+def module_of(c: Context) -> Printed:
+    """Every kernel tried."""
+    graphs = {name: partial(made, c.shape, getattr(c.quantities, name)) for name in SUMMARIES}
+    said = Wording(SUMMARIES, _meaning, _equations(c))
+    return printed(c.original, c.model, graphs, said, (SINGLE_RANGE, NARROW_RANGE))
 
 
 def _meaning(kernel: str, output: str) -> str:
@@ -141,14 +72,3 @@ def _equations(c: Context) -> tuple[str, ...]:
         ),
     ]
     return tuple(line for text in texts for line in textwrap.wrap(text, WIDTH))
-
-
-def _inputs(c: Context, found: Made, single: tuple[str, str]) -> tuple[Input, ...]:
-    index = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
-    used = {str(node[1]) for node in found.graph["nodes"] if node[0] == "symbol"}
-    parameters = tuple(
-        closed(entry.quantity.name, entry.quantity.meaning, *entry.kernel_range)
-        for entry in c.original.parameters
-        if entry.quantity.name in used
-    )
-    return (closed("tracking_index", index, *INDEX_RANGE, single), *parameters)

@@ -3,19 +3,12 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping
-from dataclasses import dataclass
-
-import sympy
+from functools import partial
 
 from gainproof.derive.any_two_state import forms
 from gainproof.derive.any_two_state.context import Context
-from gainproof.derive.any_two_state.kernels import KERNELS, SCALE, Made, difference, made
-from gainproof.derive.model import ModelError
-from gainproof.derive.printer.bound import prove
-from gainproof.derive.printer.formats import FLOAT32, FLOAT64
-from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
-from gainproof.derive.printer.value import PrintingError
+from gainproof.derive.any_two_state.kernels import KERNELS, made
+from gainproof.derive.any_two_state.printed import WIDTH, Printed, Wording, printed
 
 SUMMARIES = {
     "gains": "Steady-state filter gain.",
@@ -38,70 +31,16 @@ MEANINGS = {
     "updated_12": "covariance of both updated states",
     "updated_22": "variance of the updated second state",
 }
-INDEX_RANGE, SINGLE_RANGE = ("1e-20", "1e20"), ("1e-4", "1e4")
-WIDTH = 88
 
 
-@dataclass(frozen=True)
-class Printed:
-    """The kernels that have a proved bound, their graphs, and the others with the reason."""
-
-    module: Module
-    graphs: Mapping[str, Made]
-    refused: Mapping[str, str]
+def module_of(c: Context) -> Printed:
+    """Every kernel tried."""
+    graphs = {name: partial(made, c.shape, parts) for name, parts in KERNELS.items()}
+    return printed(c.original, c.model, graphs, Wording(SUMMARIES, _meaning, _equations(c)))
 
 
-def printed(c: Context) -> Printed:
-    """Every kernel tried: printed where forms and bounds are found, else with its reason."""
-    graphs: dict[str, Made] = {}
-    kernels: list[Kernel] = []
-    refused: dict[str, str] = {}
-    for name, parts in KERNELS.items():
-        try:
-            found = made(c.shape, parts)
-            kernel = _kernel(c, name, found)
-            for form in (FLOAT64, FLOAT32):
-                prove(kernel, form)
-        except (ModelError, PrintingError) as error:
-            refused[name] = str(error)
-            continue
-        graphs[name] = found
-        kernels.append(kernel)
-    module = Module(
-        name=c.model.name.replace("-", "_"),
-        title=f"{c.model.title}: steady state with the first state measured.",
-        command=f"gainproof generate {c.model.name}",
-        derivation=f"gainproof derive {c.model.name}, SymPy {sympy.__version__}",
-        kernels=tuple(kernels),
-    )
-    return Printed(module, graphs, refused)
-
-
-def _kernel(c: Context, name: str, found: Made) -> Kernel:
-    shown = [output for output in found.graph["outputs"] if not output.endswith(SCALE)]
-    apart = [output for output in shown if output + SCALE in found.graph["outputs"]]
-    return Kernel(
-        name=name,
-        result="".join(word.capitalize() for word in name.split("_")),
-        summary=SUMMARIES[name],
-        equations=_equations(c),
-        inputs=_inputs(c, found),
-        outputs=tuple(
-            Output(
-                output,
-                ORDERS.get(name, "") + MEANINGS[output],
-                relative_to=output + SCALE if output in apart else None,
-            )
-            for output in shown
-        ),
-        graph=found.graph,
-        source=f"derivation {c.model.name}",
-        cancellations={
-            difference(output): f"no form without it is known; {output}{SCALE} is the sum of both "
-            "positive parts, whose difference the output is"
-            for output in sorted(apart)
-        },
-    )
+def _meaning(kernel: str, output: str) -> str:
+    return ORDERS.get(kernel, "") + MEANINGS[output]
 
 
 def _equations(c: Context) -> tuple[str, ...]:
@@ -138,14 +77,3 @@ def _equations(c: Context) -> tuple[str, ...]:
         ),
     ]
     return tuple(line for text in texts for line in textwrap.wrap(text, WIDTH))
-
-
-def _inputs(c: Context, found: Made) -> tuple[Input, ...]:
-    index = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
-    used = {str(node[1]) for node in found.graph["nodes"] if node[0] == "symbol"}
-    parameters = tuple(
-        closed(entry.quantity.name, entry.quantity.meaning, *entry.kernel_range)
-        for entry in c.original.parameters
-        if entry.quantity.name in used
-    )
-    return (closed("tracking_index", index, *INDEX_RANGE, SINGLE_RANGE), *parameters)

@@ -12,8 +12,8 @@ import pytest
 import sympy as sp
 from own_models import free_number, own_model
 
-from gainproof.derive.any_three_state import module
 from gainproof.derive.any_three_state.any_three_state import derive_any_three_state
+from gainproof.derive.any_two_state import printed
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.deriving import plain_subject
@@ -31,6 +31,8 @@ MODELS: dict[str, Model] = {
         [[1, 1, Q(9, 20)], [0, 1, Q(9, 10)], [0, 0, Q(3, 4)]], sp.diag(Q(1, 10), 0, 1).tolist()
     ),
     "full noise": own_model([[1, 1, Q(9, 20)], [0, 1, Q(9, 10)], [0, 0, Q(3, 4)]], FULL),
+    # the only one whose coefficients g0, ..., g3 are all positive
+    "forgetting": own_model([[Q(1, 2), 1, 0], [0, Q(1, 2), 1], [0, 0, Q(1, 2)]], LAST),
     "leaving": own_model([[Q(11, 10), 1, 0], [0, Q(1, 2), 1], [0, 0, Q(1, 4)]], LAST),
     "kinematic with a free ratio": own_model(
         [[1, 1, Q(1, 2)], [0, 1, 1], [0, 0, 1]],
@@ -51,7 +53,7 @@ MODELS: dict[str, Model] = {
 def without_bounds() -> Iterator[None]:
     """Only what certificates hold is looked at here: bounds of kernels take their time."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(module, "prove", lambda _kernel, _form: None)
+        patch.setattr(printed, "prove", lambda _kernel, _form: None)
         yield
 
 

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 from own_models import free_number, own_model
 
-from gainproof.derive.any_two_state import module
+from gainproof.derive.any_two_state import printed
 from gainproof.derive.any_two_state.any_two_state import derive_any_two_state
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model
@@ -46,7 +46,7 @@ MODELS: dict[str, Model] = {
 def without_bounds() -> Iterator[None]:
     """Only what certificates hold is looked at here: bounds of kernels take their time."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(module, "prove", lambda _kernel, _form: None)
+        patch.setattr(printed, "prove", lambda _kernel, _form: None)
         yield
 
 
