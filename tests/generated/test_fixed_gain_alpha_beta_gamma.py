@@ -79,7 +79,7 @@ def test_the_whole_region_by_its_coordinates(dtype: str, x: float, d: float, m: 
         y = (d_ + m_) / x_
         gamma = 8 / (1 + x_ + y + d_)
         gains = [gamma * (1 + y) / 4, gamma * x_ / 2, gamma]
-        named = dict(zip(("alpha", "beta", "gamma"), gains, strict=True))
+        named: dict[str, flint.arb] = dict(zip(("alpha", "beta", "gamma"), gains, strict=True))
         assert worst_excess(KERNELS["gains_of_coordinates"], dtype, given_, named) <= 1
         truth = covariances(gains)
         assert worst_excess(KERNELS["variances_of_coordinates"], dtype, given_, truth) <= 1
