@@ -188,6 +188,8 @@ def test_what_is_refused() -> None:
         predict(f, -1.0, 1.0)
     with pytest.raises(TypeError, match="detected must be true or false, got float64"):
         step(f, 1.0, 1.0, 1.0, 0.5)
+    with pytest.raises(TypeError, match="detected must be true or false, got int"):
+        gain_sequence(f, [], 1.0, 1.0, [1])
     with pytest.raises(ValueError, match="first axis"):
         gain_sequence(f, 1.0, 1.0, 1.0)
     with pytest.raises(ValueError, match="2 intervals need 3 samples, detected has 2"):

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gainproof.time_varying.covariance import Factors, Real
 from gainproof.time_varying.process_noise import DEFAULT
-from gainproof.time_varying.track import Step, step, update
+from gainproof.time_varying.track import Step, step, update, where_detected
 
 Samples = NDArray[np.floating[Any]]
 
@@ -51,10 +51,7 @@ def gain_sequence(
     `step`.
     """
     lengths, seen = samples_of(intervals, detected)
-    first = update(predicted, measurement_variance)
-    if not seen[0].all():
-        first = _missed(first, predicted, seen[0])
-    steps = [first]
+    steps = [where_detected(update(predicted, measurement_variance), predicted, seen[0])]
     for interval, now in zip(lengths, seen[1:], strict=True):
         before = steps[-1].factors
         steps.append(step(before, interval, strength, measurement_variance, now, process_noise))
@@ -73,17 +70,6 @@ def samples_of(intervals: ArrayLike, detected: ArrayLike) -> tuple[Samples, NDAr
     if len(seen) != count:
         raise ValueError(f"{count - 1} intervals need {count} samples, detected has {len(seen)}")
     return lengths, seen
-
-
-def _missed(found: Step, predicted: Factors, seen: Any) -> Step:
-    pairs = zip(found.factors, predicted, strict=True)
-    kept = Factors(*(np.where(seen, x, y)[()] for x, y in pairs))
-    used = np.where(seen, 1.0, 0.0).astype(np.asarray(found.position_gain).dtype)
-    return found._replace(
-        factors=kept,
-        position_gain=found.position_gain * used,
-        velocity_gain=found.velocity_gain * used,
-    )
 
 
 def _together(steps: list[Step]) -> GainSequence:

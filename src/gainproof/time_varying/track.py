@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from gainproof.generated import recursion_two_states
 from gainproof.time_varying.covariance import Factors, Real
@@ -76,16 +76,32 @@ def step(
 
     Arguments as in `predict` and `update`, broadcast together.
     """
-    noise = noise_called(process_noise)
-    found: Any = noise.kernel("step")(*factors, interval, strength, measurement_variance)
+    kernel = noise_called(process_noise).kernel("step")
+    both: Any = kernel(*factors, interval, strength, measurement_variance)
+    found = Step(Factors(*both[:3]), *both[3:])
+    if detections(detected).all():
+        return found
+    return where_detected(found, predict(factors, interval, strength, process_noise), detected)
+
+
+def where_detected(found: Step, before: Factors, detected: ArrayLike) -> Step:
+    """An update where a position was detected, else the covariances before it and no gains.
+
+    Raises TypeError where `detected` is not true or false.
+    """
+    seen = detections(detected)
+    if seen.all():
+        return found
+    pairs = zip(found.factors, before, strict=True)
+    chosen = Factors(*(np.where(seen, x, y)[()] for x, y in pairs))
+    used = np.where(seen, 1.0, 0.0).astype(np.asarray(found.position_gain).dtype)
+    shown = np.broadcast_to(found.innovation_variance, np.shape(chosen.shear))
+    return Step(chosen, found.position_gain * used, found.velocity_gain * used, shown[()])
+
+
+def detections(detected: ArrayLike) -> NDArray[np.bool_]:
+    """Where a position was detected. Raises TypeError where that is not true or false."""
     seen = np.asarray(detected)
     if seen.dtype != np.bool_:
         raise TypeError(f"detected must be true or false, got {seen.dtype}")
-    after, (position, velocity, innovation) = Factors(*found[:3]), found[3:]
-    if seen.all():
-        return Step(after, position, velocity, innovation)
-    before = predict(factors, interval, strength, process_noise)
-    chosen = Factors(*(np.where(seen, x, y)[()] for x, y in zip(after, before, strict=True)))
-    used = np.where(seen, 1.0, 0.0).astype(np.asarray(position).dtype)
-    shown = np.broadcast_to(innovation, np.shape(chosen.shear))
-    return Step(chosen, position * used, velocity * used, shown[()])
+    return seen

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +11,7 @@ from gainproof.generated import recursion_three_states
 from gainproof.time_varying.covariance import Real
 from gainproof.time_varying.three_states.covariance import Factors
 from gainproof.time_varying.three_states.process_noise import DEFAULT, noise_called
+from gainproof.time_varying.track import detections
 
 
 class Step(NamedTuple):
@@ -86,9 +87,7 @@ def where_detected(found: Step, before: Factors, detected: ArrayLike) -> Step:
 
     Raises TypeError where `detected` is not true or false.
     """
-    seen: Any = np.asarray(detected)
-    if seen.dtype != np.bool_:
-        raise TypeError(f"detected must be true or false, got {seen.dtype}")
+    seen = detections(detected)
     if seen.all():
         return found
     pairs = zip(found.factors, before, strict=True)
