@@ -8,8 +8,8 @@ from dataclasses import replace
 import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
-from gainproof.derive.expression import real
 from gainproof.derive.relation import equal, increasing_onto, positive, same_sign
+from gainproof.derive.steady_state.steps_curvature import label, second
 from gainproof.derive.three_state import bending, curvature, shown_signs
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.covariance_entries import updated
@@ -32,11 +32,6 @@ UPWARD = ("predicted_13", "predicted_22", "predicted_23", "predicted_33")
 UPDATED = ("updated_23", "updated_33")
 
 
-def second(name: str) -> sp.Expr:
-    """The second derivative of a named quantity by the index."""
-    return sp.Derivative(real(name), (INDEX, 2))
-
-
 def turns(c: Context) -> bool:
     """Whether the second derivative of X22 changes its sign; elsewhere it is negative."""
     return not c.spectrum.rational_in_root
@@ -46,11 +41,6 @@ def curvature_steps(c: Context) -> list[Step]:
     """The four powers, the second derivatives, and their signs."""
     steps = (*_powers(c), *_gains(c), *_covariances(c), *_turning(c))
     return [replace(step, tower=bending.NAME) for step in steps]
-
-
-def label(prefix: str, name: str) -> str:
-    """The id of a step about a named quantity."""
-    return f"{prefix}-{name.replace('_', '-')}"
 
 
 def _powers(c: Context) -> list[Step]:
