@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
 import sympy as sp
 
 from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign
 from gainproof.derive.model import Model, ModelError, Parameter, ScaledModel
 from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
 
+MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
@@ -24,6 +26,7 @@ def require_written_well(model: Model) -> None:
             "wanted, a letter first: its module has this name"
         )
     _require_shapes(model)
+    _require_rational(model)
     for name in ("process_noise", "measurement_noise"):
         _require_symmetric(model, name)
     _require_parameters(model)
@@ -44,6 +47,23 @@ def _require_shapes(model: Model) -> None:
             raise ModelError(
                 f"model {model.name}: {name} should have the shape {shape}, it has {found}"
             )
+
+
+def _require_rational(model: Model) -> None:
+    """Numbers are whole or quotients of whole ones: the towers begin with these."""
+    for name in MATRICES:
+        matrix = getattr(model, name)
+        for place, entry in enumerate(matrix.flat()):
+            numbers = entry.atoms(sp.Number, sp.NumberSymbol)
+            roots = [p for p in entry.atoms(sp.Pow) if p.base.is_number and not p.exp.is_Integer]
+            wrong = [str(n) for n in (*numbers, *roots) if not n.is_Rational]
+            if wrong:
+                row, column = divmod(place, matrix.cols)
+                raise ModelError(
+                    f"model {model.name}: {name} should hold rational numbers, its entry "
+                    f"{row + 1},{column + 1} holds {wrong[0]}; write a quotient of whole numbers, "
+                    "or make it a parameter"
+                )
 
 
 def _require_symmetric(model: Model, name: str) -> None:
@@ -67,7 +87,8 @@ def _require_parameters(model: Model) -> None:
             )
         least, most = map(sp.Rational, entry.kernel_range)
         top = 1 if entry.below_one else sp.oo
-        if not 0 < least < most or not most < top:
+        # in float32 too: the certificate says nothing of a parameter that is 1
+        if not 0 < least < most or not np.float32(float(most)) < top:
             raise ModelError(
                 f"model {model.name}: kernels need {name} from a positive number to a greater one"
                 f"{' below 1' if entry.below_one else ''}, the range is {least} to {most}"
@@ -81,7 +102,7 @@ def _require_domains(model: Model) -> None:
         SAMPLING_INTERVAL.name,
         model.deviation.name,
     }
-    for name in ("transition", "process_noise", "measurement", "measurement_noise"):
+    for name in MATRICES:
         for symbol in sorted(getattr(model, name).free_symbols, key=str):
             if symbol.name not in known:
                 raise ModelError(

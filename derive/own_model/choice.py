@@ -12,6 +12,7 @@ from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import require_first_measured
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
+from gainproof.derive.printer.together import prove_all
 from gainproof.derive.steady_state.two_state import derive_two_state
 from gainproof.derive.subject import Subject
 from gainproof.derive.three_state.three_state import derive_three_state
@@ -69,7 +70,11 @@ def _three_states(model: Model, scaled: ScaledModel) -> Subject:
     """Kinematic ones by the method of the catalogue where that reaches."""
     require_first_measured(model, scaled)
     if scaled.transition == KINEMATIC_3 and not model.parameters:
-        # it refuses with errors of several kinds; the other method names the reason
-        with suppress(ValueError, ArithmeticError):
-            return derive_three_state(model, ())
+        # tried whole, evidence and bounds too: it refuses late, with errors of several kinds;
+        # the other method names the reason
+        with suppress(ValueError, ArithmeticError, TypeError):
+            subject = derive_three_state(model, ())
+            subject.certificate()
+            prove_all(subject.module.kernels)
+            return subject
     return derive_any_three_state(model)

@@ -13,7 +13,6 @@ from gainproof.derive.printer.bound import KernelBound, prove
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.graph import GraphBuilder, Node, operands
 from gainproof.derive.printer.kernel import Kernel, Output
-from gainproof.derive.printer.value import PrintingError
 
 Bounds = tuple[KernelBound, ...]
 """In every format."""
@@ -24,24 +23,26 @@ def prove_all(kernels: Sequence[Kernel]) -> list[Bounds]:
 
     PrintingError, naming the kernel and the node, where one cannot be proved.
     """
-    found: dict[str, Bounds] = {}
-    for group in _groups(kernels):
+    found: dict[int, Bounds] = {}
+    for places in _groups(kernels):
+        group = [kernels[place] for place in places]
         try:
-            found |= _together(group)
-        except PrintingError:
+            bounds = _together(group)
+        except ValueError:
             # which kernel it is, and at which of its nodes, is said when each is proved by itself
-            found |= {kernel.name: _alone(kernel) for kernel in group}
-    return [found[kernel.name] for kernel in kernels]
+            bounds = [_alone(kernel) for kernel in group]
+        found |= dict(zip(places, bounds, strict=True))
+    return [found[place] for place in range(len(kernels))]
 
 
-def _groups(kernels: Sequence[Kernel]) -> Iterator[list[Kernel]]:
-    """Kernels of the same one input; others, and those with differences, by themselves."""
-    groups: dict[str, list[Kernel]] = {}
-    for kernel in kernels:
+def _groups(kernels: Sequence[Kernel]) -> Iterator[list[int]]:
+    """Places of kernels of the same one input; others, and those with differences, alone."""
+    groups: dict[str, list[int]] = {}
+    for place, kernel in enumerate(kernels):
         if len(kernel.inputs) > 1 or kernel.cancellations:
-            yield [kernel]
+            yield [place]
         else:
-            groups.setdefault(repr(kernel.inputs), []).append(kernel)
+            groups.setdefault(repr(kernel.inputs), []).append(place)
     yield from groups.values()
 
 
@@ -49,11 +50,14 @@ def _alone(kernel: Kernel) -> Bounds:
     return tuple(prove(kernel, form) for form in FORMATS)
 
 
-def _together(kernels: Sequence[Kernel]) -> dict[str, Bounds]:
+def _together(kernels: Sequence[Kernel]) -> list[Bounds]:
     if len(kernels) == 1:
-        return {kernels[0].name: _alone(kernels[0])}
+        return [_alone(kernels[0])]
     bounds = _alone(_joined(kernels))
-    return {kernel.name: tuple(_part(kernel, bound) for bound in bounds) for kernel in kernels}
+    return [
+        tuple(_part(place, kernel, bound) for bound in bounds)
+        for place, kernel in enumerate(kernels)
+    ]
 
 
 def _joined(kernels: Sequence[Kernel]) -> Kernel:
@@ -61,24 +65,24 @@ def _joined(kernels: Sequence[Kernel]) -> Kernel:
     builder = GraphBuilder()
     ends: dict[str, Node] = {}
     outputs: list[Output] = []
-    for kernel in kernels:
+    for place, kernel in enumerate(kernels):
         made: list[Node] = []
         for node in kernel.graph["nodes"]:
             made.append(builder.operation_of(node, [made[part] for part in operands(node)]))
-        ends |= {_named(kernel, name): made[end] for name, end in kernel.graph["outputs"].items()}
+        ends |= {_named(place, name): made[end] for name, end in kernel.graph["outputs"].items()}
         for output in kernel.outputs:
             scale = output.relative_to
-            of_all = None if scale is None else _named(kernel, scale)
-            outputs.append(replace(output, name=_named(kernel, output.name), relative_to=of_all))
+            of_all = None if scale is None else _named(place, scale)
+            outputs.append(replace(output, name=_named(place, output.name), relative_to=of_all))
     return replace(kernels[0], outputs=tuple(outputs), graph=builder.graph(ends))
 
 
-def _part(kernel: Kernel, bound: KernelBound) -> KernelBound:
+def _part(place: int, kernel: Kernel, bound: KernelBound) -> KernelBound:
     known = {output.name: output for output in bound.outputs}
-    own = (replace(known[_named(kernel, o.name)], name=o.name) for o in kernel.outputs)
+    own = (replace(known[_named(place, o.name)], name=o.name) for o in kernel.outputs)
     return replace(bound, outputs=tuple(own))
 
 
-def _named(kernel: Kernel, output: str) -> str:
+def _named(place: int, output: str) -> str:
     """An output's name among those of all kernels."""
-    return f"{kernel.name}.{output}"
+    return f"{place}.{output}"

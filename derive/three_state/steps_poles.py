@@ -10,6 +10,7 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Generator, Tower
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
+from gainproof.derive.model import ModelError
 from gainproof.derive.relation import Relation, cited, equal, positive, same_sign
 from gainproof.derive.source import ALGEBRA
 from gainproof.derive.steady_state.spectrum import V
@@ -45,6 +46,11 @@ def turning(c: Context) -> Turning:
         return Turning(quotient, None, sp.Integer(1), c.tower)
     if second == 0:
         return Turning(quotient, -constant / first, first, c.tower)
+    if second < 0:
+        raise ModelError(
+            f"model {c.model.name}: poles that turn real at one index at most are wanted, the "
+            f"discriminant {polynomial.as_expr()} may change its sign twice"
+        )
     outside, names = surd(Fraction(str(first**2 - 4 * second * constant)))
     generators = tuple(Generator(name, sp.Integer(number)) for name, number in names.items())
     kept = {entry.symbol for entry in c.tower.generators}

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,6 +22,7 @@ from gainproof.time_varying import (
     schedule_variance,
     start,
     step,
+    three_states,
 )
 from gainproof.verify.oracles import least_squares, recursion
 from gainproof.verify.oracles.doubling import steady_state
@@ -199,3 +202,12 @@ def test_what_is_refused() -> None:
         hand_over_sample(1e-40)
     with pytest.raises(ValueError, match="samples must be at least 2"):
         schedule_variance(1.0, 1)
+
+
+@pytest.mark.parametrize("schedule", [gain_schedule, three_states.gain_schedule])
+def test_a_schedule_of_no_sample_is_none(schedule: Callable[..., Any]) -> None:
+    for samples in (0, -1):
+        with pytest.raises(ValueError, match="samples should be a whole number from 1 on, got"):
+            schedule(1.0, samples)
+    with pytest.raises(TypeError):
+        schedule(1.0, 2.5)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import NamedTuple
 
 import numpy as np
@@ -57,6 +58,8 @@ def gain_schedule(
     index = np.asarray(tracking_index, np.float64)
     last = np.asarray(hand_over_sample(index, process_noise))
     steady = noise_called(process_noise).steady.gains(index)
+    if operator.index(samples) < 1:
+        raise ValueError(f"samples should be a whole number from 1 on, got {samples}")
     number = np.arange(samples, dtype=np.float64).reshape(-1, *[1] * index.ndim)
     line = least_squares_line.gains(np.maximum(number, 1.0))
     young = number <= last

@@ -61,6 +61,18 @@ def test_what_that_method_does_not_reach_goes_to_the_other(model: Model) -> None
     assert "index_from_alpha" not in found
 
 
+@pytest.mark.parametrize(
+    "noise",
+    [sp.eye(3), sp.diag(1, 0, 1), sp.Matrix([[HALF / 2, HALF, 0], [HALF, 1, 0], [0, 0, 1]])],
+    ids=["poles that may turn twice", "a start that is not near", "no bend by its form"],
+)
+def test_three_states_whose_narrow_method_fails_late_go_to_the_other(noise: sp.Matrix) -> None:
+    subject = derive_own_model(own_model(KINEMATIC_3, noise.tolist()))
+    assert kernels(subject) >= {"gains", "predicted_covariance", "gain_derivatives"}
+    assert "pole_product" not in kernels(subject)
+    assert subject.certificate()["statements"]
+
+
 def test_both_measured() -> None:
     found = kernels(derive_own_model(both_measured()))
     assert "known_velocity" in found

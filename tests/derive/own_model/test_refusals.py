@@ -46,6 +46,22 @@ REFUSED: list[tuple[Model, str]] = [
         r"transition should have the shape \(1, 1\), it has \(1, 2\)",
     ),
     (
+        own_model([[1, 1], [0, sp.sqrt(2) / 2]], LAST),
+        r"transition should hold rational numbers, its entry 2,2 holds sqrt\(2\)",
+    ),
+    (
+        own_model(KINEMATIC, [[0.5, 0.5], [0.5, 1]]),
+        r"process_noise should hold rational numbers, its entry 1,1 holds 0\.50*",
+    ),
+    (
+        own_model(
+            [[1, 1], [0, R]],
+            LAST,
+            parameters=(free_number("r", below_one=True, kernel_to="999999999/1000000000"),),
+        ),
+        "kernels need r from a positive number to a greater one below 1",
+    ),
+    (
         own_model([[1, 0], [0, HALF]], [[1, 0], [0, 1]]),
         r"\(F, H\) should be observable, the rank of H, H F, ... is 1 of 2",
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
@@ -9,8 +10,9 @@ import pytest
 from graph_kernels import kernel_of
 
 from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.formats import FORMATS
-from gainproof.derive.printer.graph import Graph, GraphBuilder
+from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel, Output
 from gainproof.derive.printer.together import prove_all
 from gainproof.derive.printer.value import PrintingError
@@ -66,3 +68,32 @@ def test_the_kernel_that_cannot_be_proved_is_named() -> None:
     bad = b.graph({"y": (b.sqrt(x) + 1) - b.sqrt(x)})
     with pytest.raises(PrintingError, match=r"worse \(float64\): node .*loses digits"):
         prove_all(kernels({**graphs(), "worse": bad}))
+
+
+def test_kernels_of_one_name_are_two() -> None:
+    b = GraphBuilder()
+    x = b.symbol("x")
+    both = kernels({"a": b.graph({"y": b.sqrt(x) * 3 * x}), "b": b.graph({"y": 1 / x})})
+    joined = prove_all([replace(kernel, name="same") for kernel in both])
+    assert [bounds[0].outputs for bounds in joined] == [b[0].outputs for b in prove_all(both)]
+    assert joined[0][0].outputs[0].bound > joined[1][0].outputs[0].bound
+
+
+def test_one_start_of_two_maps() -> None:
+    """Neither kernel knows of the other, whose map has a node of its start."""
+    b = GraphBuilder()
+    x = b.symbol("x")
+    start = near_cbrt(2 * x)
+
+    def fourth_power(n: int) -> Callable[[Node], Node]:
+        return lambda y: b.sqrt(b.sqrt(n * x * y))
+
+    roots = [fixed_point(start, fourth_power(n), "1/2") for n in (2, 3)]
+    made = kernels({f"k{n}": b.graph({"y": root}) for n, root in enumerate(roots)})
+    narrow = [
+        replace(k, inputs=(replace(k.inputs[0], lower="1", upper="9", lower_open=False),))
+        for k in made
+    ]
+    first, second = prove_all(narrow)
+    assert first[0].outputs == prove(narrow[0], FORMATS[0]).outputs
+    assert second[1].outputs == prove(narrow[1], FORMATS[1]).outputs
