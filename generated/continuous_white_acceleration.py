@@ -788,8 +788,8 @@ def gain_second_derivatives(
         finite.
 
     alpha: second derivative by Lambda of the position gain. Relative error at most 17.20 * 2^-52
-        (float64), 17.19 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
-        1.442954478563842e77 (float64) and 1.0258392e-26 <= tracking_index <= 5.3522156e09
+        (float64), 17.19 * 2^-23 (float32), proved for 1.5697348409117346e-206 <= tracking_index <=
+        1.442954478563842e77 (float64) and 1.0258406e-26 <= tracking_index <= 5.3522156e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
         error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved for 5e-324 <=
@@ -893,8 +893,8 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 19.21 * 2^-52 (float64), 19.20 * 2^-23 (float32), proved for 1.5697348409117308e-206
-        <= tracking_index <= 2.318063502250569e77 (float64) and 1.0258392e-26 <= tracking_index <=
+        at most 19.21 * 2^-52 (float64), 19.20 * 2^-23 (float32), proved for 1.5697348409117355e-206
+        <= tracking_index <= 2.318063502250569e77 (float64) and 1.0258408e-26 <= tracking_index <=
         8.598175e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
         beta. Relative error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved for
@@ -1010,8 +1010,8 @@ def predicted_covariance_second_derivatives(
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
         sigma_v^2. Error over predicted_11_scale at most 14.38 * 2^-52 (float64), 14.42 * 2^-23
-        (float32), proved for 1.5697348409117308e-206 <= tracking_index <= 1.7976931348623157e308
-        (float64) and 1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32). Cancellation in
+        (float32), proved for 1.569734840911731e-206 <= tracking_index <= 1.7976931348623157e308
+        (float64) and 1.0258393e-26 <= tracking_index <= 3.4028235e38 (float32). Cancellation in
         predicted_11_turn, condition number 1: the variance bends down for a small index and up for
         a large one, so that it vanishes between; predicted_11_scale is the sum of the terms whose
         difference it is.
@@ -1144,8 +1144,8 @@ def updated_covariance_second_derivatives(
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
         Relative error at most 17.20 * 2^-52 (float64), 17.19 * 2^-23 (float32), proved for
-        1.5697348409117308e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
-        1.0258392e-26 <= tracking_index <= 5.3522156e09 (float32).
+        1.5697348409117346e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
+        1.0258406e-26 <= tracking_index <= 5.3522156e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
         T/sigma_v^2. Relative error at most 15.92 * 2^-52 (float64), 15.91 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 2.225674301282913e77 (float64) and 1e-45 <= tracking_index

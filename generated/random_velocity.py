@@ -765,8 +765,8 @@ def gain_second_derivatives(
         finite.
 
     alpha: second derivative by Lambda of the position gain. Relative error at most 13.29 * 2^-52
-        (float64), 13.29 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
-        1.2814501160326402e77 (float64) and 1.0258392e-26 <= tracking_index <= 4.753162e09
+        (float64), 13.29 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
+        1.2814501160326402e77 (float64) and 1.0258395e-26 <= tracking_index <= 4.753162e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
         error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for 5e-324 <=
@@ -861,8 +861,8 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 13.80 * 2^-52 (float64), 13.80 * 2^-23 (float32), proved for 1.5697348409117308e-206
-        <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258392e-26 <= tracking_index <=
+        at most 13.80 * 2^-52 (float64), 13.80 * 2^-23 (float32), proved for 1.569734840911732e-206
+        <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258396e-26 <= tracking_index <=
         6.721987e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
         beta. Relative error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for
@@ -1086,8 +1086,8 @@ def updated_covariance_second_derivatives(
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
         Relative error at most 13.29 * 2^-52 (float64), 13.29 * 2^-23 (float32), proved for
-        1.5697348409117308e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
-        1.0258392e-26 <= tracking_index <= 4.753162e09 (float32).
+        1.5697348409117316e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
+        1.0258395e-26 <= tracking_index <= 4.753162e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
         T/sigma_v^2. Relative error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index
