@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import permutations
 from random import Random
 
 from mutation.mutants import misprints, near_misses, sample
@@ -14,13 +15,13 @@ from mutation.tree import Tree, number, symbols, to_graph, to_tree
 
 from claim_campaign.subject import Subject, calls, rel
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.claim.vocabulary import LOCATIONS
+from gainproof.verify.judge.claim.vocabulary import LOCATIONS, SENSES
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.formula import Relation as Printed
 
 SPARE = 2
 """So many times more mutants are made than wanted: some are true, or have no value to compare."""
-BOUNDED = ("inequality", "location", "monotone")
+BOUNDED = ("inequality", "location", "monotone", "stability")
 """Kinds of claims that mostly hold on their domain only."""
 
 Made = tuple[str, bool, Claim]
@@ -46,6 +47,7 @@ def mutants(subject: Subject, count: int, random: Random) -> Iterator[Mutant]:
     close: list[Mutant] = []
     plain: list[Mutant] = []
     made = [*_relations(subject, count * SPARE, random), *_polynomials(subject), *_domains(subject)]
+    made += [*_senses(subject), *_orders(subject)]
     for words, near, claim in made:
         one = Mutant(replace(subject, claim=claim), words, near)
         (close if near else plain).append(one)
@@ -111,6 +113,21 @@ def _polynomials(subject: Subject) -> Iterator[Made]:
     for where in LOCATIONS:
         if where != claim.where:
             yield f"roots {where}", False, replace(claim, where=where)
+
+
+def _senses(subject: Subject) -> Iterator[Made]:
+    claim = subject.claim
+    if claim.kind == "stability":
+        for sense in SENSES:
+            if sense != claim.sense:
+                yield f"sense {sense}", False, replace(claim, sense=sense)
+
+
+def _orders(subject: Subject) -> Iterator[Made]:
+    claim = subject.claim
+    for order in permutations(claim.ascending):
+        if order != claim.ascending:
+            yield f"order {', '.join(order)}", False, replace(claim, ascending=order)
 
 
 def _domains(subject: Subject) -> Iterator[Made]:

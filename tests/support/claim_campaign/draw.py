@@ -14,15 +14,13 @@ from mutation.tree import symbols, to_tree
 
 from claim_campaign import quantities
 from claim_campaign.compare import holds, holds_all
+from claim_campaign.drawn_numbers import any_number, parameter, small
+from claim_campaign.free_filters import drawn_always, steady
 from claim_campaign.point import DIGITS, NotCovered, Point
 from claim_campaign.quantities import Place
 from claim_campaign.solve import solved
 from claim_campaign.subject import Rel, Subject, calls, rel
 
-INDICES = tuple(
-    map(Fraction, ["1/1000", "1/50", "1/7", "1/3", "1", "5/2", "17/3", "9", "50", "3000"])
-)
-LATER = (0, 1, 2, 3, 4, 5, 7, 9, 12, 17, 50, 1000, 12345)
 TRIES = 300
 TRIES_EACH = 100
 
@@ -47,7 +45,9 @@ def domain_of(subject: Subject, more: Iterable[Rel] = ()) -> Domain:
         named |= one.symbols() | calls(one.left) | calls(one.right)
     if claim.polynomial is not None:
         named |= symbols(to_tree(claim.polynomial)) | calls(to_tree(claim.polynomial))
-    needed = subject.reached(named)
+    if claim.minimised is not None:
+        named |= symbols(to_tree(claim.minimised)) | calls(to_tree(claim.minimised))
+    needed = subject.reached(named | drawn_always(subject.setting))
     for token in sorted(needed):
         given += map(rel, subject.setting.symbols[token].domain)
     return Domain(subject, frozenset(needed), tuple(given))
@@ -83,24 +83,27 @@ def _tried(domain: Domain, random: Random) -> Iterator[Point]:
 
 def _free(domain: Domain) -> list[str]:
     symbols = domain.subject.setting.symbols
-    return sorted(t for t in domain.needed if symbols[t].role == "free")
+    drawn = drawn_always(domain.subject.setting)
+    return sorted(t for t in domain.needed if symbols[t].role == "free" or t in drawn)
 
 
 def _drawn(domain: Domain, random: Random) -> Point | None:
     """Symbols drawn one by one, each within the conditions that speak of it alone."""
     subject = domain.subject
     seed = random.randrange(10**6)
-    place = Place(_parameter(subject, random), _small(random), _small(random), seed)
+    place = Place(parameter(subject.setting, random), small(random), small(random), seed)
     point = _at_place(domain, place, {})
     for token in _free(domain):
         alone = [r for r in domain.given if r.symbols() == {token} and r.operator != "="]
         for _ in range(TRIES_EACH):
-            value = real(_any(random, subject.setting.symbols[token].integer))
+            value = real(any_number(random, subject.setting.symbols[token].integer))
             point = replace(point, values={**point.values, token: value})
             if all(holds(r, point) for r in alone):
                 break
         else:
             return None
+    if subject.setting.kind == "fixed_gain":
+        point = _at_place(domain, place, {t: point.values[t] for t in _free(domain)})
     return replace(point, moved=_mover(domain, place, point.values))
 
 
@@ -113,13 +116,15 @@ def _at_place(domain: Domain, place: Place, free: Mapping[str, Any]) -> Point:
             known = quantities.steady(subject.model, place, subject.chosen)
         case "growing_memory":
             known = quantities.memory(subject.setting.degree or 0, place, subject.chosen)
+        case "fixed_gain":
+            known = steady(subject.setting, place, free)
         case _:
             known = {"sampling_interval": real(place.interval)}
             known["sample_number"] = real(int(place.parameter))
     values = dict(free)
     for token in domain.needed:
         entry = subject.setting.symbols[token]
-        if entry.role == "quantity":
+        if entry.role == "quantity" and token not in free:
             values[token] = known.get(entry.quantity or "")
         elif entry.role == "undefined":
             raise NotCovered(f"{token} is undefined")
@@ -131,6 +136,9 @@ def _mover(domain: Domain, place: Place, values: Mapping[str, Any]) -> Any:
 
     def moved(token: str, value: Any) -> Point:
         entry = domain.subject.setting.symbols[token]
+        if token in drawn_always(domain.subject.setting):
+            point = _at_place(domain, place, {**free, token: value})
+            return replace(point, moved=_mover(domain, place, point.values))
         if entry.role == "free":
             point = Point({**values, token: value}, domain.subject.definitions())
             return replace(point, moved=_mover(domain, place, point.values))
@@ -158,36 +166,3 @@ def fraction(value: Any) -> Fraction:
     sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
     size = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
     return -size if sign else size
-
-
-def _parameter(subject: Subject, random: Random) -> Fraction:
-    match subject.setting.kind:
-        case "steady_state":
-            return random.choice(INDICES)
-        case "growing_memory":
-            return Fraction((subject.setting.degree or 0) + random.choice(LATER))
-        case _:
-            return Fraction(random.randrange(30))
-
-
-def _small(random: Random) -> Fraction:
-    return Fraction(random.randrange(1, 12), random.randrange(1, 6))
-
-
-def _any(random: Random, integer: bool) -> Fraction:
-    if integer:
-        return Fraction(random.randrange(-3, 30))
-    below = random.randrange(2, 40)
-    match random.randrange(6):
-        case 0:
-            return Fraction(random.randrange(1, below), below)
-        case 1:
-            return Fraction(random.randrange(1, 5 * below), below)
-        case 2:
-            return Fraction(random.randrange(1, 10))
-        case 3:
-            return -Fraction(random.randrange(1, 5 * below), below)
-        case 4:
-            return Fraction(random.randrange(10, 1000))
-        case _:
-            return Fraction(1, random.randrange(10, 1000))

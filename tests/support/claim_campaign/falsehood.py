@@ -12,6 +12,7 @@ from mutation.tree import Tree, to_tree
 
 from claim_campaign.compare import holds
 from claim_campaign.draw import Domain, domain_of, points
+from claim_campaign.free_claims import CLAIMS
 from claim_campaign.point import DIGITS, NotCovered, Point
 from claim_campaign.roots import lie
 from claim_campaign.subject import Rel, Subject, rel
@@ -31,6 +32,8 @@ def is_false(subject: Subject, random: Random) -> bool | None:
     """
     if subject.claim.kind == "location":
         return _roots_elsewhere(subject, random)
+    if subject.claim.kind in CLAIMS:
+        return CLAIMS[subject.claim.kind](subject, random)
     if subject.claim.kind not in PLAIN:
         raise NotCovered(f"claims of kind {subject.claim.kind}")
     relations, conditions = subject.relations(), subject.conditions()

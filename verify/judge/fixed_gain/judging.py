@@ -16,6 +16,7 @@ from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.verdict import Finding
 
 CHARTED = ("identity", "inequality", "recursion", "implication", "equivalence")
+ABOUT_STABILITY = ("stability", "optimum", "ordering")
 STABLE = "wherever the filter is stable"
 
 
@@ -29,11 +30,12 @@ def judge_free(
     """
     scope = Scope(setting, environment, held=claim.held)
     if environment.region is None or reading is None or claim.kind not in CHARTED:
-        return judge_reading(claim, reading, scope)
-    for relation in (*reading.relations, *reading.conditions):
+        return _in_gains(claim, reading, scope)
+    relations = (*reading.relations, *reading.conditions)
+    if any(relation.operator == "->" for relation in relations):
+        return _in_gains(claim, reading, scope)
+    for relation in (*relations, *[r for f in claim.given for r in f.readings[0].relations]):
         scope.relations(relation)
-    for token in [t for formula in claim.given for t in formula.symbols]:
-        scope.symbol(token)
     if not scope.uses_steady():
         return judge_reading(claim, reading, Scope(setting, environment, held=claim.held))
     try:
@@ -44,13 +46,24 @@ def judge_free(
     if found is not None and found.verdict == "proved":
         return replace(found, domain=_domain(claim, reading))
     try:
-        plain = judge_reading(claim, reading, Scope(setting, environment, held=claim.held))
+        plain = _in_gains(claim, reading, Scope(setting, environment, held=claim.held))
     except Undecided:
         if found is None:
             raise
         return found
     settled = plain.verdict in ("proved", "refuted", "conditional")
     return plain if settled or found is None else found
+
+
+def _in_gains(claim: Claim, reading: Reading | None, scope: Scope) -> Finding:
+    """The finding over all gains, or over the stable ones where it speaks of what only these have,
+    which is then said.
+    """
+    found = judge_reading(claim, reading, scope)
+    told = claim.kind not in ABOUT_STABILITY and found.domain not in (None, "nowhere")
+    if told and scope.uses_steady():
+        return replace(found, domain=f"{found.domain}, {STABLE}")
+    return found
 
 
 def _domain(claim: Claim, reading: Reading) -> str:

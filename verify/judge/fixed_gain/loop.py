@@ -110,11 +110,11 @@ def closed_loop(transition: Numbers, measurement: tuple[Fraction, ...]) -> Loop:
     coefficients = tuple(expression_of(p, names) for p in polys)
     turned = [plain.polynomial(d) for d in circle_moved([*coefficients, number(1)])]
     moved = tuple(expression_of(p, names) for p in turned)
+    steps, chart = _chart(turned, names)
     region = tuple(
         Rel(rel.operator, expression_of(primitive(plain.polynomial(rel.left)), names), rel.right)
         for rel in left_half_plane(moved)
     )
-    steps, chart = _chart(turned, names)
     return Loop(
         transition,
         measurement,

@@ -86,7 +86,7 @@ def over(context: Ring, p: Poly) -> Poly:
 
 def primitive(p: Poly) -> Poly:
     """The polynomial over its content, with its sign."""
-    return p / rational(abs(_content(p)))
+    return p if p.is_zero() else p / rational(abs(_content(p)))
 
 
 def _factors(p: Poly, names: Sequence[str]) -> tuple[Fraction, list[Expr]]:

@@ -49,6 +49,8 @@ def judge_optimum(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     region = scope.environment.region
     if region is None or claim.minimised is None or len(region.steps) < 2:
         raise Undecided("best gains are those of a setting of kind fixed_gain with 2 or 3 states")
+    if claim.given:
+        raise Undecided("a minimum under further conditions is not covered")
     chart = region.charted
     inner = Scope(scope.setting, chart, held=claim.held)
     least = without_roots(inner.expression(claim.minimised))

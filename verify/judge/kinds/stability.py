@@ -47,14 +47,20 @@ def _exactly(stated: Sequence[Rel], stable: Sequence[Rel], frame: Frame) -> Find
     """Both directions; what is wrong has a witness and the true region beside it."""
     if not stated:
         raise Undecided("no conditions are stated")
-    inside = finding_of(frame.decide(Statement(tuple(stable), tuple(stated))))
     outside = finding_of(frame.decide(Statement(tuple(stated), tuple(stable))))
+    try:
+        inside = finding_of(frame.decide(Statement(tuple(stable), tuple(stated))))
+    except Undecided:
+        if outside.verdict == "proved":
+            raise
+        # conditions that hold nowhere admit no unstable filter
+        inside = outside
     region = ", ".join(
         f"{labelled(rel.left, frame.labels)} {rel.operator} 0" for rel in reversed(stable)
     )
     for finding, words in (
-        (inside, "an unstable filter satisfies the conditions"),
         (outside, "a stable filter does not satisfy the conditions"),
+        (inside, "an unstable filter satisfies the conditions"),
     ):
         if finding.verdict not in ("proved", "held"):
             reason = f"{words}: {finding.reason.partition(';')[0]}; stable exactly where {region}"

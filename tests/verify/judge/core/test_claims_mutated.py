@@ -25,6 +25,9 @@ HAND_PICKED = (
     "kosuge-slides pseudo-beta-1",
     "kosuge-slides table-ab-RV-same",
     "kosuge-slides line-update-velocity",
+    "kosuge-slides features-ab-stability",
+    "kosuge-slides features-ab-smoothing",
+    "kosuge-slides features-ab-MV",
     "wu-kalman-2022 aircraft-1",
     "probsee-article stability",
 )
