@@ -82,8 +82,8 @@ def predicted_covariance(gains: Sequence[float], noise: Array | None = None) -> 
     column = transition @ np.array(gains, dtype=float).reshape(-1, 1)
     source = column @ column.T + (np.zeros((size, size)) if noise is None else noise)
     whole = np.eye(size * size) - np.kron(loop, loop)
-    found: Array = np.linalg.solve(whole, source.reshape(-1)).reshape(size, size)
-    return found
+    solved = np.linalg.solve(whole, source.reshape(-1)).reshape(size, size)
+    return solved.astype(np.float64)
 
 
 def lags(gains: Sequence[float], order: int, samples: int = 4000) -> tuple[Array, Array]:
