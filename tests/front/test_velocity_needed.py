@@ -31,6 +31,10 @@ PROMISED = Fraction(1, 2**50)
 NEAR = 2.0**-46
 # of the kernels, 53 bits: more than any of them states
 BOUND = Fraction(64, 2**53)
+NOISES = [
+    pytest.param(noise, marks=[] if noise == DEFAULT else pytest.mark.thorough)
+    for noise in sorted(PROCESS_NOISES)
+]
 SHARES = st.floats(-9, 9).map(lambda odds: 1 / (1 + 10.0**odds))
 
 
@@ -41,7 +45,7 @@ def ends(index: Reals, covariance: str = "predicted", noise: str = DEFAULT) -> l
     return [variance.at(index, np.array(ratio)) for ratio in ratios]
 
 
-@pytest.mark.parametrize("noise", sorted(PROCESS_NOISES))
+@pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("covariance", COVARIANCES)
 @settings(max_examples=6, deadline=None)
 @given(index=st.floats(-6, 6).map(lambda e: 10.0**e), share=SHARES)
@@ -103,7 +107,7 @@ def test_an_answer_beyond_the_kernels_says_so() -> None:
         velocity_ratio_for(index, wanted)
 
 
-@pytest.mark.parametrize("noise", sorted(PROCESS_NOISES))
+@pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("covariance", COVARIANCES)
 @pytest.mark.parametrize("index", [1e-6, 0.03, 1.0, 70.0, 1e6])
 def test_limits_are_those_of_the_oracle(noise: str, covariance: str, index: float) -> None:

@@ -51,7 +51,9 @@ def test_a_docstring_is_read() -> None:
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@pytest.mark.parametrize("span", ["domain", "near", "grid"])
+@pytest.mark.parametrize(
+    "span", ["domain", pytest.param("near", marks=pytest.mark.thorough), "grid"]
+)
 @pytest.mark.parametrize("kernel", [made(), *KERNELS], ids=lambda kernel: kernel.id)
 def test_error_is_within_the_stated_bound(kernel: PrintedPair, span: str, dtype: str) -> None:
     points = points_in(kernel, dtype, span, 60, 1)

@@ -72,7 +72,9 @@ def check(found: ClaimVerdict, wanted: str) -> None:
         assert found.witness is not None
 
 
-@pytest.mark.parametrize("name", NOISES)
+@pytest.mark.parametrize(
+    "name", [WHITE, *(pytest.param(n, marks=pytest.mark.thorough) for n in NOISES if n != WHITE)]
+)
 @pytest.mark.parametrize(
     ("what", "along", "way"),
     [
