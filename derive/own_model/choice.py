@@ -12,6 +12,7 @@ from gainproof.derive.any_two_state.scaling import scale_free
 from gainproof.derive.any_two_state.shape import require_first_measured
 from gainproof.derive.model import Model, ModelError, ScaledModel, scale
 from gainproof.derive.own_model.checks import require_steady_state, require_written_well
+from gainproof.derive.own_model.parameter_names import require_names_of_their_own
 from gainproof.derive.printer.together import prove_all
 from gainproof.derive.steady_state.two_state import derive_two_state
 from gainproof.derive.subject import Subject
@@ -29,6 +30,7 @@ def derive_own_model(model: Model) -> Subject:
     outside the reach of all methods.
     """
     require_written_well(model)
+    require_names_of_their_own(model)
     scaled = scale(model) if model.measurement.rows > 1 else scale_free(model)
     require_steady_state(model, scaled)
     states, measured = model.transition.rows, model.measurement.rows

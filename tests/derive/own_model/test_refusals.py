@@ -176,6 +176,19 @@ def test_each_refusal_names_the_entry_or_property(model: Model, message: str) ->
     assert "\n" not in str(raised.value)
 
 
+@pytest.mark.parametrize("name", ["s", "p", "d1", "alpha", "predicted_22", "tracking_index"])
+@pytest.mark.parametrize("states", [2, 3])
+def test_a_parameter_is_not_called_like_a_quantity_of_the_derivation(
+    name: str, states: int
+) -> None:
+    motion = [[1, 1, sp.Rational(1, 2)], [0, 1, 1], [0, 0, 1]]
+    noise = sp.diag(*[real(name)] * (states - 1), 1).tolist()
+    transition = [row[:states] for row in motion[:states]]
+    model = own_model(transition, noise, parameters=(free_number(name),))
+    with pytest.raises(ModelError, match=f"the parameter {name} should have another name"):
+        derive_own_model(model)
+
+
 def test_a_parameter_has_no_unit() -> None:
     parameter = free_number("r")
     length = Quantity("r", "r", "a length", METRE)
