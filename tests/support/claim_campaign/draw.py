@@ -104,6 +104,8 @@ def _drawn(domain: Domain, random: Random) -> Point | None:
             return None
     if subject.setting.kind == "fixed_gain":
         point = _at_place(domain, place, {t: point.values[t] for t in _free(domain)})
+        if subject.claim.minimised is None and None in point.values.values():
+            return None  # an unstable filter, of which the claim says nothing
     return replace(point, moved=_mover(domain, place, point.values))
 
 
