@@ -5,6 +5,7 @@ All of it raises ModelError, a ValueError, which says what was wanted and what c
 
 from __future__ import annotations
 
+import keyword
 import re
 
 import numpy as np
@@ -12,6 +13,7 @@ import sympy as sp
 
 from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign
 from gainproof.derive.model import Model, ModelError, Parameter, ScaledModel
+from gainproof.derive.own_model.undriven import undriven
 from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
 
 MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
@@ -80,6 +82,11 @@ def _require_symmetric(model: Model, name: str) -> None:
 def _require_parameters(model: Model) -> None:
     for entry in model.parameters:
         name = entry.quantity.name
+        if not name.isidentifier() or keyword.iskeyword(name) or name == "out":
+            raise ModelError(
+                f"model {model.name}: the parameter {name!r} should have the name of a Python "
+                "variable, and not `out`: it is an argument of the kernels"
+            )
         if entry.quantity.unit != Unit():
             raise ModelError(
                 f"model {model.name}: the parameter {name} should have no unit, it has "
@@ -137,7 +144,7 @@ def require_steady_state(model: Model, scaled: ScaledModel) -> None:
     reach = reach.applyfunc(sp.factor)
     driven = sp.factor(reach.det())
     if driven == 0:
-        raise ModelError(f"model {model.name}: {_undriven(scaled, reach, numbers)}")
+        raise ModelError(f"model {model.name}: {undriven(scaled, reach, numbers)}")
     try:
         numbers.sign(driven)
     except NoSign as error:
@@ -178,37 +185,3 @@ def _require_definite(
                 f"model {model.name}: {name} should be {wanted}; in units T = 1 and sigma_v = 1 "
                 f"its minor of rows {listed} is {minor}"
             )
-
-
-def _undriven(scaled: ScaledModel, reach: sp.MatrixBase, numbers: FreeNumbers) -> str:
-    """Why a noise that leaves something undriven has no steady state of its own."""
-    space = sp.Matrix.hstack(*reach.nullspace())
-    share = (space.T * space).inv() * space.T * scaled.transition.T * space
-    moduli = [sp.Abs(entry) for entry in share.applyfunc(sp.factor).eigenvals()]
-    mode = ", ".join(str(sp.factor(entry)) for entry in share.applyfunc(sp.factor).eigenvals())
-    told = f"the process noise never drives the mode {mode} of F"
-    if any(_compared(entry, numbers) > 0 for entry in moduli):
-        return (
-            f"the pair (F, process noise) should be stabilisable, {told}, which lies outside the "
-            "unit circle"
-        )
-    if any(_compared(entry, numbers) == 0 for entry in moduli):
-        return (
-            f"the process noise should drive every state, {told}, which lies on the unit circle: "
-            "the Riccati equation has no stabilising solution"
-        )
-    return (
-        f"the process noise should drive every state, {told}, which dies out: its variance tends "
-        "to 0; leave that state out of the model"
-    )
-
-
-def _compared(modulus: sp.Expr, numbers: FreeNumbers) -> int:
-    """The sign of a modulus less 1; of one without a sign that is shown -1."""
-    if not modulus.free_symbols:
-        return int(sp.sign(sp.nsimplify(modulus - 1)))
-    inner = modulus.args[0] if isinstance(modulus, sp.Abs) else modulus
-    try:
-        return numbers.sign(sp.factor(inner**2 - 1))
-    except NoSign:
-        return -1

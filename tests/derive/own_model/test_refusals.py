@@ -45,6 +45,13 @@ REFUSED: list[tuple[Model, str]] = [
         own_model(KINEMATIC, LAST, transition=_matrix([1, T])),
         r"transition should have the shape \(1, 1\), it has \(1, 2\)",
     ),
+    *(
+        (
+            own_model([[1, 1], [0, real(name)]], LAST, parameters=(free_number(name),)),
+            f"the parameter '{name}' should have the name of a Python variable, and not `out`",
+        )
+        for name in ("lambda", "out", "a b")
+    ),
     (
         own_model([[1, 1], [0, sp.sqrt(2) / 2]], LAST),
         r"transition should hold rational numbers, its entry 2,2 holds sqrt\(2\)",
