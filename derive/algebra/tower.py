@@ -54,6 +54,7 @@ class Tower:
         self.elements: dict[str, Fraction] = {}
         # steps share many of their expressions
         self._known: dict[sp.Expr, Fraction] = {}
+        self._freed: dict[tuple[str, ...], Tower] = {}
         for generator in generators:
             value = self.fraction(generator.radicand)
             if value.den != self.ring.one:
@@ -66,7 +67,10 @@ class Tower:
         """The same tower with further symbols that stand for anything."""
         if not free:
             return self
-        return Tower(self.name, self.parameters, self.generators, self.expressions, free)
+        if free not in self._freed:
+            parts = self.parameters, self.generators, self.expressions
+            self._freed[free] = Tower(self.name, *parts, free)
+        return self._freed[free]
 
     def reduce(self, poly: Poly) -> Poly:
         """Normal form modulo the relations."""
