@@ -57,7 +57,7 @@ QUANTITIES: Mapping[str, str] = {
 """Names in derivations -> quantities of the judge."""
 ABBREVIATIONS = (
     *("kappa", "rho", "psi", "chi"),
-    *("xi", "eta", "delta", "nu", "tau", "w"),
+    *("xi", "eta", "delta", "nu", "tau", "w", "omega", "mu"),
 )
 """Names that derivations give to parts of formulas: no quantities, so each is as defined."""
 
