@@ -12,6 +12,7 @@ SETTINGS_COMMENT = """\
 #                   model = "random-velocity", "random-acceleration", ... (gainproof list),
 #                   or "search" where the source does not say, or matrices of its own
 #   growing_memory  least squares over all samples, with degree = 0, 1 or 2
+#   fixed_gain      a filter with any gains, with states = 1, 2 or 3
 #   algebra         no filter: the claims follow from the definitions of their symbols
 """
 SYMBOLS_COMMENT = r"""# Every symbol is declared once, by its LaTeX in single quotes, as one of
