@@ -20,6 +20,8 @@ __all__ = [
     "Coordinates",
     "GainsOfCoordinates",
     "Lags",
+    "MinimumSmoothedVarianceByGain",
+    "MinimumSmoothedVarianceByLag",
     "MinimumVarianceByGain",
     "MinimumVarianceByLag",
     "RandomAccelerationByGain",
@@ -32,6 +34,8 @@ __all__ = [
     "coordinates",
     "gains_of_coordinates",
     "lags",
+    "minimum_smoothed_variance_by_gain",
+    "minimum_smoothed_variance_by_lag",
     "minimum_variance_by_gain",
     "minimum_variance_by_lag",
     "random_acceleration_by_gain",
@@ -646,6 +650,108 @@ _MINIMUM_VARIANCE_BY_LAG = Signature(
 )
 
 
+class MinimumSmoothedVarianceByLag(NamedTuple):
+    """Result of `minimum_smoothed_variance_by_lag`."""
+
+    minimum_smoothed_variance_alpha: Real
+    """Gain of the position, minimum smoothed variance."""
+    minimum_smoothed_variance_beta: Real
+    """Gain of the velocity times T, minimum smoothed variance."""
+    minimum_smoothed_variance_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, minimum smoothed variance."""
+    minimum_smoothed_variance_updated_11: Real
+    """Variance of the smoothed position over sigma_v^2, minimum smoothed variance."""
+
+
+def minimum_smoothed_variance_by_lag(
+    lag: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> MinimumSmoothedVarianceByLag:
+    """The stable filter of least smoothed variance (NP-S).
+
+        2 sqrt(beta) (1 - alpha) = 2 alpha - beta, beta = 1/lag; with n = 2 sqrt(lag):
+        minimum_smoothed_variance_updated_11 = (2 n + 3)/(n + 1)^2,
+        minimum_smoothed_variance_predicted_11 = (2 n^3 + 7 n^2 + 8 n + 2)/((n + 1)^2 (n^2 - 2));
+        at a lag of 1/2 and below none smooths better than a single measurement
+
+    lag: 1/beta: lag of the predicted position behind a constant acceleration a over a T^2; a number
+        above 1/2 and at most 1e30, in float32 above 1/2 and at most 1e9.
+
+    minimum_smoothed_variance_alpha: gain of the position, minimum smoothed variance. Relative error
+        at most 2.52 * 2^-52 (float64), 2.52 * 2^-23 (float32), proved for 0.5000000000000001 <= lag
+        <= 1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
+    minimum_smoothed_variance_beta: gain of the velocity times T, minimum smoothed variance.
+        Relative error at most 0.51 * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for
+        0.5000000000000001 <= lag <= 1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
+    minimum_smoothed_variance_predicted_11: variance of the predicted position over sigma_v^2,
+        minimum smoothed variance. Relative error at most 6.04 * 2^-52 (float64), 6.04 * 2^-23
+        (float32), proved for 0.5000000000000001 <= lag <= 1e30 (float64) and 0.50000006 <= lag <=
+        1e09 (float32).
+    minimum_smoothed_variance_updated_11: variance of the smoothed position over sigma_v^2, minimum
+        smoothed variance. Relative error at most 2.52 * 2^-52 (float64), 2.52 * 2^-23 (float32),
+        proved for 0.5000000000000001 <= lag <= 1e30 (float64) and 0.50000006 <= lag <= 1e09
+        (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return MinimumSmoothedVarianceByLag(*evaluate(_MINIMUM_SMOOTHED_VARIANCE_BY_LAG, (lag,), out))
+
+
+def _minimum_smoothed_variance_by_lag_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (lag,) = given
+    (
+        minimum_smoothed_variance_alpha,
+        minimum_smoothed_variance_beta,
+        minimum_smoothed_variance_predicted_11,
+        minimum_smoothed_variance_updated_11,
+    ) = out
+    w0, w1, w2, w3, w4 = work
+    root = np.sqrt(lag, minimum_smoothed_variance_alpha)
+    t3 = np.multiply(root, 2.0, w0)
+    t5 = np.add(t3, 1.0, w1)
+    t6 = np.square(t5, w2)
+    t8 = np.multiply(lag, 4.0, w3)
+    t10 = np.add(t8, -2.0, w3)
+    t11 = np.multiply(t3, 2.0, w4)
+    t13 = np.add(t11, 7.0, w4)
+    t14 = np.multiply(t13, t3, w4)
+    t16 = np.add(t14, 8.0, w4)
+    t17 = np.multiply(t16, t3, w4)
+    t18 = np.add(t17, 2.0, w4)
+    t19 = np.add(t3, 2.0, w0)
+    t20 = np.multiply(root, t19, minimum_smoothed_variance_alpha)
+    t23 = np.divide(t18, t6, minimum_smoothed_variance_predicted_11)
+    t25 = np.multiply(t5, 2.0, w0)
+    t26 = np.add(t25, 1.0, w0)
+    np.divide(t5, t20, minimum_smoothed_variance_alpha)
+    np.divide(1.0, lag, minimum_smoothed_variance_beta)
+    np.divide(t23, t10, minimum_smoothed_variance_predicted_11)
+    np.divide(t26, t6, minimum_smoothed_variance_updated_11)
+
+
+_MINIMUM_SMOOTHED_VARIANCE_BY_LAG = Signature(
+    "minimum_smoothed_variance_by_lag",
+    (_LAG_DOMAIN_2,),
+    (
+        "minimum_smoothed_variance_alpha",
+        "minimum_smoothed_variance_beta",
+        "minimum_smoothed_variance_predicted_11",
+        "minimum_smoothed_variance_updated_11",
+    ),
+    5,
+    _minimum_smoothed_variance_by_lag_block,
+)
+
+
 class RandomAccelerationByLag(NamedTuple):
     """Result of `random_acceleration_by_lag`."""
 
@@ -900,6 +1006,107 @@ _MINIMUM_VARIANCE_BY_GAIN = Signature(
 )
 
 
+class MinimumSmoothedVarianceByGain(NamedTuple):
+    """Result of `minimum_smoothed_variance_by_gain`."""
+
+    minimum_smoothed_variance_beta: Real
+    """Gain of the velocity times T, minimum smoothed variance."""
+    minimum_smoothed_variance_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, minimum smoothed variance."""
+    minimum_smoothed_variance_updated_11: Real
+    """Variance of the smoothed position over sigma_v^2, minimum smoothed variance."""
+
+
+def minimum_smoothed_variance_by_gain(
+    alpha: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> MinimumSmoothedVarianceByGain:
+    """The filter of least smoothed variance (NP-S) of a position gain.
+
+        beta = (2 alpha/(1 - alpha + v))^2, v = sqrt(1 + alpha^2), and with u = alpha/(1 + v):
+        minimum_smoothed_variance_updated_11 = u (2 + u)
+
+    alpha: gain of the position; a number at least 1e-15 and below 1, in float32 at least 1e-9 and
+        below 1.
+
+    minimum_smoothed_variance_beta: gain of the velocity times T, minimum smoothed variance.
+        Relative error at most 4.26 * 2^-52 (float64), 4.26 * 2^-23 (float32), proved for 1e-15 <=
+        alpha <= 0.9999999999999999 (float64) and 1e-09 <= alpha <= 0.99999994 (float32).
+    minimum_smoothed_variance_predicted_11: variance of the predicted position over sigma_v^2,
+        minimum smoothed variance. Relative error at most 8.32 * 2^-52 (float64), 8.29 * 2^-23
+        (float32), proved for 1e-15 <= alpha <= 0.9999999999999999 (float64) and 1e-09 <= alpha <=
+        0.99999994 (float32).
+    minimum_smoothed_variance_updated_11: variance of the smoothed position over sigma_v^2, minimum
+        smoothed variance. Relative error at most 2.78 * 2^-52 (float64), 2.78 * 2^-23 (float32),
+        proved for 1e-15 <= alpha <= 0.9999999999999999 (float64) and 1e-09 <= alpha <= 0.99999994
+        (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return MinimumSmoothedVarianceByGain(
+        *evaluate(_MINIMUM_SMOOTHED_VARIANCE_BY_GAIN, (alpha,), out)
+    )
+
+
+def _minimum_smoothed_variance_by_gain_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (alpha,) = given
+    (
+        minimum_smoothed_variance_beta,
+        minimum_smoothed_variance_predicted_11,
+        minimum_smoothed_variance_updated_11,
+    ) = out
+    w0, w1, w2, w3, w4 = work
+    t1 = np.square(alpha, w0)
+    t3 = np.add(1.0, t1, w1)
+    root = np.sqrt(t3, minimum_smoothed_variance_predicted_11)
+    t5 = np.subtract(1.0, alpha, w1)
+    t6 = np.add(t5, root, w2)
+    t8 = np.multiply(alpha, 2.0, w3)
+    t9 = np.divide(t8, t6, minimum_smoothed_variance_beta)
+    t10 = np.add(1.0, root, minimum_smoothed_variance_predicted_11)
+    t11 = np.divide(alpha, t10, minimum_smoothed_variance_updated_11)
+    t12 = np.multiply(t6, 2.0, w3)
+    t14 = np.multiply(alpha, 7.0, w4)
+    t15 = np.add(t12, t14, w3)
+    t16 = np.multiply(t15, t6, w3)
+    t18 = np.multiply(t1, 8.0, w4)
+    t19 = np.add(t16, t18, w3)
+    t20 = np.multiply(t19, t6, w3)
+    t21 = np.multiply(t1, alpha, w0)
+    t22 = np.multiply(t21, 2.0, w0)
+    t23 = np.add(t20, t22, w3)
+    t24 = np.multiply(t11, t23, w3)
+    t25 = np.multiply(t5, 2.0, w1)
+    t26 = np.square(t10, minimum_smoothed_variance_predicted_11)
+    t27 = np.multiply(t25, t26, w1)
+    t30 = np.add(t11, 2.0, w0)
+    np.divide(t24, t27, minimum_smoothed_variance_predicted_11)
+    np.square(t9, minimum_smoothed_variance_beta)
+    np.multiply(t11, t30, minimum_smoothed_variance_updated_11)
+
+
+_MINIMUM_SMOOTHED_VARIANCE_BY_GAIN = Signature(
+    "minimum_smoothed_variance_by_gain",
+    (_ALPHA_DOMAIN_3,),
+    (
+        "minimum_smoothed_variance_beta",
+        "minimum_smoothed_variance_predicted_11",
+        "minimum_smoothed_variance_updated_11",
+    ),
+    5,
+    _minimum_smoothed_variance_by_gain_block,
+)
+
+
 class RandomAccelerationByGain(NamedTuple):
     """Result of `random_acceleration_by_gain`."""
 
@@ -923,7 +1130,7 @@ def random_acceleration_by_gain(
         most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32), proved for 1e-15 <= alpha <=
         0.9999999999999999 (float64) and 1e-09 <= alpha <= 0.99999994 (float32).
     random_acceleration_predicted_11: variance of the predicted position over sigma_v^2, random
-        acceleration. Relative error at most 4.78 * 2^-52 (float64), 4.77 * 2^-23 (float32), proved
+        acceleration. Relative error at most 4.76 * 2^-52 (float64), 4.76 * 2^-23 (float32), proved
         for 1e-15 <= alpha <= 0.9999999999999999 (float64) and 1e-09 <= alpha <= 0.99999994
         (float32).
 

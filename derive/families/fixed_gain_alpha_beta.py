@@ -8,10 +8,13 @@ from gainproof.derive.fixed_gain.steps_answer import answer_steps
 from gainproof.derive.fixed_gain.steps_filter import filter_steps
 from gainproof.derive.fixed_gain.steps_lag import lag_steps
 from gainproof.derive.fixed_gain.steps_variance import variance_steps
+from gainproof.derive.fixed_gain.two_held_gain_towers import held_gain_towers
 from gainproof.derive.fixed_gain.two_module import kernel_module
 from gainproof.derive.fixed_gain.two_named_towers import named_towers
 from gainproof.derive.fixed_gain.two_programs import SYMBOLS, graphs, kernel_steps
 from gainproof.derive.fixed_gain.two_steps_curves import curve_steps
+from gainproof.derive.fixed_gain.two_steps_fitting_gain import fitting_gain_steps
+from gainproof.derive.fixed_gain.two_steps_held_gain import held_gain_steps
 from gainproof.derive.fixed_gain.two_steps_named import named_steps
 from gainproof.derive.fixed_gain.two_steps_optimum import optimum_steps
 from gainproof.derive.fixed_gain.two_steps_order import lecture_variance, ordering_steps
@@ -40,6 +43,8 @@ def build() -> Subject:
         *optimum_steps(),
         *named_steps(),
         *ordering_steps(),
+        *held_gain_steps(),
+        *fitting_gain_steps(),
         *curve_steps(),
         *kernel_steps(made),
     )
@@ -48,7 +53,7 @@ def build() -> Subject:
         title=TITLE,
         model=None,
         derivation=Derivation(OPENING, steps, (LECTURE.key,), LATEX),
-        towers={tower.name: tower for tower in (*towers(), *named_towers())},
+        towers={tower.name: tower for tower in (*towers(), *named_towers(), *held_gain_towers())},
         programs={
             name: Program(
                 {

@@ -36,6 +36,7 @@ LATEX = {
     "d": "d",
     "m": "m",
     "p": "p",
+    "rest": "v",
     "root_real": "u",
     "root_imaginary": "v",
     "slow_beta": r"\beta_s",
@@ -62,6 +63,7 @@ _FILTERS = {
     "minimum_variance": "minimum variance",
     "slow_minimum_variance": "the minimum variance filter of smaller beta",
     "fast_minimum_variance": "the minimum variance filter of larger beta",
+    "minimum_smoothed_variance": "minimum smoothed variance",
     "random_acceleration": "random acceleration",
     "random_velocity": "random velocity",
     "random_jerk": "random jerk",
@@ -106,4 +108,6 @@ MEANINGS: dict[str, str] = {
         f"{name}_predicted_11": f"variance of the predicted position over sigma_v^2, {words}"
         for name, words in _FILTERS.items()
     },
+    "minimum_smoothed_variance_updated_11": "variance of the smoothed position over sigma_v^2, "
+    "minimum smoothed variance",
 }

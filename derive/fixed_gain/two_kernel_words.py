@@ -12,9 +12,12 @@ SUMMARIES = {
     "lags": "Steady errors behind a constant acceleration a, over a T^2 (positions) and a T.",
     "closed_loop_poles": "Closed-loop poles, half_sum +- sqrt(quarter_discriminant).",
     "minimum_variance_by_lag": "The stable filter of least position variance at a lag (MV).",
+    "minimum_smoothed_variance_by_lag": "The stable filter of least smoothed variance (NP-S).",
     "random_acceleration_by_lag": "The random acceleration filter (RA) of a lag.",
     "random_velocity_by_lag": "The random velocity filter (RV) of a lag, where it is stable.",
     "minimum_variance_by_gain": "Both minimum variance filters (MV) of one position gain.",
+    "minimum_smoothed_variance_by_gain": "The filter of least smoothed variance (NP-S) of a "
+    "position gain.",
     "random_acceleration_by_gain": "The stable random acceleration filter (RA) of a position gain.",
     "random_velocity_by_gain": "The random velocity filter (RV) of a position gain.",
 }
@@ -55,6 +58,12 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
         "alpha + beta/2 = sqrt(beta), beta = 1/lag; with x = 2 sqrt(lag) - 1:",
         "minimum_variance_predicted_11 = (1 + 1/x)^2 - 1",
     ),
+    "minimum_smoothed_variance_by_lag": (
+        "2 sqrt(beta) (1 - alpha) = 2 alpha - beta, beta = 1/lag; with n = 2 sqrt(lag):",
+        "minimum_smoothed_variance_updated_11 = (2 n + 3)/(n + 1)^2,",
+        "minimum_smoothed_variance_predicted_11 = (2 n^3 + 7 n^2 + 8 n + 2)/((n + 1)^2 (n^2 - 2));",
+        "at a lag of 1/2 and below none smooths better than a single measurement",
+    ),
     "random_acceleration_by_lag": (
         "(alpha + beta/2)^2 = 2 beta, beta = 1/lag; with x = sqrt(8 lag) - 1:",
         "random_acceleration_predicted_11 = (3 x + 1)/(x (x - 1))",
@@ -66,6 +75,10 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
     "minimum_variance_by_gain": (
         "(alpha + beta/2)^2 = beta: beta = (1 - m)^2 (slow), (1 + m)^2 (fast),",
         "m = sqrt(1 - 2 alpha)",
+    ),
+    "minimum_smoothed_variance_by_gain": (
+        "beta = (2 alpha/(1 - alpha + v))^2, v = sqrt(1 + alpha^2), and with u = alpha/(1 + v):",
+        "minimum_smoothed_variance_updated_11 = u (2 + u)",
     ),
     "random_acceleration_by_gain": (
         "(alpha + beta/2)^2 = 2 beta: beta = 2 (1 - w)^2, w = sqrt(1 - alpha)",

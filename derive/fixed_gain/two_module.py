@@ -32,6 +32,7 @@ REASONS = {
 }
 LEAST_LAGS = {
     "minimum_variance": "1/4",
+    "minimum_smoothed_variance": "1/2",
     "random_acceleration": "1/2",
     "random_velocity": "0.6036",  # stable from (1 + sqrt 2)/4 on, just below
 }
@@ -79,7 +80,7 @@ def _input(kernel: str, entry: str) -> Input:
         low = LEAST_LAGS[kernel.removesuffix("_by_lag")]
         return Input(entry, meaning, low, LARGEST_LAG, True, False, single=(low, SINGLE_LAG))
     if kernel.endswith("_by_gain"):
-        most = "1/2" if kernel.startswith("minimum") else "1"
+        most = "1/2" if kernel.startswith("minimum_variance") else "1"
         return Input(entry, meaning, "1e-15", most, False, True, single=("1e-9", most))
     if entry == "alpha":
         return closed(entry, meaning, "1e-30", "0.9999999", ("1e-12", "0.999999"))

@@ -18,6 +18,35 @@ def minimum_variance_by_lag() -> Graph:
     )
 
 
+def minimum_smoothed_variance_by_lag() -> Graph:
+    """The gains and both variances of least smoothed variance; n is twice the root of the lag."""
+    builder = GraphBuilder()
+    lag = builder.symbol("lag")
+    root = builder.sqrt(lag)
+    n = root * 2
+    more = n + 1
+    square = more * more
+    beyond = lag * 4 - 2
+    above = ((n * 2 + 7) * n + 8) * n + 2
+    return builder.graph(
+        _smoothed(
+            more / (root * (n + 2)), 1 / lag, above / square / beyond, (more * 2 + 1) / square
+        ),
+        {"root": root},
+    )
+
+
+def _smoothed(alpha: Node | None, beta: Node, predicted: Node, updated: Node) -> dict[str, Node]:
+    filter_name = "minimum_smoothed_variance"
+    first = {} if alpha is None else {f"{filter_name}_alpha": alpha}
+    return {
+        **first,
+        f"{filter_name}_beta": beta,
+        f"{filter_name}_predicted_11": predicted,
+        f"{filter_name}_updated_11": updated,
+    }
+
+
 def random_acceleration_by_lag() -> Graph:
     """The same of random acceleration; p11 = (1 + x + x^2 (...))/..., see the steps."""
     builder = GraphBuilder()
@@ -73,6 +102,23 @@ def minimum_variance_by_gain() -> Graph:
             * ((above + alpha) / alpha),
         },
         {"root": root},
+    )
+
+
+def minimum_smoothed_variance_by_gain() -> Graph:
+    """beta and both variances; m = alpha n = 1 - alpha + sqrt(1 + alpha^2)."""
+    builder = GraphBuilder()
+    alpha = builder.symbol("alpha")
+    root = builder.sqrt(1 + alpha * alpha)
+    rest = 1 - alpha
+    m = rest + root
+    share = alpha * 2 / m
+    above = 1 + root
+    part = alpha / above
+    cubic = ((m * 2 + alpha * 7) * m + alpha * alpha * 8) * m + alpha * alpha * alpha * 2
+    predicted = part * cubic / (rest * 2 * (above * above))
+    return builder.graph(
+        _smoothed(None, share * share, predicted, part * (part + 2)), {"root": root}
     )
 
 

@@ -16,7 +16,11 @@ def optimum_tower() -> Tower:
         "optimum",
         positive("x", "y"),
         (root,),
-        {**gain_elements(X, Y), "predicted_11": variance_of(X, Y)},
+        {
+            **gain_elements(X, Y),
+            "predicted_11": variance_of(X, Y),
+            "updated_11": ((X - 1) ** 2 + Y) / (X * Y),
+        },
     )
 
 

@@ -22,6 +22,8 @@ TOWERS = {
     "random_acceleration_by_lag": "stable_acceleration",
     "random_velocity_by_lag": "stable_velocity",
     "minimum_variance_by_gain": "two_minima",
+    "minimum_smoothed_variance_by_lag": "smoothed_slow",
+    "minimum_smoothed_variance_by_gain": "smoothed_slow",
     "random_acceleration_by_gain": "stable_acceleration",
     "random_velocity_by_gain": "stable_velocity",
 }
@@ -38,9 +40,11 @@ def graphs() -> dict[str, Graph]:
         "lags": region.lags(),
         "closed_loop_poles": region.poles(),
         "minimum_variance_by_lag": named.minimum_variance_by_lag(),
+        "minimum_smoothed_variance_by_lag": named.minimum_smoothed_variance_by_lag(),
         "random_acceleration_by_lag": named.random_acceleration_by_lag(),
         "random_velocity_by_lag": named.random_velocity_by_lag(),
         "minimum_variance_by_gain": named.minimum_variance_by_gain(),
+        "minimum_smoothed_variance_by_gain": named.minimum_smoothed_variance_by_gain(),
         "random_acceleration_by_gain": named.random_acceleration_by_gain(),
         "random_velocity_by_gain": named.random_velocity_by_gain(),
     }
@@ -70,6 +74,8 @@ def _roots(name: str) -> dict[str, sp.Expr]:
         "random_acceleration_by_lag": {"root": 2 + E},
         "random_velocity_by_lag": {"root": g + 1, "two": real("root_two")},
         "minimum_variance_by_gain": {"root": E / (2 + E)},
+        "minimum_smoothed_variance_by_lag": {"root": real("n") / 2},
+        "minimum_smoothed_variance_by_gain": {"root": real("rest")},
         "random_acceleration_by_gain": {"root": E / (2 + E)},
     }.get(name, {})
 
@@ -96,7 +102,12 @@ def _meant(graph: Graph) -> dict[str, sp.Expr]:
     }
 
     def meaning(output: str) -> sp.Expr:
-        for prefix in ("minimum_variance_", "random_acceleration_", "random_velocity_"):
+        for prefix in (
+            "minimum_variance_",
+            "minimum_smoothed_variance_",
+            "random_acceleration_",
+            "random_velocity_",
+        ):
             if output.startswith(prefix):
                 return real(output.removeprefix(prefix))
         return known.get(output, real(output))

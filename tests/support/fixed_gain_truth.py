@@ -14,7 +14,13 @@ from functools import cache
 
 import flint
 
-from gainproof.verify.oracles.fixed_gain import ball, between, predicted, variance_slope
+from gainproof.verify.oracles.fixed_gain import (
+    ball,
+    between,
+    predicted,
+    updated,
+    variance_slope,
+)
 from gainproof.verify.oracles.truth import Truth
 
 BITS = 75  # of a place: far beyond a double
@@ -38,6 +44,13 @@ def optimum(alpha: flint.arb, beta: flint.arb) -> flint.arb:
     return variance_slope((alpha, beta), 0)
 
 
+def smoothed_optimum(alpha: flint.arb, beta: flint.arb) -> flint.arb:
+    """The slope of the smoothed variance (1 - alpha)^2 P + alpha^2 along alpha."""
+    p = predicted((alpha, beta))[0, 0]
+    slope = variance_slope((alpha, beta), 0)
+    return (1 - alpha) ** 2 * slope - 2 * (1 - alpha) * p + 2 * alpha
+
+
 @dataclass(frozen=True)
 class AlphaBetaTruth:
     """What the kernels by lag and by gain should return, under their outputs' names."""
@@ -57,6 +70,7 @@ def _at(argument: str, value: float) -> Mapping[str, Truth]:
             named[f"{name}_alpha"] = _hull(*map(ball, alpha))
             named[f"{name}_beta"] = _hull(*map(ball, beta))
             named[f"{name}_predicted_11"] = _hull(*map(_variance, alpha, beta))
+            named[f"{name}_updated_11"] = _hull(*map(_smoothed, alpha, beta))
         return {name: Truth(x, x) for name, x in named.items()}
 
 
@@ -67,6 +81,10 @@ def _hull(low: flint.arb, high: flint.arb) -> flint.arb:
 def _variance(alpha: Fraction, beta: Fraction) -> flint.arb:
     """At exact gains: a ball of gains would be blown up where the filter is slow."""
     return predicted((ball(alpha), ball(beta)))[0, 0]
+
+
+def _smoothed(alpha: Fraction, beta: Fraction) -> flint.arb:
+    return updated((ball(alpha), ball(beta)))[0, 0]
 
 
 def _by_lag(lag: Fraction) -> dict[str, Pair]:
@@ -86,6 +104,7 @@ def _by_lag(lag: Fraction) -> dict[str, Pair]:
         found["minimum_variance"] = alpha_of(optimum, inside, BITS)
     if lag > Fraction(1, 2):
         found["random_acceleration"] = alpha_of(acceleration, border, 2 * BITS)
+        found["minimum_smoothed_variance"] = alpha_of(smoothed_optimum, inside, 2 * BITS)
     if border > 0 and velocity(ball(border), ball(beta)) > 0:
         found["random_velocity"] = alpha_of(velocity, border, 2 * BITS)
     return found
@@ -103,6 +122,10 @@ def _by_gain(alpha: Fraction) -> dict[str, Pair]:
     found = {
         "random_velocity": beta_of(lambda b: -velocity(given, b), least, Fraction(4)),
         "random_acceleration": beta_of(lambda b: -acceleration(given, b), least, 4 - 2 * alpha),
+        # of least smoothed variance are the slow ones, below 2
+        "minimum_smoothed_variance": beta_of(
+            lambda b: -smoothed_optimum(given, b), least, Fraction(2)
+        ),
     }
     if alpha < Fraction(1, 2):
         border = (4 - 2 * alpha) * (1 - Fraction(1, 2**120))

@@ -26,6 +26,8 @@ DIFFERENCES = {
     "minimum_variance_by_lag": 1,
     "random_acceleration_by_lag": 2,
     "minimum_variance_by_gain": 2,
+    "minimum_smoothed_variance_by_lag": 1,
+    "minimum_smoothed_variance_by_gain": 1,
     "random_acceleration_by_gain": 1,
     "random_velocity_by_gain": 3,
 }
@@ -89,6 +91,8 @@ def _exact(nodes: Any, node: Any) -> bool:
         ("entries", "predicted_12", "predicted_22"),
         ("order-at-equal-lag", "velocity_variance", "minimum_variance"),
         ("random-velocity-stable", "root_two", "x"),
+        ("held-bound", "updated_11", "predicted_11"),
+        ("fitting-smoothed-worse", "updated_11", "beta"),
     ],
 )
 def test_a_false_statement_with_the_same_evidence_is_refused(step: str, old: str, new: str) -> None:
