@@ -15,8 +15,9 @@ import numpy as np
 import pytest
 
 from gainproof import cli
+from gainproof.figures import catalogue
 from gainproof.figures.catalogue import CATALOGUE, Entry
-from gainproof.figures.table import Column, Table, decades
+from gainproof.figures.table import Column, Table, Words, decades
 
 Capture = pytest.CaptureFixture[str]
 IDS = [entry.file for entry in CATALOGUE]
@@ -27,8 +28,11 @@ DRAW_ALL = """
 import sys
 from gainproof import cli
 folder, *names = sys.argv[1:]
-sys.exit(any([cli.main(["figure", "suzuki", name, "--out", folder]) for name in names]))
+commands = [["figure", *name.split("/"), "--out", folder] for name in names]
+sys.exit(any([cli.main(command) for command in commands]))
 """
+SOME = ("suzuki/digits", "lecture/alpha-beta-turn")
+"""One of each kind: maps; curves with seeded noise and notes."""
 
 
 def drawn(folder: Path, names: list[str], seed: str) -> dict[str, bytes]:
@@ -39,15 +43,25 @@ def drawn(folder: Path, names: list[str], seed: str) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
 
-def test_figures_come_out_the_same_and_without_a_date(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "names",
+    [
+        SOME,
+        pytest.param(
+            [f"{entry.source}/{entry.name}" for entry in CATALOGUE], marks=pytest.mark.thorough
+        ),
+    ],
+    ids=["some", "all"],
+)
+def test_figures_come_out_the_same_and_without_a_date(tmp_path: Path, names: list[str]) -> None:
     """In whatever order they are drawn, with whatever hashes."""
     pytest.importorskip("matplotlib")
-    names = [entry.name for entry in CATALOGUE]
-    first = drawn(tmp_path / "1", names, "1")
-    second = drawn(tmp_path / "2", names[::-1], "2")
-    assert set(first) == {f"{file}.{ending}" for file in IDS for ending in ("csv", "svg", "png")}
+    first = drawn(tmp_path / "1", [*names], "1")
+    second = drawn(tmp_path / "2", [*names[::-1]], "2")
+    files = [catalogue.find(*name.split("/")).file for name in names]
+    assert set(first) == {f"{file}.{ending}" for file in files for ending in ("csv", "svg", "png")}
     assert {name for name in first | second if first.get(name) != second.get(name)} == set()
-    for file in IDS:
+    for file in files:
         svg = first[f"{file}.svg"].decode()
         assert "<dc:date>" not in svg
         assert ET.fromstring(svg).tag.endswith("svg")
@@ -59,8 +73,14 @@ def test_figures_come_out_the_same_and_without_a_date(tmp_path: Path) -> None:
 @pytest.mark.parametrize("entry", CATALOGUE, ids=IDS)
 def test_the_csv_holds_the_numbers_to_the_last_bit(entry: Entry) -> None:
     table = entry.table()
-    rows = list(csv.DictReader(io.StringIO(table.csv())))
+    lines = table.csv().splitlines(keepends=True)
+    notes = [line for line in lines if line.startswith("#")]
+    assert lines[: len(notes)] == notes == [f"# {note}\n" for note in table.notes]
+    rows = list(csv.DictReader(io.StringIO("".join(lines[len(notes) :]))))
     for column in table.columns:
+        if isinstance(column, Words):
+            assert [row[column.name] for row in rows] == list(column.values)
+            continue
         read = [float(row[column.name] or "nan") for row in rows]
         assert np.array_equal(read, column.values, equal_nan=True)
 
@@ -93,6 +113,9 @@ def test_json_holds_the_same_numbers(
     ("arguments", "message"),
     [
         (["suzki", "1"], "nearest: suzuki"),
+        (["suzki"], "nearest: suzuki"),
+        (["lecture", "kalman-tur"], "nearest: kalman-turn"),
+        (["lecture", "--csv"], "which figure of lecture? mean-and-line, gains"),
         (["suzuki", "4"], "known: 1, 2, 3, digits"),
         (["suzuki", "digit"], "nearest: digits"),
         (["suzuki", "1", "--json", "--out", "x"], "writes no file"),
@@ -114,3 +137,26 @@ def test_what_is_no_number_is_an_empty_cell_and_null() -> None:
 def test_whole_powers_of_ten_are_exact() -> None:
     assert decades(-6, 6, 1).tolist() == [float(f"1e{power}") for power in range(-6, 7)]
     assert decades(0, 2, 4)[[0, 4, 8]].tolist() == [1.0, 10.0, 100.0]
+
+
+def test_words_notes_and_numbers_stand_in_one_csv() -> None:
+    words = Words("name", "a word", ("a, b", 'c "d"'))
+    column = Column("x", "a number", np.array([1.5, np.nan]))
+    table = Table("t", (words, column), {}, ("first", "second"))
+    assert table.csv() == '# first\n# second\nname,x\n"a, b",1.5\n"c ""d""",\n'
+    assert table.plain()["notes"] == ["first", "second"]
+    assert table.plain()["columns"]["name"]["values"] == ["a, b", 'c "d"']
+    assert table.words("name") == ("a, b", 'c "d"')
+    for absent in (lambda: table["name"], lambda: table.words("x")):
+        with pytest.raises(KeyError):
+            absent()
+
+
+def test_without_a_name_the_figures_of_a_source_are_listed(capsys: Capture) -> None:
+    assert cli.main(["figure", "lecture"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    own = [entry for entry in CATALOGUE if entry.source == "lecture"]
+    assert [line.split()[0] for line in lines] == [entry.name for entry in own]
+    assert all(line.endswith(entry.shows) for line, entry in zip(lines, own, strict=True))
+    assert cli.main(["figure", "lecture", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == {entry.name: entry.shows for entry in own}

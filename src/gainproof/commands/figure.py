@@ -6,16 +6,16 @@ import argparse
 
 HELP = "draw a figure of a source from the kernels, as SVG, PNG and CSV"
 DESCRIPTION = """\
-Draws a figure of a source anew: its quantities from the kernels, logarithmic axes, ranges of our
-own. SOURCE is suzuki; NAME is 1, 2 or 3, the number of the figure, or digits: where the printed
-closed form loses its digits in double precision. Writes SVG, PNG and CSV; pictures need Matplotlib
-(the extra `figures`), --csv alone does without."""
+Draws a figure of a source anew: its quantities from the kernels, ranges of our own, noise with a
+seed. SOURCE is suzuki or lecture; without NAME its figures are listed. What a source leaves open is
+said on the figure and in its CSV. Writes SVG, PNG and CSV; pictures need Matplotlib (the extra
+`figures`), --csv alone does without."""
 FOLDER = "figures"
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", metavar="SOURCE", help="whose figure: suzuki")
-    parser.add_argument("name", metavar="NAME", help="1, 2, 3 or digits")
+    parser.add_argument("source", metavar="SOURCE", help="whose figure: suzuki or lecture")
+    parser.add_argument("name", metavar="NAME", nargs="?", help="which; without it: list them")
     parser.add_argument("--out", metavar="DIR", help=f"where to write; default: {FOLDER}")
     parser.add_argument("--csv", action="store_true", help="write the numbers alone, no picture")
     parser.add_argument("--json", action="store_true", help="print the numbers, write no file")
@@ -30,6 +30,8 @@ def run(options: argparse.Namespace) -> int:
     from gainproof.bad_input import BadInputError
     from gainproof.figures import catalogue, writing
 
+    if options.name is None:
+        return _list(options)
     entry = catalogue.find(options.source, options.name)
     if options.json:
         if options.out or options.csv:
@@ -45,7 +47,32 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
+def _list(options: argparse.Namespace) -> int:
+    """The names of a source's figures, each with what it shows."""
+    import json
+
+    from gainproof.bad_input import BadInputError
+    from gainproof.figures import catalogue
+
+    own = catalogue.of_source(options.source)
+    if options.out or options.csv:
+        names = ", ".join(entry.name for entry in own)
+        raise BadInputError(f"which figure of {options.source}? {names}")
+    if options.json:
+        print(json.dumps({entry.name: entry.shows for entry in own}, indent=1))
+        return 0
+    width = max(len(entry.name) for entry in own)
+    for entry in own:
+        print(f"{entry.name:{width}}  {entry.shows}")
+    return 0
+
+
 def _told(name: str, value: object) -> str:
     if isinstance(value, dict):
-        return "\n".join([f"{name}:", *(f"  {key}: {share:.4f}" for key, share in value.items())])
+        return "\n".join([f"{name}:", *(f"  {key}: {_short(part)}" for key, part in value.items())])
     return f"{name}: {value}"
+
+
+def _short(number: float) -> str:
+    """Four digits behind the point, fewer of what is large."""
+    return f"{number:.4f}" if abs(number) < 10 else f"{number:.1f}"

@@ -8,6 +8,14 @@ from typing import TYPE_CHECKING
 
 from gainproof.bad_input import unknown_name
 from gainproof.figures import canvas, digits_drawing, suzuki_curves, suzuki_digits, suzuki_drawing
+from gainproof.figures.lecture import (
+    curves,
+    curves_drawing,
+    fits,
+    fits_drawing,
+    turn,
+    turn_drawing,
+)
 from gainproof.figures.table import Table
 
 if TYPE_CHECKING:
@@ -16,10 +24,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Entry:
-    """One figure. ``file`` is the name of its files without their ending."""
+    """One figure. ``shows`` says in a few words what is on it; ``file`` is the name of its files
+    without their ending.
+    """
 
     source: str
     name: str
+    shows: str
     table: Callable[[], Table]
     draw: Callable[[Table, Figure], None]
     size: tuple[float, float] = (canvas.WIDTH, canvas.HEIGHT)
@@ -31,19 +42,98 @@ class Entry:
 
 
 CATALOGUE = (
-    Entry("suzuki", "1", suzuki_curves.figure_1, suzuki_drawing.draw_figure_1),
-    Entry("suzuki", "2", suzuki_curves.figure_2, suzuki_drawing.draw_figure_2),
-    Entry("suzuki", "3", suzuki_curves.figure_3, suzuki_drawing.draw_figure_3),
-    Entry("suzuki", "digits", suzuki_digits.figure_digits, digits_drawing.draw_digits, (7.2, 4.8)),
+    Entry(
+        "suzuki",
+        "1",
+        "predicted position error against the error of the measured velocity",
+        suzuki_curves.figure_1,
+        suzuki_drawing.draw_figure_1,
+    ),
+    Entry(
+        "suzuki",
+        "2",
+        "where a measured velocity begins to matter",
+        suzuki_curves.figure_2,
+        suzuki_drawing.draw_figure_2,
+    ),
+    Entry(
+        "suzuki",
+        "3",
+        "the most that a measured velocity improves",
+        suzuki_curves.figure_3,
+        suzuki_drawing.draw_figure_3,
+    ),
+    Entry(
+        "suzuki",
+        "digits",
+        "where the printed closed form loses its digits",
+        suzuki_digits.figure_digits,
+        digits_drawing.draw_digits,
+        (7.2, 4.8),
+    ),
+    Entry(
+        "lecture",
+        "mean-and-line",
+        "a standing target by the mean, a moving one by the line",
+        fits.mean_and_line,
+        fits_drawing.draw_mean_and_line,
+        fits_drawing.FITS_SIZE,
+    ),
+    Entry(
+        "lecture",
+        "gains",
+        "gains of the least-squares line against the sample number",
+        fits.gains,
+        fits_drawing.draw_gains,
+        fits_drawing.GAINS_SIZE,
+    ),
+    Entry(
+        "lecture",
+        "alpha-beta-turn",
+        "a turning target by the alpha-beta filter, small and large gains",
+        turn.alpha_beta_turn,
+        turn_drawing.draw_alpha_beta_turn,
+        turn_drawing.SIZE,
+    ),
+    Entry(
+        "lecture",
+        "minimum-variance",
+        "MV against RA and RV: variance at equal lag",
+        curves.minimum_variance,
+        curves_drawing.draw_minimum_variance,
+        curves_drawing.VARIANCE_SIZE,
+    ),
+    Entry(
+        "lecture",
+        "stability",
+        "stability region of alpha and beta with the named filters",
+        curves.stability,
+        curves_drawing.draw_stability,
+        curves_drawing.STABILITY_SIZE,
+    ),
+    Entry(
+        "lecture",
+        "kalman-turn",
+        "a turning target by the Kalman filter, small and large driving noise",
+        turn.kalman_turn,
+        turn_drawing.draw_kalman_turn,
+        turn_drawing.SIZE,
+    ),
 )
+
+
+def of_source(source: str) -> tuple[Entry, ...]:
+    """The figures of a source. Raises BadInputError for one that has none."""
+    own = tuple(entry for entry in CATALOGUE if entry.source == source)
+    if not own:
+        sources = {entry.source for entry in CATALOGUE}
+        raise unknown_name("source with figures", source, sources)
+    return own
 
 
 def find(source: str, name: str) -> Entry:
     """The figure of this name. Raises BadInputError for one there is not."""
-    sources = {entry.source for entry in CATALOGUE}
-    if source not in sources:
-        raise unknown_name("source with figures", source, sources)
-    own = {entry.name: entry for entry in CATALOGUE if entry.source == source}
+    own = {entry.name: entry for entry in of_source(source)}
     if name not in own:
         raise unknown_name(f"figure of {source}", name, own)
     return own[name]

@@ -21,27 +21,62 @@ class Column:
     meaning: str
     values: Reals
 
+    def cells(self) -> list[str]:
+        """17 digits, so that floats come back as they were; an empty cell is no number."""
+        return [_cell(value) for value in self.values.tolist()]
+
+    def plain(self) -> list[Any]:
+        """For JSON; null stands for no number."""
+        return [_finite(value) for value in self.values.tolist()]
+
+
+@dataclass(frozen=True)
+class Words:
+    """A column of words: of a diagram's lines and of named points."""
+
+    name: str
+    meaning: str
+    values: tuple[str, ...]
+
+    def cells(self) -> list[str]:
+        """In quotation marks where a comma or a mark asks for them."""
+        return [_quoted(value) for value in self.values]
+
+    def plain(self) -> list[Any]:
+        """The words as they are."""
+        return list(self.values)
+
 
 @dataclass(frozen=True)
 class Table:
-    """The columns of a figure, of one length, and the few numbers that are told beside it."""
+    """The columns of a figure, of one length, and the few numbers that are told beside it.
+
+    ``notes`` say what the source leaves open and what is ours; they are sentences.
+    """
 
     title: str
-    columns: tuple[Column, ...]
+    columns: tuple[Column | Words, ...]
     numbers: Mapping[str, Any] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     def __getitem__(self, name: str) -> Reals:
         for column in self.columns:
-            if column.name == name:
+            if column.name == name and isinstance(column, Column):
+                return column.values
+        raise KeyError(name)
+
+    def words(self, name: str) -> tuple[str, ...]:
+        """A column of words."""
+        for column in self.columns:
+            if column.name == name and isinstance(column, Words):
                 return column.values
         raise KeyError(name)
 
     def csv(self) -> str:
-        """A line of names, then one line a row; 17 digits, so that floats come back as they were.
-        An empty cell is no number.
-        """
-        cells = [[_cell(value) for value in column.values.tolist()] for column in self.columns]
-        lines = [",".join(column.name for column in self.columns)]
+        """The notes as lines that begin with #, a line of names, then one line a row."""
+        lines = [f"# {note}" for note in self.notes]
+        lines.append(",".join(column.name for column in self.columns))
+        cells = [column.cells() for column in self.columns]
         lines += [",".join(row) for row in zip(*cells, strict=True)]
         return "\n".join(lines) + "\n"
 
@@ -49,11 +84,9 @@ class Table:
         """Data for JSON; null stands for no number."""
         return {
             "title": self.title,
+            **({"notes": list(self.notes)} if self.notes else {}),
             "columns": {
-                column.name: {
-                    "meaning": column.meaning,
-                    "values": [_finite(value) for value in column.values.tolist()],
-                }
+                column.name: {"meaning": column.meaning, "values": column.plain()}
                 for column in self.columns
             },
             "numbers": dict(self.numbers),
@@ -77,6 +110,12 @@ def decades(first: int, last: int, per_decade: int) -> Reals:
 
 def _cell(value: float) -> str:
     return "" if math.isnan(value) else repr(value)
+
+
+def _quoted(value: str) -> str:
+    if not set(value) & {",", '"', "\n"}:
+        return value
+    return '"' + value.replace('"', '""') + '"'
 
 
 def _finite(value: float) -> float | str | None:

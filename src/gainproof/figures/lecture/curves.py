@@ -1,0 +1,83 @@
+"""The numbers of the named alpha-beta filters: variance at equal lag, and where they lie."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gainproof.figures.lecture.turn import GAINS
+from gainproof.figures.table import Column, Reals, Table
+from gainproof.generated import alpha_beta
+
+LEAST_LAGS = {"mv": 0.25, "ra": 0.5, "rv": 0.6036}
+"""Above these, beta being 1 over the lag, the filters are stable: MV for beta < 4, RA for beta < 2,
+RV for lags from the lower end of its kernel on."""
+NAMES = {"mv": "minimum variance", "ra": "random acceleration", "rv": "random velocity"}
+MOST_LAG = 100.0
+POINTS = 241
+
+
+def minimum_variance() -> Table:
+    """Variance of the predicted position against the lag, MV, RA and RV, and over that of MV."""
+    lag = np.geomspace(LEAST_LAGS["mv"], MOST_LAG, POINTS)[1:]
+    variance = {name: _by_lag(name, lag)[2] for name in NAMES}
+    ratios = {name: variance[name] / variance["mv"] for name in ("ra", "rv")}
+    return Table(
+        "MV, RA and RV: variance of the predicted position at equal lag",
+        (
+            Column("lag", "1/beta: lag behind a constant acceleration a over a T^2", lag),
+            *(
+                Column(f"{name}_variance", f"{words}: sigma_p^2/B", variance[name])
+                for name, words in NAMES.items()
+            ),
+            *(
+                Column(f"{name}_over_mv", f"{NAMES[name]} over minimum variance", ratio)
+                for name, ratio in ratios.items()
+            ),
+        ),
+        {f"least {name} over MV on this range": float(np.nanmin(r)) for name, r in ratios.items()},
+        (
+            "The lecture compares MV and RA; the range of lags and RV are ours.",
+            "An empty cell: no stable filter of this name has the lag.",
+        ),
+    )
+
+
+def stability() -> Table:
+    """The gains of the named filters, by the lag; the region itself is a triangle."""
+    rows: dict[str, Reals] = {}
+    lag = LEAST_LAGS["mv"] * np.geomspace(1 + 1e-6, 4e4, POINTS)
+    # the curves of RA and RV begin at the border too
+    lag = np.unique(np.concatenate([lag, [LEAST_LAGS["rv"], LEAST_LAGS["ra"] * (1 + 1e-9)]]))
+    for name in NAMES:
+        alpha, beta, _ = _by_lag(name, lag)
+        rows |= {f"{name}_alpha": alpha, f"{name}_beta": beta}
+    margins = {name: float(alpha_beta.coordinates(*gains).margin) for name, gains in GAINS.items()}
+    return Table(
+        "Stability region of alpha and beta, with the named filters",
+        (
+            Column("lag", "1/beta", lag),
+            *(
+                Column(f"{name}_{gain}", f"{words}: {gain}", rows[f"{name}_{gain}"])
+                for name, words in NAMES.items()
+                for gain in ("alpha", "beta")
+            ),
+        ),
+        {"4 - 2 alpha - beta of the lecture's gain pairs": margins},
+        (
+            "Stable: alpha > 0, beta > 0 and beta < 4 - 2 alpha (proved as an equivalence).",
+            "The named filters are shown where they are stable; the range of lags is ours.",
+        ),
+    )
+
+
+def _by_lag(name: str, lag: Reals) -> tuple[Reals, Reals, Reals]:
+    """alpha, beta, variance; NaN below the least lag."""
+    there = lag >= LEAST_LAGS[name] if name == "rv" else lag > LEAST_LAGS[name]
+    kernel = {
+        "mv": alpha_beta.minimum_variance_by_lag,
+        "ra": alpha_beta.random_acceleration_by_lag,
+        "rv": alpha_beta.random_velocity_by_lag,
+    }[name]
+    found = np.full((3, lag.size), np.nan)
+    found[:, there] = kernel(lag[there])
+    return found[0], found[1], found[2]
