@@ -1,0 +1,60 @@
+"""The plot of variance against lag."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from gainproof.figures import canvas
+from gainproof.figures.table import Table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+STYLES = ("-", "--", "-.", ":")
+MARKERS = (("o", 10.0), ("s", 6.5), ("D", 5.5), ("^", 5.5), ("v", 5.5), ("P", 5.5))
+"""Of falling size, so that curves that nearly agree show both."""
+COLOURS = ("0.55", "tab:blue", "tab:red", "tab:green", "tab:purple", "tab:brown")
+LABELS = {
+    2: r"lag $e_\mathrm{fin}/(a_c T^2) = 1/\beta$",
+    3: r"lag $e_\mathrm{fin}/(j\,T^3) = 1/\gamma$",
+}
+MARK = "chosen_"
+
+
+def draw(table: Table, sheet: Figure, states: int) -> None:
+    """Curves of all filters, a dot where the choice is on each."""
+    axes = sheet.add_subplot()
+    canvas.logarithmic(axes, LABELS[states], r"variance of the predicted position $\sigma_p^2/B$")
+    lags = table["lag"]
+    names = [each.name for each in table.columns[1:] if not each.name.startswith(MARK)]
+    own = [c.name.removeprefix(MARK) for c in table.columns if c.name.startswith(MARK)]
+    colours = dict(zip(names, COLOURS, strict=False))
+    for place, name in enumerate(names):
+        style = STYLES[place % len(STYLES)]
+        axes.plot(lags, table[name], style, color=colours.get(name), label=name)
+    shapes = dict(zip(names, MARKERS, strict=False))
+    for order, name in enumerate(own):
+        mark = table[MARK + name]
+        at = np.isfinite(mark)
+        shape, size = shapes.get(name, ("x", 8.0))
+        given = name not in names
+        axes.plot(
+            lags[at],
+            mark[at],
+            shape,
+            color="black" if given else colours.get(name),
+            markersize=size,
+            markeredgecolor="black",
+            markeredgewidth=1.6 if given else 0.6,
+            label="gains given" if given else f"{name}, chosen",
+            zorder=10 if given else 4 + order,
+        )
+    shown = np.concatenate([table[name] for name in names])
+    shown = shown[np.isfinite(shown)]
+    marked = np.concatenate([table[MARK + name] for name in own])
+    top = max(np.nanmax(marked) * 30, float(np.nanmin(shown)) * 100)
+    axes.set_ylim(float(shown.min()) * 0.8, min(float(shown.max()) * 1.25, top))
+    axes.set_xlim(float(lags[0]), float(lags[-1]))
+    axes.legend()

@@ -1,0 +1,83 @@
+"""What a named filter is, and how kernels of one input make its gains."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gainproof.design.inversion import solved
+
+Reals = NDArray[np.float64]
+Gains = tuple[Reals, ...]
+"""alpha, beta and, of three states, gamma."""
+
+
+@dataclass(frozen=True)
+class NamedFilter:
+    """One named filter of two or three states.
+
+    by_lag: gains of lags (e_fin over a T^2, of three states over j T^3). by_alpha: gains of alphas,
+    a tuple for each filter with that gain. by_index: gains of tracking indices, None for a filter
+    that is no steady state of a Kalman filter; `family` is the derivation that it belongs to.
+    It exists for lags above `lag_above` and for 0 < alpha < `alpha_below`, or, `closed`, up to
+    that; `lag_reason` and `alpha_reason` say why.
+    """
+
+    name: str
+    title: str
+    states: int
+    by_lag: Callable[[Reals], Gains]
+    by_alpha: Callable[[Reals], Sequence[Gains]]
+    by_index: Callable[[Reals], Gains] | None
+    lag_above: tuple[float, str]
+    lag_reason: str
+    alpha_below: tuple[float, str]
+    alpha_reason: str
+    family: str = ""
+    closed: bool = False
+
+
+def first_outputs(kernel: Callable[..., Any], count: int) -> Callable[[Reals], Gains]:
+    """The first outputs of a kernel of one input."""
+    return lambda given: tuple(np.asarray(each) for each in kernel(given)[:count])
+
+
+def with_alpha(kernel: Callable[..., Any], count: int) -> Callable[[Reals], Sequence[Gains]]:
+    """alpha itself and the first outputs of a kernel that takes it."""
+    gains = first_outputs(kernel, count)
+    return lambda alpha: ((np.asarray(alpha), *gains(alpha)),)
+
+
+def inverse(
+    gains: Callable[[Reals], Gains], place: int, low: float, high: float, turned: bool = False
+) -> Callable[[Reals], Gains]:
+    """Gains whose one (at `place`; `turned`: over which 1) is wanted, over a kernel's argument."""
+
+    def find(wanted: Reals) -> Gains:
+        target = 1 / np.asarray(wanted) if turned else np.asarray(wanted)
+        argument, fine = solved(lambda x: gains(x)[place], target, low, high)
+        if not np.all(fine):
+            raise ValueError(f"no tracking index or lag in reach gives {wanted!s}")
+        return gains(argument)
+
+    return find
+
+
+def as_one(gains: Callable[[Reals], Gains]) -> Callable[[Reals], Sequence[Gains]]:
+    return lambda alpha: (gains(alpha),)
+
+
+def missing(each: NamedFilter, kind: str, value: float) -> str | None:
+    """Why there is no such filter of this "lag" or "alpha"; None where there is one."""
+    if kind == "lag":
+        limit, words = each.lag_above
+        return None if value > limit else f"lag must be above {words}: {each.lag_reason}"
+    limit, words = each.alpha_below
+    if 0 < value < limit or (each.closed and value == limit):
+        return None
+    most = "at most" if each.closed else "below"
+    return f"alpha must be above 0 and {most} {words}: {each.alpha_reason}"

@@ -1,0 +1,142 @@
+"""Every named filter: a line of a tuple each, with the kernels that give its gains.
+
+A filter is known by its name among those of as many states. A new one is a `NamedFilter` more in
+`NAMED`; the table, the data, the plot and the pages show it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gainproof.design.named_filter import (
+    Gains,
+    NamedFilter,
+    Reals,
+    as_one,
+    first_outputs,
+    inverse,
+    with_alpha,
+)
+from gainproof.generated import (
+    acceleration_increments,
+    alpha_beta,
+    alpha_beta_gamma,
+    random_acceleration,
+    random_jerk,
+    random_velocity,
+)
+
+
+def _both_minima(alpha: Reals) -> Sequence[Gains]:
+    """The slow and the fast minimum variance filter; at alpha = 1/2 they are one, of beta 1."""
+    if np.all(np.asarray(alpha) == 0.5):
+        return ((np.asarray(alpha), np.ones(np.shape(alpha))),)
+    found = alpha_beta.minimum_variance_by_gain(alpha)
+    slow, fast = found.slow_minimum_variance_beta, found.fast_minimum_variance_beta
+    return tuple((np.asarray(alpha), np.asarray(beta)) for beta in (slow, fast))
+
+
+_increments = first_outputs(acceleration_increments.gains, 3)
+_jerk = first_outputs(random_jerk.gains, 3)
+_least = first_outputs(alpha_beta_gamma.minimum_variance_by_lag, 3)
+WIDE = (1e-30, 1e30)
+"""Tracking indices, and lags, between which filters of three states are looked for."""
+
+NAMED: tuple[NamedFilter, ...] = (
+    NamedFilter(
+        "RV",
+        "random velocity",
+        2,
+        first_outputs(alpha_beta.random_velocity_by_lag, 2),
+        with_alpha(alpha_beta.random_velocity_by_gain, 1),
+        first_outputs(random_velocity.gains, 2),
+        ((1 + 2**0.5) / 4, "(1 + sqrt(2))/4 = 0.6036"),
+        "faster ones are not stable",
+        (1.0, "1"),
+        "steady states of a Kalman filter have no other",
+        "random-velocity",
+    ),
+    NamedFilter(
+        "RA",
+        "random acceleration",
+        2,
+        first_outputs(alpha_beta.random_acceleration_by_lag, 2),
+        with_alpha(alpha_beta.random_acceleration_by_gain, 1),
+        first_outputs(random_acceleration.gains, 2),
+        (0.5, "1/2"),
+        "there alpha is 1, on the border of stability",
+        (1.0, "1"),
+        "with alpha = 1 it is not stable",
+        "random-acceleration",
+    ),
+    NamedFilter(
+        "MV",
+        "minimum variance, also NP-P",
+        2,
+        first_outputs(alpha_beta.minimum_variance_by_lag, 2),
+        _both_minima,
+        None,
+        (0.25, "1/4"),
+        "there beta is 4, on the border of stability",
+        (0.5, "1/2"),
+        "alpha = sqrt(beta) - beta/2 is never more",
+        closed=True,
+    ),
+    NamedFilter(
+        "NP-S",
+        "minimum smoothed variance",
+        2,
+        first_outputs(alpha_beta.minimum_smoothed_variance_by_lag, 2),
+        with_alpha(alpha_beta.minimum_smoothed_variance_by_gain, 1),
+        None,
+        (0.5, "1/2"),
+        "from there on none smooths better than a single measurement",
+        (1.0, "1"),
+        "from there on none smooths better than a single measurement",
+    ),
+    NamedFilter(
+        "RA",
+        "random acceleration",
+        3,
+        inverse(_increments, 2, *WIDE, turned=True),
+        with_alpha(alpha_beta_gamma.random_acceleration_by_gain, 2),
+        _increments,
+        (0.5, "1/2"),
+        "there alpha is 1, on the border of stability",
+        (1.0, "1"),
+        "with alpha = 1 it is not stable",
+        "acceleration-increments",
+    ),
+    NamedFilter(
+        "RJ",
+        "random jerk",
+        3,
+        inverse(_jerk, 2, *WIDE, turned=True),
+        as_one(inverse(_jerk, 0, *WIDE)),
+        _jerk,
+        ((2 + 3**0.5) / 6, "(2 + sqrt(3))/6 = 0.622"),
+        "there the tracking index is infinite",
+        (1.0, "1"),
+        "there the tracking index is infinite",
+        "random-jerk",
+    ),
+    NamedFilter(
+        "MV",
+        "minimum variance",
+        3,
+        _least,
+        as_one(inverse(_least, 0, 0.1251, WIDE[1])),
+        None,
+        (0.125, "1/8"),
+        "there gamma is 8, on the border of stability",
+        (2.0, "2"),
+        "there gamma is 8, on the border of stability",
+    ),
+)
+
+
+def named_filters(states: int) -> tuple[NamedFilter, ...]:
+    """Those of two or of three states."""
+    return tuple(each for each in NAMED if each.states == states)

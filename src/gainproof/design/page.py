@@ -1,0 +1,158 @@
+"""A design as a table for people."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Iterator, Sequence
+
+from gainproof.design.belonging import Belonging
+from gainproof.design.sheet import Absent, Row, Sheet
+from gainproof.design.units import Units, in_units
+
+GAINS = ("alpha", "beta", "gamma")
+TITLES = {2: "alpha-beta filters", 3: "alpha-beta-gamma filters"}
+MOTIONS = {2: ("acceleration", "a_c T^2", "m/s^2"), 3: ("jerk", "j T^3", "m/s^3")}
+HEADINGS = {
+    "lag_m": "lag, m",
+    "predicted_deviation_m": "predicted, m",
+    "smoothed_deviation_m": "smoothed, m",
+    "settling_s": "settles, s",
+}
+WIDTH = 96
+
+
+def page(sheet: Sheet, units: Units, belongs: Sequence[Belonging] = ()) -> str:
+    """The whole page."""
+    lines = [_title(sheet)]
+    if sheet.found:
+        lines += ["", *_table(_head(sheet), [_cells(row) for row in sheet.found])]
+        lines += ["", *_meaning(sheet)]
+        if units.stated:
+            lines += ["", *_unit_table(sheet, units)]
+    told = [*_notes(sheet), *_absent(sheet)]
+    lines += ["", *told] if told else []
+    if belongs:
+        lines += ["", *_belonging(belongs)]
+    return "\n".join(lines)
+
+
+def _title(sheet: Sheet) -> str:
+    if isinstance(sheet.value, tuple):
+        value = ", ".join(
+            f"{name} = {gain!r}" for name, gain in zip(GAINS, sheet.value, strict=False)
+        )
+        return f"{TITLES[sheet.states]}: {value}, and the named ones of the same lag"
+    return f"{TITLES[sheet.states]} at {sheet.kind} {number(sheet.value)}"
+
+
+def _meaning(sheet: Sheet) -> list[str]:
+    motion, scale, _ = MOTIONS[sheet.states]
+    return _wrapped(
+        "variance/B: of the predicted and the smoothed position under measurement noise alone, "
+        f"over that of the measurement; lag: e_fin behind a constant {motion}, over {scale}; "
+        "settles: samples until the largest pole's modulus, to that power, is at most 1 %. All are stable."
+    )
+
+
+def _head(sheet: Sheet) -> tuple[list[str], list[str]]:
+    gains = list(GAINS[: sheet.states])
+    above = ["", *("" for _ in gains), "variance/B", "", "", "closed-loop poles", "largest", ""]
+    below = ["filter", *gains, "predicted", "smoothed", "lag", "", "modulus", "settles"]
+    return above, below
+
+
+def _cells(row: Row) -> list[str]:
+    return [
+        row.name,
+        *(number(gain) for gain in row.gains),
+        number(row.predicted),
+        number(row.smoothed),
+        number(row.lag),
+        poles(row.poles),
+        f"{max(map(abs, row.poles)):.4g}",
+        f"{row.samples:.0f}" if row.samples < 1e6 else f"{row.samples:.3g}",
+    ]
+
+
+def _table(head: Sequence[list[str]], rows: list[list[str]]) -> Iterator[str]:
+    """Columns as wide as their longest cell: names to the left, numbers to the right."""
+    everything = [*head, *rows]
+    spans = [max(map(len, column)) for column in zip(*everything, strict=True)]
+    for cells in everything:
+        text = "  ".join(
+            cell.ljust(width) if i == 0 else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(cells, spans, strict=True))
+        )
+        yield text.rstrip()
+
+
+def _unit_table(sheet: Sheet, units: Units) -> Iterator[str]:
+    motion, _, unit = MOTIONS[sheet.states]
+    stated = (
+        ("interval", units.interval, "s"),
+        (motion, units.motion, unit),
+        ("deviation of the measurement", units.deviation, "m"),
+    )
+    told = ", ".join(f"{name} {number(x)} {of}" for name, x, of in stated if x is not None)
+    yield f"with {told}:"
+    yield ""
+    rows = [(row.name, in_units(sheet, row, units)) for row in sheet.found]
+    kinds = list(rows[0][1]) if rows else []
+    if not kinds:
+        yield f"a lag in metres takes both an interval and the {motion}"
+        return
+    head = ["filter", *(HEADINGS[kind] for kind in kinds)]
+    cells = [[name, *(number(found[kind]) for kind in kinds)] for name, found in rows]
+    yield from _table([head], cells)
+
+
+def _notes(sheet: Sheet) -> Iterator[str]:
+    for row in sheet.found:
+        if row.note:
+            yield from _wrapped(f"{row.name} of lag {number(row.lag)}: {row.note}")
+
+
+def _absent(sheet: Sheet) -> Iterator[str]:
+    for row in sheet.rows:
+        if isinstance(row, Absent):
+            yield from _wrapped(f"{row.name}, {row.title}, {row.reason}")
+
+
+def _belonging(belongs: Sequence[Belonging]) -> Iterator[str]:
+    fitting = [f"{each.name} ({each.title})" for each in belongs if each.fits]
+    if fitting:
+        yield from _wrapped(
+            f"Within the digits given these are the gains of: {', '.join(fitting)}."
+        )
+    else:
+        yield "Within the digits given these are the gains of none of the named filters."
+    for each in belongs:
+        *others, last = each.gains
+        shown = ", ".join(f"{n} = {g:.10g}" for n, g in zip(GAINS, others, strict=False))
+        word = "fits" if each.fits else "does not fit"
+        yield f"  {each.name}: {GAINS[len(others)]} = {number(last)} has {shown}: {word}"
+
+
+def number(value: float) -> str:
+    """Six significant digits; 0.01 as it is."""
+    if not math.isfinite(value):
+        return str(value)
+    return f"{value:.6g}"
+
+
+def poles(values: Sequence[complex]) -> str:
+    """Poles with four digits, a complex pair as one."""
+    parts, left = [], list(values)
+    while left:
+        pole = left.pop(0)
+        if pole.imag:
+            left.remove(pole.conjugate()) if pole.conjugate() in left else left.pop(0)
+            parts.append(f"{pole.real:.4g} +- {abs(pole.imag):.4g}i")
+        else:
+            parts.append(f"{pole.real:.4g}")
+    return ", ".join(parts)
+
+
+def _wrapped(text: str) -> list[str]:
+    return textwrap.wrap(text, WIDTH, subsequent_indent="  ", break_on_hyphens=False)

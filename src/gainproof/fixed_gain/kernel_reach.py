@@ -1,0 +1,74 @@
+"""Elements that a printed kernel takes and those beyond it, computed apart and put together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gainproof.fixed_gain.arguments import Real, Reals, place_of
+from gainproof.fixed_gain.stability import GAINS, Condition
+
+PLAIN = 0.25
+"""A difference that is at least this share of its terms loses no more than two bits."""
+
+
+def within(signature: Any, given: Sequence[Reals]) -> NDArray[np.bool_]:
+    """Where every input lies in the domain that a kernel's bounds are proved for."""
+    fine = np.ones(given[0].shape, np.bool_)
+    for domain, values in zip(signature.inputs, given, strict=True):
+        low, high = domain.double
+        fine &= (values >= low) & (values <= high)
+    return fine
+
+
+def put_together(
+    fine: NDArray[np.bool_],
+    given: Sequence[Reals],
+    inside: Callable[..., Sequence[Any]],
+    beyond: Callable[..., Sequence[Any]],
+) -> list[Real]:
+    """The outputs of `inside` where `fine`, else those of `beyond`; numbers for numbers."""
+    if fine.all():
+        return [np.asarray(y)[()] for y in inside(*given)]
+    flat = [values.reshape(-1) for values in given]
+    mask = fine.reshape(-1)
+    others = beyond(*(values[~mask] for values in flat))
+    results = [np.empty(mask.shape) for _ in others]
+    for y, part in zip(results, others, strict=True):
+        y[~mask] = part
+    if mask.any():
+        for y, part in zip(results, inside(*(values[mask] for values in flat)), strict=True):
+            y[mask] = part
+    return [y.reshape(fine.shape)[()] for y in results]
+
+
+def require_reach(signature: Any, given: Sequence[Reals], gains: Sequence[Reals]) -> None:
+    """ValueError with the first gains that are stable and yet beyond what the kernels compute."""
+    fine = within(signature, given)
+    if fine.all():
+        return
+    first = int(np.argmin(fine))
+    came = ", ".join(
+        f"{name} = {gain.flat[first]!s}" for name, gain in zip(GAINS, gains, strict=False)
+    )
+    raise ValueError(
+        f"stable gains too close to the border of stability for the kernels: {came}"
+        f"{place_of(first, gains[0].shape)}"
+    )
+
+
+def gap(condition: Condition, gains: Sequence[Reals]) -> Reals:
+    """greater - less of an inequality, within 4 * 2^-52 of itself: by exact fractions where
+    floats would cancel.
+    """
+    left, right = condition.less(*gains), condition.greater(*gains)
+    found = np.array(np.broadcast_to(right - left, gains[0].shape))
+    lost = ~(np.abs(found) > PLAIN * (np.abs(left) + np.abs(right)))
+    for place in np.flatnonzero(lost):
+        exact = [Fraction(float(gain.flat[place])) for gain in gains]
+        found.flat[place] = float(condition.greater(*exact) - condition.less(*exact))
+    return found

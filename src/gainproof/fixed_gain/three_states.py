@@ -1,0 +1,112 @@
+"""Alpha-beta-gamma filters: variances, lags and poles of any stable gains, arrays of them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gainproof.fixed_gain.arguments import Reals
+from gainproof.fixed_gain.kernel_reach import gap, put_together, require_reach, within
+from gainproof.fixed_gain.stability import CONDITIONS, checked, stable_gains
+from gainproof.generated import alpha_beta_gamma
+from gainproof.generated.alpha_beta_gamma import Lags, Variances
+
+MARGIN, DETERMINANT = CONDITIONS[3][2], CONDITIONS[3][4]
+TRANSITION = np.array([[1.0, 1.0, 0.5], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]])
+"""F over one interval, velocities times T, accelerations times T^2."""
+
+
+def variances(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Variances:
+    """Steady covariances under measurement noise alone, over its variance B; velocities times T,
+    accelerations times T^2.
+
+    alpha, beta, gamma: numbers or arrays, broadcast together. Within the domain of the kernel
+    (alpha < 1, beta < 2) by its bounds for a gamma that is off by no more than 4 * 2^-52 of itself
+    (the kernel takes its share of the largest stable one); other stable gains through their
+    coordinates, and after the update by (I - K H) P (I - K H)' + K K'.
+
+    ValueError for gains outside the stability region: which inequality, its values, the first
+    place; and for NaN, infinity and shapes that do not fit. TypeError for no real number.
+    """
+    gains = stable_gains(alpha, beta, gamma)
+    fine = within(alpha_beta_gamma._VARIANCES, _shared(*gains))
+    return Variances(*put_together(fine, gains, _inside, _beyond))
+
+
+def _shared(alpha: Reals, beta: Reals, gamma: Reals) -> tuple[Reals, Reals, Reals]:
+    """alpha, beta and gamma over the largest stable one."""
+    with np.errstate(over="ignore", under="ignore"):
+        return alpha, beta, (gamma / alpha) * ((1 - alpha / 2) / beta)
+
+
+def _inside(*gains: Reals) -> Variances:
+    return alpha_beta_gamma.variances(*_shared(*gains))
+
+
+def _beyond(*gains: Reals) -> Variances:
+    _, beta, gamma = gains
+    given = (
+        2 * (beta / gamma),
+        2 * (gap(MARGIN, gains) / gamma),
+        8 * (gap(DETERMINANT, gains) / gamma / gamma),
+    )
+    require_reach(alpha_beta_gamma._VARIANCES_OF_COORDINATES, given, gains)
+    p = alpha_beta_gamma.variances_of_coordinates(*given)
+    left = 1 - gains[0]
+
+    def updated(i: int, j: int) -> Reals:
+        """Entry i, j of (I - K H) P (I - K H)' + K K'."""
+        first = [p.predicted_11, p.predicted_12, p.predicted_13]
+        table = {
+            (1, 1): p.predicted_22,
+            (1, 2): p.predicted_23,
+            (0, 0): first[0],
+            (0, 1): first[1],
+            (0, 2): first[2],
+        }
+        k, m = gains[i], gains[j]
+        value = table[i, j] - k * first[j] - m * first[i] + k * m * (first[0] + 1)
+        return np.asarray(value if i else left * (first[j] - m * first[0]) + k * m)
+
+    after = [updated(*place) for place in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2))]
+    return Variances(*p, *after)
+
+
+def lags(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Lags:
+    """Steady errors behind a constant jerk j, over j T^3 (positions), j T^2 and j T.
+
+    Arguments and errors as `variances`; beyond the kernel's domain each is a few roundings off.
+    """
+    gains = stable_gains(alpha, beta, gamma)
+    fine = within(alpha_beta_gamma._LAGS, _shared(*gains))
+    return Lags(*put_together(fine, gains, _lags_inside, _lags_beyond))
+
+
+def _lags_inside(*gains: Reals) -> Lags:
+    return alpha_beta_gamma.lags(*_shared(*gains))
+
+
+def _lags_beyond(alpha: Reals, beta: Reals, gamma: Reals) -> Lags:
+    first, second = alpha / gamma + 1 / 12, beta / gamma / 2
+    return Lags(
+        1 / gamma,
+        first + second,
+        2 * second + 0.5,
+        (1 - alpha) / gamma,
+        first - second,
+        2 * second - 0.5,
+    )
+
+
+def poles(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> NDArray[np.complex128]:
+    """The three closed-loop poles, that of largest modulus first; complex, shape (..., 3).
+
+    Eigenvalues of F (I - K H), by NumPy and without a proved bound: near a threefold pole they err
+    by the cube root of 2^-52. Any finite gains are taken.
+    """
+    gains = checked((alpha, beta, gamma))
+    column = np.stack(gains, axis=-1)[..., :, np.newaxis]
+    rest = np.eye(3) - column * np.array([1.0, 0.0, 0.0])
+    found = np.asarray(np.linalg.eigvals(TRANSITION @ rest), np.complex128)
+    order = np.argsort(-np.abs(found), axis=-1, kind="stable")
+    return np.take_along_axis(found, order, axis=-1)
