@@ -28,6 +28,7 @@ from gainproof.verify.judge.fixed_gain.slice import (
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
+from gainproof.verify.judge.kinds.optimum_compared import judge_by_comparison
 from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.setting.environment import DEVIATION, INTERVAL, Environment
 from gainproof.verify.judge.setting.stable_region import StableRegion
@@ -46,6 +47,17 @@ def judge_optimum(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether the stated gains, and no others, minimise the quantity over all stable filters with
     the same value of what is fixed, whatever this value is. Raises Undecided.
     """
+    try:
+        return _on_slices(claim, reading, scope)
+    except Undecided as reason:
+        try:
+            return judge_by_comparison(claim, reading, scope)
+        except Undecided:
+            raise reason from None
+
+
+def _on_slices(claim: Claim, reading: Reading, scope: Scope) -> Finding:
+    """By the one place on each slice of one lag where slopes vanish. Raises Undecided."""
     region = scope.environment.region
     if region is None or claim.minimised is None or len(region.steps) < 2:
         raise Undecided("best gains are those of a setting of kind fixed_gain with 2 or 3 states")

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import differentiated, substituted
-from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, symbol
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.fixed_gain.shared_gain import shared_gain
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain, strictly
 from gainproof.verify.judge.scope import Scope
@@ -43,7 +43,7 @@ def judge_ordering(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     laws = {name: _laws(name, scope) for name in claim.ascending}
     frame = framed(claim, scope)
     stated = (*frame.conditions, *region.relations)
-    by_gain = [(expr, _shared(expr, region.gains, region.relations, frame)) for expr in fixed]
+    by_gain = [(expr, shared_gain(expr, region.gains, region.relations, frame)) for expr in fixed]
     shared = {name for _, name in by_gain if name is not None}
     open_ = [expr for expr, name in by_gain if name is None]
     copies: dict[str, _Filter] = {}
@@ -71,29 +71,6 @@ def _laws(name: str, scope: Scope) -> tuple[Rel, ...]:
     found = [rel for f in formulas for r in f.readings[0].relations for rel in scope.relations(r)]
     only_plain(found)
     return tuple(found)
-
-
-def _shared(
-    expr: Expr, gains: tuple[str, ...], stable: tuple[Rel, ...], frame: Frame
-) -> str | None:
-    """The one gain that an expression fixes, being strictly monotone in it over all positive values
-    where stability asks for these; None where it fixes no single one.
-    """
-    names = symbols_of(expr) & set(gains)
-    if len(names) != 1:
-        return None
-    (name,) = names
-    if expr == symbol(name):
-        return name
-    moving = [n for n in symbols_of(expr) if n.startswith("target_motion.")]
-    nonzero = [Rel("!=", symbol(n), number(0)) for n in moving]
-    if Rel(">", symbol(name), number(0)) not in stable:
-        return None
-    boxes = {**frame.boxes, name: Box(lower=number(0).fraction)}
-    around = strictly(replace(frame, boxes=boxes, conditions=tuple(nonzero)))
-    slope = differentiated(expr, name)
-    one_way = around.holds(Rel("=", expr, expr)) and around.holds(Rel("!=", slope, number(0)))
-    return name if one_way else None
 
 
 def _moved(rel: Rel, own: dict[str, Expr]) -> Rel:

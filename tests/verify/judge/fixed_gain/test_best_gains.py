@@ -86,11 +86,9 @@ def test_the_better_filter_is_better() -> None:
 @pytest.mark.parametrize(
     ("fixed", "least"),
     [
-        # another constraint, nothing that grows at the border, no minimum inside
+        # another constraint, a sum of different powers of T
         (r"\alpha", "p_{11}"),
-        ("e_{12}", r"\alpha"),
-        ("e_{12}", "B"),
-        ("e_{12}", "p_{11} - B"),
+        ("e_{12}", r"p_{11} + p_{22}"),
         ("e_{10}", "p_{11}"),
         ("p_{11}", "p_{11}"),
     ],
@@ -98,3 +96,58 @@ def test_the_better_filter_is_better() -> None:
 def test_what_is_not_covered_is_not_proved(fixed: str, least: str) -> None:
     fields = f"latex = '{TWO}'\nminimised = '{least}'\nfixed = ['{fixed}']"
     assert verdict("optimum", fields).verdict == "undecided"
+
+
+SMOOTHED = r"\alpha = \frac{\sqrt{\beta}(2 + \sqrt{\beta})}{2(1 + \sqrt{\beta})}"
+FAST = r"\alpha = \frac{\sqrt{\beta}(2 - \sqrt{\beta})}{2(\sqrt{\beta} - 1)}"
+
+
+def compared(latex: str, least: str, domain: str = "") -> ClaimVerdict:
+    fields = f"latex = '{latex}'\nminimised = '{least}'\nfixed = ['e_{{12}}']"
+    return verdict("optimum", f"{fields}\ndomain = '{domain}'" if domain else fields)
+
+
+@pytest.mark.parametrize(
+    ("latex", "least", "domain", "wanted"),
+    [
+        # the smoothed variance has no minimum at one lag, and another formula beyond it
+        (SMOOTHED, "s_{11}", r"\beta < 2", "proved"),
+        (SMOOTHED, r"\sqrt{s_{11}}", r"\beta < 2", "proved"),
+        (SMOOTHED, "s_{11}", r"\beta \leq 2", "conditional"),
+        (SMOOTHED, "s_{11}", "", "conditional"),
+        (FAST, "s_{11}", r"\beta > 2", "proved"),
+        (FAST, "s_{11}", "", "conditional"),
+        (TWO, "p_{11} - B", "", "proved"),
+        # stable, but others are better
+        (TWO, "s_{11}", r"\beta < 2", "refuted"),
+        (SMOOTHED.replace("2(1", "3(1"), "s_{11}", r"\beta < 2", "refuted"),
+        (SMOOTHED.replace("(2 +", "(2 -"), "s_{11}", r"\beta < 2", "refuted"),
+        (r"\alpha = \frac{\sqrt{\beta^2 + 16\beta} - \beta}{4}", "s_{11}", r"\beta < 2", "refuted"),
+        (SMOOTHED, "-s_{11}", r"\beta < 2", "refuted"),
+        # as good as all others, so not the only one
+        (SMOOTHED, "0", r"\beta < 2", "refuted"),
+        (SMOOTHED, "B", r"\beta < 2", "refuted"),
+        (TWO, r"\alpha", "", "refuted"),
+        # the domain says which filters of a lag are meant, or admits no lag
+        (SMOOTHED, "s_{11}", r"\alpha < 1", "undecided"),
+        (SMOOTHED, "s_{11}", r"\beta > 5", "undecided"),
+    ],
+)
+def test_gains_compared_with_all_others(latex: str, least: str, domain: str, wanted: str) -> None:
+    found = compared(latex, least, domain)
+    assert found.verdict == wanted, found.reason
+    if wanted == "conditional":
+        limits = "0 < \\beta < 2" if latex == SMOOTHED else "2 < \\beta < 4"
+        assert limits in (found.domain or "")
+
+
+def test_the_better_smoother_is_better() -> None:
+    found = compared(TWO, "s_{11}", r"\beta < 2")
+    assert found.witness is not None
+    alpha, beta = (float(Fraction(found.witness["point"][x])) for x in (r"\alpha", r"\beta"))
+    stated = beta**0.5 - beta / 2
+    smoothed = [
+        (1 - a) ** 2 * predicted_covariance([a, beta])[0, 0] + a**2 for a in (alpha, stated)
+    ]
+    assert max(radius([alpha, beta]), radius([stated, beta])) < 1
+    assert smoothed[0] < smoothed[1]
