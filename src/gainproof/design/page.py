@@ -51,7 +51,8 @@ def _meaning(sheet: Sheet) -> list[str]:
     return _wrapped(
         "variance/B: of the predicted and the smoothed position under measurement noise alone, "
         f"over that of the measurement; lag: e_fin behind a constant {motion}, over {scale}; "
-        "settles: samples until the largest pole's modulus, to that power, is at most 1 %. All are stable."
+        "settles: samples until the largest pole's modulus, to that power, is at most 1 %. All "
+        "are stable."
     )
 
 
