@@ -13,6 +13,7 @@ from gainproof.verify.judge.exact.expression import Expr, symbol
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.fixed_gain.shared_gain import shared_gain
+from gainproof.verify.judge.fixed_gain.squares import as_squares
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.framing import Frame, framed, only_plain, strictly
 from gainproof.verify.judge.scope import Scope
@@ -77,6 +78,17 @@ def _moved(rel: Rel, own: dict[str, Expr]) -> Rel:
     return Rel(rel.operator, substituted(rel.left, own), substituted(rel.right, own))
 
 
+def _decided(statement: Statement, frame: Frame) -> Finding:
+    """As it stands, else over the roots of gains. Raises Undecided."""
+    try:
+        return finding_of(frame.decide(statement))
+    except Undecided:
+        moved = as_squares(statement, frame)
+        if moved is None:
+            raise
+        return finding_of(moved[1].decide(moved[0]))
+
+
 def _chain(names: tuple[str, ...], copies: dict[str, _Filter], frame: Frame) -> Finding:
     """Neighbour by neighbour, first wherever these two exist, then wherever all do."""
     every = tuple(dict.fromkeys(rel for name in names for rel in copies[name].conditions))
@@ -84,9 +96,9 @@ def _chain(names: tuple[str, ...], copies: dict[str, _Filter], frame: Frame) -> 
     for lower, upper in pairwise(names):
         rises = (Rel("<", copies[lower].compared, copies[upper].compared),)
         own = tuple(dict.fromkeys((*copies[lower].conditions, *copies[upper].conditions)))
-        finding = finding_of(frame.decide(Statement(rises, own)))
+        finding = _decided(Statement(rises, own), frame)
         if finding.verdict != "proved" and len(names) > 2:
-            finding = finding_of(frame.decide(Statement(rises, every)))
+            finding = _decided(Statement(rises, every), frame)
         if finding.verdict != "proved":
             reason = f"{lower} is not always below {upper}: {finding.reason}"
             return replace(finding, reason=reason, method=f"{METHOD}; {finding.method}")

@@ -30,6 +30,9 @@ def order(
         ("MV RV RA", "e_{12}", "p_{11}", "refuted"),
         ("RV RA MV", "e_{12}", "p_{11}", "refuted"),
         ("RV RA", r"\alpha", "p_{11}", "proved"),
+        # of either filter of minimum variance with this gain
+        ("RV RA MV", r"\alpha", "p_{11}", "proved"),
+        ("MV RA", r"\alpha", "p_{11}", "refuted"),
         # at an equal gain of the position the lag of RA is the smaller one
         ("RA RV", r"\alpha", r"\frac{1}{\beta}", "proved"),
         ("RV RA", r"\alpha", r"\frac{1}{\beta}", "refuted"),
