@@ -13,6 +13,7 @@ from gainproof.derive.fixed_gain.two_module import kernel_module
 from gainproof.derive.fixed_gain.two_named_towers import named_towers
 from gainproof.derive.fixed_gain.two_programs import SYMBOLS, graphs, kernel_steps
 from gainproof.derive.fixed_gain.two_steps_curves import curve_steps
+from gainproof.derive.fixed_gain.two_steps_ends import end_steps, end_towers
 from gainproof.derive.fixed_gain.two_steps_fitting_gain import fitting_gain_steps
 from gainproof.derive.fixed_gain.two_steps_held_gain import held_gain_steps
 from gainproof.derive.fixed_gain.two_steps_named import named_steps
@@ -43,6 +44,7 @@ def build() -> Subject:
         *optimum_steps(),
         *named_steps(),
         *ordering_steps(),
+        *end_steps(),
         *held_gain_steps(),
         *fitting_gain_steps(),
         *curve_steps(),
@@ -53,7 +55,10 @@ def build() -> Subject:
         title=TITLE,
         model=None,
         derivation=Derivation(OPENING, steps, (LECTURE.key,), LATEX),
-        towers={tower.name: tower for tower in (*towers(), *named_towers(), *held_gain_towers())},
+        towers={
+            tower.name: tower
+            for tower in (*towers(), *named_towers(), *end_towers(), *held_gain_towers())
+        },
         programs={
             name: Program(
                 {
