@@ -29,12 +29,15 @@ class Printed:
 
 @dataclass(frozen=True)
 class Belonging:
-    """A filter with these gains or not: its other gains at the last gain as it is printed."""
+    """A filter with these gains or not: its gains where the last one is as it is printed, and how
+    far the others are from what is printed.
+    """
 
     name: str
     title: str
     fits: bool
     gains: tuple[float, ...]
+    off: tuple[float, ...]
 
 
 def printed(text: str) -> Printed:
@@ -62,7 +65,9 @@ def belonging(gains: tuple[Printed, ...]) -> tuple[Belonging, ...]:
         if missing(each, "lag", 1 / last.value) is None:
             middle = each.by_lag(np.asarray(1 / last.value))
             shown = tuple(float(gain) for gain in middle)
-            found.append(Belonging(each.name, each.title, _fits(each, others, last), shown))
+            off = tuple(abs(x - given.value) for x, given in zip(shown, others, strict=False))
+            fits = _fits(each, others, last)
+            found.append(Belonging(each.name, each.title, fits, shown, off))
     return tuple(found)
 
 

@@ -130,9 +130,10 @@ def _belonging(belongs: Sequence[Belonging]) -> Iterator[str]:
         yield "Within the digits given these are the gains of none of the named filters."
     for each in belongs:
         *others, last = each.gains
-        shown = ", ".join(f"{n} = {g:.10g}" for n, g in zip(GAINS, others, strict=False))
+        parts = zip(GAINS, others, each.off, strict=False)
+        shown = ", ".join(f"{n} = {g:.10g} (off by {d:.2g})" for n, g, d in parts)
         word = "fits" if each.fits else "does not fit"
-        yield f"  {each.name}: {GAINS[len(others)]} = {number(last)} has {shown}: {word}"
+        yield f"  {each.name}: with {GAINS[len(others)]} = {number(last)} has {shown}: {word}"
 
 
 def number(value: float) -> str:

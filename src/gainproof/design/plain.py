@@ -39,6 +39,7 @@ def plain(sheet: Sheet, units: Units, belongs: Sequence[Belonging] = ()) -> dict
                 "title": each.title,
                 "within_the_digits": each.fits,
                 "gains_at_this_lag": dict(zip(GAINS, each.gains, strict=False)),
+                "off": dict(zip(GAINS, each.off, strict=False)),
             }
             for each in belongs
         ]

@@ -176,7 +176,7 @@ def _doubled(closed: Reals, noise: Reals) -> Reals:
 
     ValueError where it does not come to rest, so near is the border of stability.
     """
-    total, power = noise, closed
+    total, power = (noise + noise.T) / 2, closed
     with np.errstate(over="ignore", invalid="ignore"):
         for _ in range(DOUBLINGS):
             more = power @ total @ power.T
