@@ -9,10 +9,14 @@ from typing import TYPE_CHECKING
 from gainproof.bad_input import unknown_name
 from gainproof.figures import canvas, digits_drawing, suzuki_curves, suzuki_digits, suzuki_drawing
 from gainproof.figures.lecture import (
+    coordinates,
+    coordinates_drawing,
     curves,
     curves_drawing,
     fits,
     fits_drawing,
+    relations,
+    relations_drawing,
     turn,
     turn_drawing,
 )
@@ -97,6 +101,14 @@ CATALOGUE = (
     ),
     Entry(
         "lecture",
+        "coordinates",
+        "polar and Cartesian coordinates of a radar, and a filter's way through both",
+        coordinates.coordinates,
+        coordinates_drawing.draw_coordinates,
+        coordinates_drawing.SIZE,
+    ),
+    Entry(
+        "lecture",
         "minimum-variance",
         "MV against RA and RV: variance at equal lag",
         curves.minimum_variance,
@@ -110,6 +122,14 @@ CATALOGUE = (
         curves.stability,
         curves_drawing.draw_stability,
         curves_drawing.STABILITY_SIZE,
+    ),
+    Entry(
+        "lecture",
+        "relations",
+        "how the filters with the uniform motion model hang together",
+        relations.relations,
+        relations_drawing.draw_relations,
+        relations_drawing.SIZE,
     ),
     Entry(
         "lecture",

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from typing import Any
+
 import numpy as np
 
 from gainproof.figures.lecture.turn import GAINS
 from gainproof.figures.table import Column, Reals, Table
 from gainproof.generated import alpha_beta
 
-LEAST_LAGS = {"mv": 0.25, "ra": 0.5, "rv": 0.6036}
-"""Above these, beta being 1 over the lag, the filters are stable: MV for beta < 4, RA for beta < 2,
-RV for lags from the lower end of its kernel on."""
-NAMES = {"mv": "minimum variance", "ra": "random acceleration", "rv": "random velocity"}
+LEAST_LAGS = {"mv": 0.25, "nps": 0.5, "ra": 0.5, "rv": 0.6036}
+"""Above these, beta being 1 over the lag, the filters are stable: MV for beta < 4, NP-S and RA for
+beta < 2, RV for lags from the lower end of its kernel on."""
+NAMES = {
+    "mv": "minimum variance (NP-P)",
+    "nps": "least smoothed variance (NP-S)",
+    "ra": "random acceleration",
+    "rv": "random velocity",
+}
+COMPARED = ("mv", "ra", "rv")
 MOST_LAG = 100.0
 POINTS = 241
 
@@ -19,15 +28,15 @@ POINTS = 241
 def minimum_variance() -> Table:
     """Variance of the predicted position against the lag, MV, RA and RV, and over that of MV."""
     lag = np.geomspace(LEAST_LAGS["mv"], MOST_LAG, POINTS)[1:]
-    variance = {name: _by_lag(name, lag)[2] for name in NAMES}
+    variance = {name: _by_lag(name, lag)[2] for name in COMPARED}
     ratios = {name: variance[name] / variance["mv"] for name in ("ra", "rv")}
     return Table(
         "MV, RA and RV: variance of the predicted position at equal lag",
         (
             Column("lag", "1/beta: lag behind a constant acceleration a over a T^2", lag),
             *(
-                Column(f"{name}_variance", f"{words}: sigma_p^2/B", variance[name])
-                for name, words in NAMES.items()
+                Column(f"{name}_variance", f"{NAMES[name]}: sigma_p^2/B", variance[name])
+                for name in COMPARED
             ),
             *(
                 Column(f"{name}_over_mv", f"{NAMES[name]} over minimum variance", ratio)
@@ -65,7 +74,7 @@ def stability() -> Table:
         {"4 - 2 alpha - beta of the lecture's gain pairs": margins},
         (
             "Stable: alpha > 0, beta > 0 and beta < 4 - 2 alpha (proved as an equivalence).",
-            "The named filters are shown where they are stable; the range of lags is ours.",
+            "The named filters are shown where they are stable; ours: NP-S, the range of lags.",
         ),
     )
 
@@ -73,11 +82,12 @@ def stability() -> Table:
 def _by_lag(name: str, lag: Reals) -> tuple[Reals, Reals, Reals]:
     """alpha, beta, variance; NaN below the least lag."""
     there = lag >= LEAST_LAGS[name] if name == "rv" else lag > LEAST_LAGS[name]
-    kernel = {
+    kernels: Mapping[str, Callable[[Reals], tuple[Any, ...]]] = {
         "mv": alpha_beta.minimum_variance_by_lag,
+        "nps": alpha_beta.minimum_smoothed_variance_by_lag,
         "ra": alpha_beta.random_acceleration_by_lag,
         "rv": alpha_beta.random_velocity_by_lag,
-    }[name]
+    }
     found = np.full((3, lag.size), np.nan)
-    found[:, there] = kernel(lag[there])
+    found[:, there] = kernels[name](lag[there])[:3]
     return found[0], found[1], found[2]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from gainproof.figures.lecture import look
+from gainproof.figures.lecture.curves import COMPARED
 from gainproof.figures.lecture.look import Look
 from gainproof.figures.lecture.turn import GAINS
 from gainproof.figures.table import Table
@@ -16,11 +17,13 @@ VARIANCE_SIZE = (6.3, 5.2)
 STABILITY_SIZE = (5.6, 5.4)
 LOOKS = {
     "mv": Look(look.DARK, look.SOLID, "MV"),
+    "nps": Look("0.45", look.DOTTED, "NP-S", 2.0),
     "ra": Look(look.MIDDLE, look.DASHED, "RA"),
     "rv": Look(look.LIGHT, look.DASH_DOT, "RV"),
 }
 CURVES = {
-    "mv": r"MV: $(\alpha+\beta/2)^2 = \beta$",
+    "mv": r"MV (NP-P): $(\alpha+\beta/2)^2 = \beta$",
+    "nps": r"NP-S: $2\sqrt{\beta}\,(1-\alpha) = 2\alpha-\beta$",
     "ra": r"RA: $(\alpha+\beta/2)^2 = 2\beta$",
     "rv": r"RV: $\alpha(\alpha+\beta) = 2\beta$",
 }
@@ -31,7 +34,8 @@ def draw_minimum_variance(table: Table, sheet: Figure) -> None:
     variance, ratio = sheet.subplots(2, 1, sharex=True, height_ratios=(1.6, 1))
     look.framed(variance, "", r"$\sigma_p^2/B$, predicted position")
     look.framed(ratio, r"lag $1/\beta$, of a constant acceleration over $aT^2$", "over that of MV")
-    for name, own in LOOKS.items():
+    for name in COMPARED:
+        own = LOOKS[name]
         variance.plot(table["lag"], table[f"{name}_variance"], **own.line)
         if name != "mv":
             ratio.plot(table["lag"], table[f"{name}_over_mv"], **own.line)
