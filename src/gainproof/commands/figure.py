@@ -74,5 +74,6 @@ def _told(name: str, value: object) -> str:
 
 
 def _short(number: float) -> str:
-    """Four digits behind the point, fewer of what is large."""
-    return f"{number:.4f}" if abs(number) < 10 else f"{number:.1f}"
+    """Four digits behind the point of a share, fewer of what is larger."""
+    places = next((p for p, limit in ((4, 1), (2, 10)) if abs(number) < limit), 1)
+    return f"{number:.{places}f}"
