@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
@@ -11,10 +11,11 @@ import sympy as sp
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.plain import tower_data
 from gainproof.derive.algebra.tower import Tower
-from gainproof.derive.derivation import Derivation
+from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.model import ScaledModel
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Module
+from gainproof.derive.words.setting import Setting
 
 FORMAT = "gainproof certificate 1"
 
@@ -32,7 +33,8 @@ class Subject:
     """What one catalogue entry derives; `model` is None where there is no state-space model.
 
     `textbook` gives the kernels' outputs as textbooks print them, over the kernel's argument;
-    kernels are compared with these forms, never printed from them.
+    kernels are compared with these forms, never printed from them. `settings`: what statements on
+    matrices of every size speak of, each in place of a tower.
     """
 
     name: str
@@ -43,6 +45,7 @@ class Subject:
     programs: Mapping[str, Program]
     module: Module
     textbook: Callable[[], Mapping[str, Mapping[str, sp.Expr]]]
+    settings: Mapping[str, Setting] = field(default_factory=dict)
 
     @property
     def model_data(self) -> dict[str, Any] | None:
@@ -63,7 +66,8 @@ class Subject:
 
     def domains(self) -> dict[str, list[dict[str, Any]]]:
         """The domain of the parameters of each tower."""
-        return {name: tower_data(tower)["parameters"] for name, tower in self.towers.items()}
+        towers = {name: tower_data(tower)["parameters"] for name, tower in self.towers.items()}
+        return towers | {name: entry.data()["parameters"] for name, entry in self.settings.items()}
 
     def certificate(self) -> dict[str, Any]:
         """Towers, programs, and every step's claim with its evidence."""
@@ -75,16 +79,25 @@ class Subject:
                 name: _with_elements(tower_data(tower), self._names(claims, name))
                 for name, tower in self.towers.items()
                 if any(claim["tower"] == name for claim in claims)
+            }
+            | {
+                name: setting.data(self._names(claims, name))
+                for name, setting in self.settings.items()
             },
             "programs": {
                 name: {"inputs": dict(program.inputs), "graph": _unnamed(program.graph)}
                 for name, program in self.programs.items()
             },
             "statements": [
-                {**claim, "evidence": evidence(step, self.towers[step.tower])}
+                {**claim, "evidence": self._evidence(step)}
                 for claim, step in zip(claims, self.derivation.steps, strict=True)
             ],
         }
+
+    def _evidence(self, step: Step) -> dict[str, Any]:
+        if step.tower in self.settings:
+            return dict(step.hint.get("evidence", {}))
+        return evidence(step, self.towers[step.tower])
 
     def _names(self, claims: list[dict[str, Any]], tower: str) -> set[str]:
         """Every text in the claims of one tower and in the inputs of their programs."""

@@ -39,6 +39,7 @@ def formula_latex(
         call=lambda name, parts: rf"\operatorname{{{name}}}\left({', '.join(parts)}\right)",
         derivative=_derivative,
         at=at,
+        transpose=lambda text: rf"{{{text}}}'",
         too_long=lambda nodes: rf"\text{{an expression of {nodes} nodes}}",
     )
     return lay_out(graph, style, output)

@@ -29,6 +29,7 @@ class Style:
     call: Callable[[str, Sequence[str]], str]
     derivative: Callable[[str, str, int], str]
     at: Callable[[str, str, str], str]
+    transpose: Callable[[str], str]
     too_long: Callable[[int], str]
 
 
@@ -154,6 +155,14 @@ def _derivative(
     return factor(style.derivative(text, style.symbol(node[2]), order))
 
 
+def _turned(kind: str, matrix: Term, style: Style) -> Term:
+    """A matrix transposed or inverted."""
+    inner = _as_factor(matrix, style)
+    shown = style.group(inner) if matrix.raised else inner
+    text = style.transpose(shown) if kind == "transpose" else style.power(shown, "-1")
+    return Term(Fraction(1), (text,), raised=True)
+
+
 def _arithmetic(kind: str, parts: Sequence[Term], style: Style) -> Term:
     if kind == "add":
         return _sum(parts, style)
@@ -161,6 +170,8 @@ def _arithmetic(kind: str, parts: Sequence[Term], style: Style) -> Term:
         return Term(Fraction(-1)).times(parts[0])
     if kind == "div":
         return parts[0].times(parts[1].inverse())
+    if kind in ("transpose", "inverse"):
+        return _turned(kind, parts[0], style)
     if kind == "mul":
         product = parts[0]
         for part in parts[1:]:

@@ -52,6 +52,7 @@ def formula_text(
         call=lambda name, arguments: f"{name}({', '.join(arguments)})",
         derivative=_derivative,
         at=at,
+        transpose=lambda text: f"{text}'",
         too_long=lambda nodes: f"(an expression of {nodes} nodes)",
     )
     return lay_out(graph, style, output)
@@ -66,7 +67,8 @@ def plain_name(latex: str) -> str:
 
 
 def _power(base: str, exponent: str) -> str:
-    return f"{base}^{exponent}" if exponent.isdigit() else f"{base}^({exponent})"
+    plain = exponent.removeprefix("-").isdigit()
+    return f"{base}^{exponent}" if plain else f"{base}^({exponent})"
 
 
 def _quotient(top: Sequence[str], bottom: Sequence[str]) -> str:

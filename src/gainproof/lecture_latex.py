@@ -51,6 +51,7 @@ def document(derived: Derived, report: Mapping[str, Any]) -> str:
         math=lambda text: latex_math(text, derived.symbols),
         tends=r"\to",
         infinity=r"\infty",
+        at_least=r"\geq",
     )
     found = items(derived.steps)
     tally = count(marks[step.id] for step in derived.steps)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gainproof.formula_term import Graph
+from gainproof.matrix_text import MATRIX_KINDS
 
 Claim = Mapping[str, Any]
 
@@ -31,6 +32,7 @@ class Writer:
     math: Callable[[str], str] = str
     tends: str = "->"
     infinity: str = "infinity"
+    at_least: str = ">="
 
     def value(self, graph: Graph | str, output: str = "value") -> str:
         """A graph, or the word for infinity."""
@@ -190,4 +192,5 @@ _KINDS: Mapping[str, Callable[[Claim, Writer], list[str]]] = {
     "sum": _sum,
     "definition": _definition,
     "cited": _cited,
+    **MATRIX_KINDS,
 }

@@ -19,12 +19,12 @@ from gainproof.verify.certificate.document import (
     Document,
     Statement,
     read_document,
+    read_place,
     read_programs,
     read_statement,
 )
 from gainproof.verify.certificate.plain import Plain, plain
 from gainproof.verify.certificate.rejection import MalformedError, Meter, RejectedError
-from gainproof.verify.certificate.tower import read_tower
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +109,7 @@ class Campaign:
             self._document.decide(read_statement(entry, self._document.towers, "statement"))
         elif part == "towers":
             entry = schema.table(altered["towers"], "towers")[str(place)]
-            tower = read_tower(entry, self._meter, "tower")
+            tower = read_place(entry, self._meter, "tower")
             document = replace(self._document, towers={**self._document.towers, str(place): tower})
             _decide(document, lambda s: s.tower == place)
         else:

@@ -25,6 +25,17 @@ from gainproof.verify.certificate.rejection import (
 )
 from gainproof.verify.certificate.steepness import require_bound
 from gainproof.verify.certificate.tower import Tower, read_tower
+from gainproof.verify.certificate.words import (
+    KINDS as WORD_KINDS,
+)
+from gainproof.verify.certificate.words import (
+    STATED,
+    Setting,
+    is_setting,
+    prove,
+    read_setting,
+    stated,
+)
 
 FORMAT = "gainproof certificate 1"
 
@@ -49,20 +60,36 @@ class Document:
     """A well-formed certificate whose statements are still to be decided."""
 
     subject: str
-    towers: Mapping[str, Tower]
+    towers: Mapping[str, Tower | Setting]
     programs: Mapping[str, Program]
     statements: tuple[Statement, ...]
 
     def decide(self, statement: Statement) -> str:
         """The status "proved", "cited" or "definition". Raises RejectedError otherwise."""
+        place = self.towers[statement.tower]
+        if isinstance(place, Setting):
+            return self._decide_in(place, statement)
+        if statement.kind in WORD_KINDS:
+            raise RejectedError(f"{statement.id}: a setting of matrices is wanted, not a tower")
         case = Case(
             statement.id,
             statement.claim,
             statement.evidence,
-            self.towers[statement.tower],
+            place,
             self.programs,
         )
         return KINDS[statement.kind](case)
+
+    def _decide_in(self, setting: Setting, statement: Statement) -> str:
+        """In a setting of matrices: what stands before the statement may be used, and no more."""
+        if statement.kind in STATED:
+            return stated(
+                setting, statement.kind, statement.id, statement.claim, statement.evidence
+            )
+        here = [s.id for s in self.statements].index(statement.id)
+        earlier = [s for s in self.statements[:here] if s.tower == statement.tower]
+        prove(setting, statement, earlier)
+        return "proved"
 
     def require_coherent(self) -> None:
         """Reject two different models, and what no statement depends on."""
@@ -107,15 +134,21 @@ def read_document(value: Plain, meter: Meter) -> Document:
     return Document(subject, towers, programs, tuple(statements))
 
 
-def read_towers(value: Plain, meter: Meter) -> dict[str, Tower]:
-    """All towers by name."""
+def read_towers(value: Plain, meter: Meter) -> dict[str, Tower | Setting]:
+    """All towers and settings by name."""
     entries = schema.table(value, "towers")
     if len(entries) > _MAXIMUM_TOWERS:
         raise MalformedError(f"towers: more than {_MAXIMUM_TOWERS}")
     return {
-        schema.name(name, "towers"): read_tower(entry, meter, f"towers.{name}")
+        schema.name(name, "towers"): read_place(entry, meter, f"towers.{name}")
         for name, entry in entries.items()
     }
+
+
+def read_place(value: Plain, meter: Meter, place: str) -> Tower | Setting:
+    """A tower, or a setting of matrices."""
+    reader = read_setting if is_setting(value) else read_tower
+    return reader(value, meter, place)
 
 
 def read_programs(value: Plain) -> dict[str, Program]:
@@ -143,12 +176,12 @@ def read_programs(value: Plain) -> dict[str, Program]:
     return programs
 
 
-def read_statement(value: Plain, towers: Mapping[str, Tower], place: str) -> Statement:
+def read_statement(value: Plain, towers: Mapping[str, Tower | Setting], place: str) -> Statement:
     """One statement; its kind and its tower must be known."""
     fields = schema.record(value, ("id", "kind", "tower", "claim", "evidence"), place)
     identifier = schema.text(fields["id"], f"{place}.id")
     kind = schema.text(fields["kind"], f"{place}.kind")
-    if kind not in KINDS:
+    if kind not in KINDS and kind not in WORD_KINDS:
         raise MalformedError(f"{place}.kind: {kind!r} is not a kind of statement")
     tower = schema.name(fields["tower"], f"{place}.tower")
     if tower not in towers:

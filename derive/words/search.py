@@ -1,0 +1,215 @@
+"""Cofactors found by rewriting with the equations that a statement may use."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from gainproof.derive.words.expression import Expression, symbol
+from gainproof.derive.words.gathered import gathered
+from gainproof.derive.words.hypotheses import Hypothesis
+from gainproof.derive.words.polynomial import Polynomial, Word
+from gainproof.derive.words.rewriting import (
+    Cofactor,
+    Order,
+    Rule,
+    Source,
+    UnprovedError,
+    Words,
+    completed,
+    reduced,
+    rule_of,
+)
+from gainproof.derive.words.setting import Setting
+
+if TYPE_CHECKING:
+    from gainproof.derive.words.statement import Statement
+
+SYMMETRIC = ("symmetric", "definite", "semidefinite")
+SHOWN_TERMS = 6
+
+
+@dataclass
+class Search:
+    """The equations at hand for one statement, and which hypotheses were needed.
+
+    `given`: hypotheses that may be used. `using`: earlier statements. `heavy`: letters to be
+    replaced first. `rounds`: of completing the rules by their overlaps. `multiples`: equations
+    (hypotheses or statements) between two factors, which make rules of their own.
+    """
+
+    setting: Setting
+    given: Sequence[Hypothesis] = ()
+    using: Sequence[Statement] = ()
+    heavy: tuple[str, ...] = ()
+    rounds: int = 0
+    multiples: Sequence[tuple[Expression, Any, Expression]] = ()
+    used: set[int] = field(default_factory=set)
+
+    @cached_property
+    def pool(self) -> list[Hypothesis]:
+        """Every hypothesis at hand, those of earlier statements included."""
+        found: list[Hypothesis] = []
+        for hypothesis in (*self.given, *(h for s in self.using for h in s.given)):
+            if hypothesis not in found:
+                found.append(hypothesis)
+        return found
+
+    @property
+    def one(self) -> Polynomial:
+        """The number 1."""
+        return self.setting.number(Fraction(1))
+
+    @property
+    def needed(self) -> tuple[Hypothesis, ...]:
+        """The hypotheses that were used, in the order in which they were given."""
+        return tuple(self.pool[number] for number in sorted(self.used))
+
+    def reference(self, known: Any) -> list[Any]:
+        """How evidence names a hypothesis, an earlier statement or a size."""
+        if isinstance(known, tuple):
+            return list(known)
+        if isinstance(known, Mapping):
+            return ["given", self.pool.index(dict(known))]
+        return ["statement", known.id]
+
+    def definite(self, known: Any) -> tuple[list[Any], Polynomial]:
+        """The reference and the matrix of what is known to be positive (semi)definite."""
+        if isinstance(known, tuple):
+            return list(known), self.setting.unit(known[1])
+        if isinstance(known, Mapping):
+            return self.marked(known), self.setting.letter(known["matrix"])
+        return self.marked(known), known.difference
+
+    def marked(self, known: Any) -> list[Any]:
+        """The reference, its hypotheses being remembered as needed."""
+        return self._marked(tuple(self.reference(known)))
+
+    def vanishing(self, residual: Polynomial, name: str) -> list[dict[str, Any]]:
+        """Cofactors whose sum the residual is. Raises UnprovedError where none are found."""
+        rest, cofactors = reduced(residual, self.rules, self.words)
+        if rest.terms:
+            left = rest.data()
+            more = f" and {len(left) - SHOWN_TERMS} more" if len(left) > SHOWN_TERMS else ""
+            raise UnprovedError(f"{name}: left over {left[:SHOWN_TERMS]}{more}")
+        return [self._data(cofactor) for cofactor in gathered(cofactors, self.words)]
+
+    def numbered(self, evidence: Any) -> Any:
+        """With the hypotheses numbered as in `needed`."""
+        order = {number: place for place, number in enumerate(sorted(self.used))}
+        if isinstance(evidence, Mapping):
+            return {key: self.numbered(value) for key, value in evidence.items()}
+        if isinstance(evidence, list):
+            if len(evidence) == 2 and evidence[0] == "given":
+                return ["given", order[evidence[1]]]
+            return [self.numbered(entry) for entry in evidence]
+        return evidence
+
+    @property
+    def words(self) -> Words:
+        """Words of the setting."""
+        return Words(self.setting)
+
+    @cached_property
+    def rules(self) -> list[Rule]:
+        """Rules of all equations, elements first, then completed."""
+        order = Order(self.heavy)
+        found = [rule for name in self.setting.elements for rule in self._element(name)]
+        for value, whole in self._equations():
+            for flag in (False, True):
+                turned = value.T if flag else value
+                proof = [whole.transposed() if flag else whole]
+                rest, used = reduced(turned, found, self.words)
+                negative = [Cofactor(c.source, c.flipped, -c.left, c.right) for c in used]
+                rule = rule_of(rest, [*proof, *negative], order)
+                if rule is not None:
+                    found.append(rule)
+        return completed(found, self.rounds, order, self.words)
+
+    def _element(self, name: str) -> list[Rule]:
+        """A letter and its transpose are replaced by what they stand for."""
+        meaning = self.setting.expand(self.setting.elements[name])
+        made = []
+        for flag in (False, True):
+            tail = meaning.T if flag else meaning
+            word: Word = ((name, flag),)
+            proof = Cofactor(("element", name), flag, *self._units(tail))
+            made.append(Rule(word, tail, (proof,)))
+        return made
+
+    def _equations(self) -> list[tuple[Polynomial, Cofactor]]:
+        """Every equation at hand, as it is found in its source."""
+        whole = [
+            (value, Cofactor(source, False, *self._units(value)))
+            for value, source in self._sources()
+        ]
+        for before, known, after in self.multiples:
+            source = tuple(self.reference(known))
+            (value,) = (value for value, other in self._sources() if other == source)
+            cofactor = Cofactor(
+                source, False, self.setting.expand(before), self.setting.expand(after)
+            )
+            whole.append((cofactor.left @ value @ cofactor.right, cofactor))
+        return whole
+
+    def _sources(self) -> list[tuple[Polynomial, Source]]:
+        setting = self.setting
+        found: list[tuple[Polynomial, Source]] = []
+        for size, columns in setting.blocks.items():
+            letters = [setting.letter(name) for name in columns]
+            for i, one in enumerate(letters):
+                for j, other in enumerate(letters):
+                    value = one.T @ other
+                    if i == j:
+                        value = value - setting.unit(setting.shape(columns[i])[1])
+                    found.append((value, ("blocks", size, i, j)))
+            total = -setting.unit(size)
+            for letter in letters:
+                total = total + letter @ letter.T
+            found.append((total, ("blocks", size)))
+        last: list[tuple[Polynomial, Source]] = []
+        for number, hypothesis in enumerate(self.pool):
+            if hypothesis["kind"] in SYMMETRIC:
+                letter = setting.letter(hypothesis["matrix"])
+                found.append((letter.T - letter, ("given", number)))
+            elif hypothesis["kind"] == "equal":
+                left, right = setting.pair(_read(hypothesis["left"]), _read(hypothesis["right"]))
+                last.append((left - right, ("given", number)))
+        # these come reduced by all others, so that the rules they make are the shortest
+        return [*found, *(e for statement in self.using for e in statement.equations), *last]
+
+    def _units(self, value: Polynomial) -> tuple[Polynomial, Polynomial]:
+        assert value.shape is not None
+        return self.setting.unit(value.shape[0]), self.setting.unit(value.shape[1])
+
+    def _data(self, cofactor: Cofactor) -> dict[str, Any]:
+        flipped_too = {"transposed": "yes"} if cofactor.flipped else {}
+        return {
+            "source": self._marked(cofactor.source),
+            **flipped_too,
+            "left": cofactor.left.data(),
+            "right": cofactor.right.data(),
+        }
+
+    def _marked(self, source: Source) -> list[Any]:
+        """The source, its hypotheses being remembered as needed."""
+        if source[0] == "given":
+            self.used.add(source[1])
+        if source[0] in ("statement", "inverse"):
+            (statement,) = (s for s in self.using if s.id == source[1])
+            self.used |= {self.pool.index(hypothesis) for hypothesis in statement.given}
+        return list(source)
+
+
+def _read(graph: Mapping[str, Any]) -> Expression:
+    """The formula of a graph."""
+    made: list[Expression] = []
+    for kind, *rest in graph["nodes"]:
+        if kind in ("number", "symbol"):
+            made.append(Expression(kind, rest[0]) if kind == "number" else symbol(rest[0]))
+        else:
+            made.append(Expression(kind, "", tuple(made[number] for number in rest)))
+    return made[-1]

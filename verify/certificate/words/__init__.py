@@ -1,0 +1,24 @@
+"""Matrix statements for every size: words in noncommuting letters, compared letter by letter.
+
+A statement whose "tower" is a setting (`setting`) is about matrices of sizes that have names and
+no values. Its claim is an implication: the hypotheses under "given" (`relations`) make it true,
+whatever matrices and sizes stand for the letters. Formulas in claims are graphs (`expression`).
+Every hypothesis must be needed.
+
+    matrix_equal       an equation of matrices, shown by cofactors (`combination`)
+    matrix_order       X >= Y or X > Y in the order of symmetric matrices, by squares (`definite`)
+    matrix_invertible  a letter is invertible
+    matrix_trace       an equation of traces (`trace`)
+
+`decide` gives the claims and evidence of each. A proof may use earlier statements of its setting,
+never later ones. Nothing is searched for here: what a proof uses, and where, stands in it.
+"""
+
+from __future__ import annotations
+
+from gainproof.verify.certificate.words.decide import KINDS, prove
+from gainproof.verify.certificate.words.setting import Setting
+from gainproof.verify.certificate.words.stated import STATED, stated
+from gainproof.verify.certificate.words.written import is_setting, read_setting
+
+__all__ = ["KINDS", "STATED", "Setting", "is_setting", "prove", "read_setting", "stated"]

@@ -1,0 +1,198 @@
+"""The kinds of matrix statements, and how each is decided."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import Protocol
+
+from gainproof.verify.certificate import schema
+from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.rejection import MalformedError, RejectedError
+from gainproof.verify.certificate.words.combination import require_combination
+from gainproof.verify.certificate.words.definite import (
+    require_full_rank,
+    require_order,
+    require_vanishing,
+)
+from gainproof.verify.certificate.words.expression import expand_matrix, expand_pair
+from gainproof.verify.certificate.words.relations import (
+    Conclusion,
+    Ground,
+    Premise,
+    read_hypotheses,
+)
+from gainproof.verify.certificate.words.setting import Setting
+from gainproof.verify.certificate.words.trace import require_traces
+
+
+class Statement(Protocol):
+    """A statement of a certificate: its id, kind, claim and evidence."""
+
+    @property
+    def id(self) -> str: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def claim(self) -> Plain: ...
+    @property
+    def evidence(self) -> Plain: ...
+
+
+def prove(setting: Setting, statement: Statement, earlier: Sequence[Statement]) -> Conclusion:
+    """What the statement says, proved; `earlier`: those before it, the only ones it may rest on.
+
+    Raises RejectedError if it, or one that it rests on, is not proved.
+    """
+    known = setting.decided.get(statement.id)
+    if known is not None and known[0] is statement:
+        conclusion = known[1]
+        if isinstance(conclusion, Conclusion):
+            return conclusion
+        raise RejectedError(str(conclusion))
+    try:
+        found = _prove(setting, statement, earlier)
+    except RejectedError as rejection:
+        setting.decided[statement.id] = (statement, str(rejection))
+        raise
+    setting.decided[statement.id] = (statement, found)
+    return found
+
+
+def _prove(setting: Setting, statement: Statement, earlier: Sequence[Statement]) -> Conclusion:
+    place = statement.id
+
+    def premise(identifier: str) -> Conclusion:
+        for number, other in enumerate(earlier):
+            if other.id == identifier:
+                if other.kind not in KINDS:
+                    raise RejectedError(f"{identifier!r} is no matrix statement")
+                return prove(setting, other, earlier[:number])
+        raise RejectedError(f"there is no earlier statement {identifier!r} in this setting")
+
+    if statement.kind not in KINDS:
+        raise MalformedError(f"{place}: {statement.kind!r} is not decided in a setting of matrices")
+    claim = schema.table(statement.claim, f"{place}.claim")
+    if "given" not in claim:
+        raise MalformedError(f"{place}.claim: the field 'given' is missing")
+    ground = _ground(setting, claim["given"], premise, f"{place}.claim.given")
+    conclusion = KINDS[statement.kind](statement, ground)
+    idle = set(range(len(ground.hypotheses))) - ground.used
+    if idle:
+        raise RejectedError(f"{place}.claim.given: hypotheses {sorted(idle)} are not needed")
+    return conclusion
+
+
+def _ground(setting: Setting, given: Plain, premise: Premise, place: str) -> Ground:
+    hypotheses = read_hypotheses(given, setting, place)
+    return Ground(setting, tuple(schema.items(given, place)), hypotheses, premise)
+
+
+def _equal(statement: Statement, ground: Ground) -> Conclusion:
+    """matrix_equal {"left", "right", "given"}; {"cofactors"} or {"cofactors", "definite", "side"}:
+    the difference is a combination of equations, or vanishes since N' D N does and D > 0.
+    """
+    place = statement.id
+    claim = schema.record(statement.claim, ("left", "right", "given"), f"{place}.claim")
+    left, right = expand_pair(claim["left"], claim["right"], ground.setting, f"{place}.claim")
+    difference = left.plus(right.negative(), ground.setting.meter, place)
+    evidence = schema.table(statement.evidence, f"{place}.evidence")
+    if "side" in evidence:
+        evidence = schema.record(evidence, ("cofactors", "definite", "side"), f"{place}.evidence")
+        require_vanishing(difference, evidence, ground, f"{place}.evidence")
+    else:
+        evidence = schema.record(evidence, ("cofactors",), f"{place}.evidence")
+        require_combination(difference, evidence["cofactors"], ground, f"{place}.evidence")
+    return Conclusion("matrix_equal", ground.given, difference)
+
+
+def _order(statement: Statement, ground: Ground) -> Conclusion:
+    """matrix_order {"larger", "smaller", "relation": ">=" | ">", "given"}; {"squares",
+    "cofactors"}, for ">" also "rank".
+    """
+    place = statement.id
+    claim = schema.record(
+        statement.claim, ("larger", "smaller", "relation", "given"), f"{place}.claim"
+    )
+    larger, smaller = expand_pair(
+        claim["larger"], claim["smaller"], ground.setting, f"{place}.claim"
+    )
+    difference = larger.plus(smaller.negative(), ground.setting.meter, place)
+    assert difference.shape is not None
+    if difference.shape[0] != difference.shape[1]:
+        raise RejectedError(f"{place}: an order is one of square matrices")
+    if claim["relation"] not in (">=", ">"):
+        raise MalformedError(f'{place}.claim.relation: ">=" or ">" is wanted')
+    strict = claim["relation"] == ">"
+    fields = ("squares", "cofactors", "rank") if strict else ("squares", "cofactors")
+    evidence = schema.record(statement.evidence, fields, f"{place}.evidence")
+    found = require_order(difference, evidence, ground, f"{place}.evidence")
+    if strict:
+        require_full_rank(found, evidence["rank"], difference.shape, ground, f"{place}.rank")
+    return Conclusion("matrix_order", ground.given, difference, strict)
+
+
+def _invertible(statement: Statement, ground: Ground) -> Conclusion:
+    """matrix_invertible {"matrix": name, "given"}; {"because": ["given", n]}, invertible or
+    definite by hypothesis; {"because": ["statement", id]}, the letter > 0 (A x = 0 makes x' A x
+    zero, hence x); or {"left_inverse": polynomial, "cofactors"}: L A = I, so A x = 0 only for
+    x = 0, and a square matrix of which this is true is invertible.
+    """
+    place, setting = statement.id, ground.setting
+    claim = schema.record(statement.claim, ("matrix", "given"), f"{place}.claim")
+    name = schema.name(claim["matrix"], f"{place}.claim")
+    number = setting.index(name, f"{place}.claim")
+    letter, shape = setting.letter(number), setting.shapes[number]
+    if shape[0] != shape[1]:
+        raise RejectedError(f"{place}: {name} is not square")
+    evidence = schema.table(statement.evidence, f"{place}.evidence")
+    if "because" in evidence:
+        fields = schema.record(evidence, ("because",), f"{place}.evidence")
+        because = schema.items(fields["because"], f"{place}.evidence")
+        _require_known_invertible(because, number, ground, f"{place}.evidence")
+    else:
+        fields = schema.record(evidence, ("left_inverse", "cofactors"), f"{place}.evidence")
+        left = setting.polynomial(fields["left_inverse"], shape, f"{place}.evidence")
+        product = left.times(letter, setting.meter, place)
+        rest = setting.unit(shape[0]).plus(product.negative(), setting.meter, place)
+        require_combination(rest, fields["cofactors"], ground, f"{place}.evidence")
+    return Conclusion("matrix_invertible", ground.given, letter, letter=number)
+
+
+def _require_known_invertible(
+    because: list[Plain], number: int, ground: Ground, place: str
+) -> None:
+    if len(because) == 2 and because[0] == "given":
+        found = ground.hypothesis(because[1], ("invertible", "definite"), place)
+        if found.letter != number:
+            raise RejectedError(f"{place}: the hypothesis is about another matrix")
+    elif len(because) == 2 and because[0] == "statement":
+        earlier = ground.earlier(because[1], "matrix_order", place)
+        if not earlier.strict or earlier.difference != ground.setting.letter(number):
+            raise RejectedError(f"{place}: the letter itself is to be shown positive definite")
+    else:
+        raise MalformedError(f"{place}.because: given or statement is wanted")
+
+
+def _trace(statement: Statement, ground: Ground) -> Conclusion:
+    """matrix_trace {"left", "right", "given"}; {"used": [{"size", "cofactors"}, ...]}: the
+    traces of two square matrices, of one size or of two.
+    """
+    place = statement.id
+    claim = schema.record(statement.claim, ("left", "right", "given"), f"{place}.claim")
+    left, right = (
+        expand_matrix(claim[side], ground.setting, f"{place}.claim") for side in ("left", "right")
+    )
+    evidence = schema.record(statement.evidence, ("used",), f"{place}.evidence")
+    require_traces(left, right, evidence["used"], ground, f"{place}.evidence")
+    return Conclusion("matrix_trace", ground.given, left)
+
+
+KINDS: Mapping[str, Callable[[Statement, Ground], Conclusion]] = MappingProxyType(
+    {
+        "matrix_equal": _equal,
+        "matrix_order": _order,
+        "matrix_invertible": _invertible,
+        "matrix_trace": _trace,
+    }
+)

@@ -1,0 +1,156 @@
+"""What is known to be positive (semi)definite, and what follows from it.
+
+A reference is ["given", n], a letter by hypothesis; ["statement", id], larger - smaller of an
+earlier order; ["unit", size], x' x > 0. Three rules, D standing for what is so known:
+
+1. `squares`. c F' D F >= 0 for c > 0 and D >= 0: with y = F x, x' (c F' D F) x = c y' D y >= 0.
+   Sums of such terms are >= 0, being sums of numbers >= 0.
+2. `require_full_rank`. A sum of c_k F_k' D_k F_k is > 0 if D_k > 0 and sum L_k F_k = I over some k:
+   were x' (sum) x = 0, each F_k x = 0, hence x = sum L_k F_k x = 0. The same for one F_k of full
+   column rank: F_k x = 0 only for x = 0.
+3. `require_vanishing`. N' D N = 0 with D > 0 makes N = 0: (N x)' D (N x) = 0 only for N x = 0.
+
+Schur complements, orders of inverses, M = F X F' + Q and Joseph's form need no rules of their own:
+they are such sums of squares.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gainproof.verify.certificate import schema
+from gainproof.verify.certificate.plain import Plain
+from gainproof.verify.certificate.rejection import MalformedError, RejectedError
+from gainproof.verify.certificate.words.combination import combination, require_combination
+from gainproof.verify.certificate.words.polynomial import Polynomial, Shape
+from gainproof.verify.certificate.words.relations import Ground
+
+MAXIMUM_SQUARES = 50
+
+
+@dataclass(frozen=True, slots=True)
+class Square:
+    """c F' D F with F = `factor`; `strict`: D is positive definite."""
+
+    value: Polynomial
+    factor: Polynomial
+    strict: bool
+
+
+def known_definite(reference: Plain, ground: Ground, place: str) -> tuple[Polynomial, bool]:
+    """A symmetric matrix that is positive semidefinite, and whether it is positive definite."""
+    entries = schema.items(reference, place)
+    if len(entries) != 2:
+        raise MalformedError(f"{place}: two entries are wanted")
+    if entries[0] == "given":
+        found = ground.hypothesis(entries[1], ("definite", "semidefinite"), place)
+        return ground.setting.letter(found.letter), found.kind == "definite"
+    if entries[0] == "statement":
+        earlier = ground.earlier(entries[1], "matrix_order", place)
+        return earlier.difference, earlier.strict
+    if entries[0] == "unit":
+        size = schema.text(entries[1], place)
+        if not any(size in shape for shape in ground.setting.shapes):
+            raise RejectedError(f"{place}: there is no size {size!r}")
+        return ground.setting.unit(size), True
+    raise MalformedError(f"{place}: given, statement or unit is wanted")
+
+
+def squares(value: Plain, shape: Shape, ground: Ground, place: str) -> list[Square]:
+    """The squares of a list of {"weight", "factor", "definite"}: c a polynomial in positive
+    parameters with positive coefficients, of no letters.
+    """
+    entries = schema.items(value, place)
+    if len(entries) > MAXIMUM_SQUARES:
+        raise MalformedError(f"{place}: more than {MAXIMUM_SQUARES} squares")
+    setting, meter = ground.setting, ground.setting.meter
+    found: list[Square] = []
+    for number, entry in enumerate(entries):
+        here = f"{place}[{number}]"
+        fields = schema.record(entry, ("weight", "factor", "definite"), here)
+        weight = setting.polynomial(fields["weight"], None, here)
+        for (powers, _), coefficient in weight.terms.items():
+            free = [p for p, positive in zip(powers, setting.positive, strict=True) if not positive]
+            if coefficient < 0 or any(power % 2 for power in free):
+                raise RejectedError(f"{here}: the weight is not positive")
+        if not any(
+            all(not p or s for p, s in zip(powers, setting.positive, strict=True))
+            for powers, _ in weight.terms
+        ):
+            raise RejectedError(f"{here}: the weight is not positive")
+        middle, strict = known_definite(fields["definite"], ground, here)
+        assert middle.shape is not None
+        factor = setting.polynomial(fields["factor"], (middle.shape[0], shape[1]), here)
+        product = factor.transposed().times(middle, meter, here).times(factor, meter, here)
+        found.append(Square(weight.times(product, meter, here), factor, strict))
+    return found
+
+
+def require_order(
+    difference: Polynomial, evidence: dict[str, Plain], ground: Ground, place: str
+) -> list[Square]:
+    """Reject unless the difference is a sum of squares and cofactors. Rule 1."""
+    assert difference.shape is not None
+    found = squares(evidence["squares"], difference.shape, ground, f"{place}.squares")
+    rest = difference
+    for square in found:
+        rest = rest.plus(square.value.negative(), ground.setting.meter, place)
+    require_combination(rest, evidence["cofactors"], ground, f"{place}.cofactors")
+    return found
+
+
+def require_full_rank(
+    found: list[Square], value: Plain, shape: Shape, ground: Ground, place: str
+) -> None:
+    """Reject unless the squares together vanish at zero only. Rule 2.
+
+    {"left_inverses": [[k, polynomial], ...], "cofactors"}: the unit matrix less the sum of
+    L_k F_k; or {"square": k, "given": n}: F_k is one letter, of full column rank by hypothesis.
+    """
+    setting, meter = ground.setting, ground.setting.meter
+    if "square" in schema.table(value, place):
+        fields = schema.record(value, ("square", "given"), place)
+        square = _strict(found, fields["square"], place)
+        letter = ground.hypothesis(fields["given"], ("full_column_rank",), place).letter
+        if square.factor != setting.letter(letter):
+            raise RejectedError(f"{place}: the factor is another matrix")
+        return
+    fields = schema.record(value, ("left_inverses", "cofactors"), place)
+    rest = setting.unit(shape[0])
+    for entry in schema.items(fields["left_inverses"], place):
+        pair = schema.items(entry, place)
+        if len(pair) != 2:
+            raise MalformedError(f"{place}: pairs of a number and a polynomial are wanted")
+        factor = _strict(found, pair[0], place).factor
+        assert factor.shape is not None
+        inverse = setting.polynomial(pair[1], (shape[0], factor.shape[0]), place)
+        rest = rest.plus(inverse.times(factor, meter, place).negative(), meter, place)
+    require_combination(rest, fields["cofactors"], ground, place)
+
+
+def require_vanishing(
+    difference: Polynomial, evidence: dict[str, Plain], ground: Ground, place: str
+) -> None:
+    """Reject unless N' D N is a combination of equations for a known D > 0. Rule 3.
+
+    N is the difference ("side": "left") or its transpose ("right").
+    """
+    meter = ground.setting.meter
+    if evidence["side"] not in ("left", "right"):
+        raise MalformedError(f'{place}: "side" is "left" or "right"')
+    factor = difference if evidence["side"] == "left" else difference.transposed()
+    middle, strict = known_definite(evidence["definite"], ground, place)
+    if not strict:
+        raise RejectedError(f"{place}: the matrix in the middle is not positive definite")
+    product = factor.transposed().times(middle, meter, place).times(factor, meter, place)
+    assert product.shape is not None
+    total = combination(evidence["cofactors"], product.shape, ground, place)
+    if product.plus(total.negative(), meter, place).terms:
+        raise RejectedError(f"{place}: the product is not shown to vanish")
+
+
+def _strict(found: list[Square], number: Plain, place: str) -> Square:
+    square = found[schema.integer(number, 0, len(found) - 1, place)]
+    if not square.strict:
+        raise RejectedError(f"{place}: the middle of that square is only semidefinite")
+    return square

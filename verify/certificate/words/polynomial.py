@@ -1,0 +1,103 @@
+"""Noncommutative polynomials: words in matrices and their transposes, of one shape.
+
+A word is a tuple of letters, 2 n for the matrix of number n and 2 n + 1 for its transpose; the
+empty word is the unit matrix. A term is a coefficient times powers of the parameters, which are
+numbers and commute with everything, times a word. Matrices are real, of every size that the names
+of their shapes may stand for: two polynomials with the same terms are equal for all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeAlias
+
+from gainproof.verify.certificate.rejection import (
+    MAXIMUM_COEFFICIENT_BITS,
+    MAXIMUM_POWER,
+    Meter,
+    RejectedError,
+)
+
+MAXIMUM_WORD = 48
+MAXIMUM_WORD_TERMS = 4_000
+
+Word: TypeAlias = tuple[int, ...]
+Powers: TypeAlias = tuple[int, ...]
+Terms: TypeAlias = Mapping[tuple[Powers, Word], Fraction]
+Shape: TypeAlias = tuple[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Polynomial:
+    """Terms without zero coefficients. `shape`: the names of rows and columns, None for a number
+    that stands before matrices.
+    """
+
+    terms: Terms
+    shape: Shape | None
+
+    def plus(self, other: Polynomial, meter: Meter, place: str) -> Polynomial:
+        """The sum. Raises RejectedError unless both have one shape."""
+        if self.shape != other.shape:
+            raise RejectedError(f"{place}: {_said(self)} and {_said(other)} are added")
+        meter.spend(len(other.terms))
+        terms = dict(self.terms)
+        for key, coefficient in other.terms.items():
+            total = terms.pop(key, Fraction(0)) + coefficient
+            if total:
+                terms[key] = total
+        return _limited(terms, self.shape, place)
+
+    def times(self, other: Polynomial, meter: Meter, place: str) -> Polynomial:
+        """The product. Raises RejectedError unless the shapes fit."""
+        shape = self.shape or other.shape
+        if self.shape is not None and other.shape is not None:
+            if self.shape[1] != other.shape[0]:
+                raise RejectedError(f"{place}: {_said(self)} is multiplied by {_said(other)}")
+            shape = (self.shape[0], other.shape[1])
+        meter.spend(len(self.terms) * len(other.terms))
+        terms: dict[tuple[Powers, Word], Fraction] = {}
+        for (powers, word), coefficient in self.terms.items():
+            for (more, after), factor in other.terms.items():
+                key = (tuple(a + b for a, b in zip(powers, more, strict=True)), word + after)
+                total = terms.pop(key, Fraction(0)) + coefficient * factor
+                if total:
+                    terms[key] = total
+        return _limited(terms, shape, place)
+
+    def negative(self) -> Polynomial:
+        """Minus the polynomial."""
+        return Polynomial({key: -value for key, value in self.terms.items()}, self.shape)
+
+    def transposed(self) -> Polynomial:
+        """The transpose: words backwards, each letter transposed. (A B)' = B' A'."""
+        terms = {
+            (powers, tuple(letter ^ 1 for letter in reversed(word))): value
+            for (powers, word), value in self.terms.items()
+        }
+        return Polynomial(terms, None if self.shape is None else self.shape[::-1])
+
+    def letters(self) -> set[int]:
+        """The numbers of the matrices that occur."""
+        return {letter // 2 for _, word in self.terms for letter in word}
+
+
+def _limited(
+    terms: dict[tuple[Powers, Word], Fraction], shape: Shape | None, place: str
+) -> Polynomial:
+    if len(terms) > MAXIMUM_WORD_TERMS:
+        raise RejectedError(f"{place}: more than {MAXIMUM_WORD_TERMS} terms")
+    for (powers, word), value in terms.items():
+        if len(word) > MAXIMUM_WORD or any(abs(power) > MAXIMUM_POWER for power in powers):
+            raise RejectedError(f"{place}: a word of more than {MAXIMUM_WORD} letters")
+        if max(value.numerator.bit_length(), value.denominator.bit_length()) > (
+            MAXIMUM_COEFFICIENT_BITS
+        ):
+            raise RejectedError(f"{place}: a coefficient of too many digits")
+    return Polynomial(terms, shape)
+
+
+def _said(value: Polynomial) -> str:
+    return "a number" if value.shape is None else "a matrix {} by {}".format(*value.shape)
