@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 SIZE = (7.6, 4.6)
 GIVEN = "Given: 0.1 g turn, T = 10 s, noise 8 m in range and 0.06° in bearing. "
+INSET = (-66, 24, 82, 40)
+"""Left, bottom, width and height on the plan, in km."""
 STEADY_LAG = "steady lag $(1-\\alpha)\\,aT^2/\\beta$:\n"
 
 
@@ -107,6 +109,23 @@ def _draw_plan(table: Table, axes: Axes, looks: Mapping[str, Look]) -> None:
     axes.plot(0, 0, marker="^", color="black", markersize=6)
     axes.annotate("radar", (0, 0), xytext=(-8, -3), textcoords="offset points", ha="right")
     axes.set_aspect("equal", adjustable="datalim")
+    _draw_straight(table, axes, looks)
+
+
+def _draw_straight(table: Table, plan: Axes, looks: Mapping[str, Look]) -> None:
+    """The course before the turn from its side, widened: what the plan is too coarse to show."""
+    before = (table["time_s"] >= table["time_s"][1]) & (table["true_x_m"] <= 0)
+    east, course = table["true_x_m"][before] / 1e3, table["true_y_m"][0]
+    axes = plan.inset_axes(INSET, transform=plan.transData)
+    axes.set_title("off the straight course (m)", fontsize=7.5, pad=3)
+    axes.axhline(0, color="0.72", linewidth=2.5)
+    marks: dict[str, Any] = {"color": "black", "marker": "+", "markersize": 3, "linestyle": "none"}
+    axes.plot(east, table["observed_y_m"][before] - course, markeredgewidth=0.6, **marks)
+    for name, own in looks.items():
+        line: dict[str, Any] = {**own.line, "label": None, "linewidth": 1.0}
+        axes.plot(east, table[f"{name}_y_m"][before] - course, **line)
+    axes.tick_params(labelsize=7, length=2)
+    axes.set_xlim(-80, 0)
 
 
 def _draw_error(table: Table, axes: Axes, looks: Mapping[str, Look]) -> None:
