@@ -21,6 +21,7 @@ from gainproof.derive.families import (
     wiener_acceleration,
 )
 from gainproof.derive.recursion import three_states, two_states
+from gainproof.derive.sensors import polar_coordinates
 from gainproof.derive.subject import Subject
 
 
@@ -72,4 +73,5 @@ CATALOGUE: tuple[Entry, ...] = (
         fixed_gain_alpha_beta_gamma.TITLE,
         fixed_gain_alpha_beta_gamma.build,
     ),
+    Entry(polar_coordinates.NAME, polar_coordinates.TITLE, polar_coordinates.build),
 )

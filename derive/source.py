@@ -70,6 +70,13 @@ ALGEBRA = Source(
     "Springer, 1991",
     "the casus irreducibilis: three real roots of an irreducible cubic defy real radicals",
 )
+PROBABILITY = Source(
+    "feller-1971",
+    "W. Feller",
+    "An Introduction to Probability Theory and Its Applications, Volume II",
+    "Wiley, 1971",
+    "the characteristic function of the normal distribution",
+)
 SUZUKI = Source(
     "suzuki-position-velocity",
     "C. Suzuki",
@@ -86,5 +93,6 @@ SOURCES: tuple[Source, ...] = (
     GAUSS_MARKOV,
     ELEMENTARY,
     ALGEBRA,
+    PROBABILITY,
     SUZUKI,
 )

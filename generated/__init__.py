@@ -10,6 +10,7 @@
 - `least_squares_line`: Least-squares line (growing memory): gains by sample number.
 - `least_squares_mean`: Least-squares mean (growing memory): gains by sample number.
 - `least_squares_parabola`: Least-squares parabola (growing memory): gains by sample number.
+- `polar_coordinates`: Polar coordinates: range, elevation and bearing from north.
 - `position_velocity_random_acceleration`: Position and velocity measured, random acceleration
   (constant over each interval).
 - `position_velocity_random_velocity`: Position and velocity measured, random velocity (velocity

@@ -26,7 +26,7 @@ SIZE = 65536  # elements of a block: calls cost little beside it, a few buffers 
 class Domain(NamedTuple):
     """One input: its name, the numbers wanted in words, least and greatest of each type.
 
-    `whole`: whole numbers only; `zero`: 0 besides.
+    `whole`: whole numbers only; `zero`: 0 besides; `signed`: of their magnitude.
     """
 
     name: str
@@ -35,6 +35,20 @@ class Domain(NamedTuple):
     single: tuple[float, float]
     whole: bool = False
     zero: bool = False
+    signed: bool = False
+
+
+class Required(NamedTuple):
+    """What inputs must fulfil together: what `block` computes of them is at least `double`, in
+    float32 at least `single`.
+    """
+
+    name: str
+    wanted: str
+    double: float
+    single: float
+    work: int
+    block: Block
 
 
 class Signature(NamedTuple):
@@ -49,6 +63,7 @@ class Signature(NamedTuple):
     outputs: tuple[str, ...]
     work: int
     block: Block
+    required: tuple[Required, ...] = ()
 
 
 def evaluate(
@@ -72,6 +87,8 @@ def evaluate(
             for domain, x, whole in zip(kernel.inputs, flat, inputs, strict=True):
                 for start in range(0, x.size, SIZE):
                     _guard(kernel, domain, x[start : start + SIZE], start, whole, shape)
+            for start in range(0, flat[0].size, SIZE) if kernel.required else ():
+                _require(kernel, [x[start : start + SIZE] for x in flat], start, shape)
             if any(_overlap(y, x) for y in results for x in flat):
                 flat = [x.copy() for x in flat]
         _run(kernel, flat, results, inputs, out is None)
@@ -138,6 +155,7 @@ def _run(
         if guard:
             for domain, part, whole in zip(kernel.inputs, parts, inputs, strict=True):
                 _guard(kernel, domain, part, start, whole, results[0].shape)
+            _require(kernel, parts, start, results[0].shape)
         if stop - start < length:
             work = [w[: stop - start] for w in work]
         filled = [
@@ -185,6 +203,7 @@ def _guard(
 ) -> None:
     """ValueError with the first element outside the domain; comparisons with NaN are false."""
     low, high = domain.single if x.dtype == np.float32 else domain.double
+    came, x = x, np.abs(x) if domain.signed else x
     inside = not x.size or bool(np.minimum.reduce(x) >= low and np.maximum.reduce(x) <= high)
     if inside and not (domain.whole and np.any(x != np.floor(x))):
         return
@@ -203,8 +222,27 @@ def _guard(
         own = tuple(i if n > 1 else 0 for i, n in zip(own, whole.shape, strict=True))
         where = f" at index {own[0] if len(own) == 1 else own}"
     raise ValueError(
-        f"{kernel.name}: {domain.name} must be {domain.wanted}, got {x[first]!s}{where}"
+        f"{kernel.name}: {domain.name} must be {domain.wanted}, got {came[first]!s}{where}"
     )
+
+
+def _require(kernel: Signature, parts: Arrays, start: int, shape: tuple[int, ...]) -> None:
+    """ValueError with the first place where inputs together are not what they must be."""
+    for required in kernel.required:
+        kind = parts[0].dtype
+        single = kind == np.float32
+        value: Array = np.empty(parts[0].shape, kind)
+        work: list[Array] = [np.empty_like(value) for _ in range(required.work)]
+        required.block(parts, [value], work, single)
+        fine = value >= (required.single if single else required.double)
+        if not fine.all():
+            first = int(np.argmin(fine))
+            place = tuple(int(i) for i in np.unravel_index(start + first, shape))
+            where = f" at index {place[0] if len(place) == 1 else place}" if shape else ""
+            raise ValueError(
+                f"{kernel.name}: {required.name} must be {required.wanted}, "
+                f"got {value[first]!s}{where}"
+            )
 
 
 def _checked(

@@ -10,6 +10,7 @@ from fractions import Fraction
 from gainproof.derive.printer.affine import affine_sum
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.library import NUMPY
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Step, program
 from gainproof.derive.printer.registers import plan
@@ -23,6 +24,7 @@ UFUNC = {
     "sqrt": "sqrt",
     "neg": "negative",
     "abs": "absolute",
+    **NUMPY,
 }
 
 
@@ -45,7 +47,8 @@ class Arithmetic:
         self.names: dict[int, str] = {}
         self.masks: dict[str, str] = {}
         self.nears = False
-        body = [*self._unpacking(), *self._body()]
+        statements = list(self._body())
+        body = [*self._unpacking(statements), *statements]
         self.lines = [line for each in _without_unused_names(body) for line in fitted(each)]
         self.chooses = bool(self.masks)
         self.uses_type = (
@@ -63,9 +66,10 @@ class Arithmetic:
         self.taken.add(name)
         return name
 
-    def _unpacking(self) -> Iterator[str]:
+    def _unpacking(self, statements: list[str]) -> Iterator[str]:
+        used = {word for line in statements for word in re.findall(r"\w+", line)}
         for names, source in (
-            (self.inputs, "given"),
+            ([name if name in used else f"_{name}" for name in self.inputs], "given"),
             (self.outputs, "out"),
             (self.buffers, "work"),
         ):

@@ -14,6 +14,7 @@ from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.one_input import OneInput
 from gainproof.derive.printer.proof import Settled
 from gainproof.derive.printer.several_inputs import SeveralInputs
+from gainproof.derive.printer.signed_inputs import by_reference, has_signs
 from gainproof.derive.printer.value import Box, PrintingError
 from gainproof.derive.printer.zero import ZeroCase, zero_cases
 
@@ -29,12 +30,14 @@ class OutputBound:
     value of the scale is a normal number (and 64 epsilon below the largest); of several it is the
     whole domain of the kernel, where the true value is proved to be normal. `amplification`: for
     each named cancellation the factor by which errors of its operands' sizes may enter this output.
+    `beside`: what an underflow on the way may add to the error.
     """
 
     name: str
     bound: Fraction
     domain: Box
     amplification: Mapping[str, float]
+    beside: float = 0.0
 
     @property
     def lowest(self) -> float:
@@ -76,11 +79,14 @@ def prove(kernel: Kernel, form: Format) -> KernelBound:
     Of several inputs the whole product of their domains is proved to be inside every output's.
     PrintingError, naming the node, for a subtraction of computed values that is not named, an
     over- or underflow inside an output's domain, a possible NaN, or a bound that does not settle.
-    NotImplementedError for negative inputs.
+    Kernels with signed inputs or functions of a library have the bounds of `reference`.
+    NotImplementedError for other negative inputs.
     """
     kind = OneInput if len(kernel.inputs) == 1 else SeveralInputs
     try:
         with np.errstate(all="ignore"):
+            if has_signs(kernel):
+                return _printed(kernel, form, by_reference(kernel, form))
             found = kind(kernel, form).run()
             for case in zero_cases(kernel):
                 found = _both(found, case, SeveralInputs(case.kernel, form, case.of(found.bounds)))
@@ -106,5 +112,6 @@ def _printed(kernel: Kernel, form: Format, found: Settled) -> KernelBound:
         exact = Fraction(float(found.bounds[row])) / Fraction(form.epsilon)
         bound = Fraction(math.ceil(exact * DIGITS), DIGITS)
         factors = {name: float(found.factors[name][row]) for name in kernel.cancellations}
-        outputs.append(OutputBound(output.name, bound, found.domains[row], factors))
+        beside = found.beside[row] if found.beside else 0.0
+        outputs.append(OutputBound(output.name, bound, found.domains[row], factors, beside))
     return KernelBound(form, found.inputs, tuple(outputs), found.boxes)

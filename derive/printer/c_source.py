@@ -14,7 +14,7 @@ from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.near_cbrt import added_bits
 from gainproof.derive.printer.plain import plain
-from gainproof.derive.printer.program import Program, Step, program
+from gainproof.derive.printer.program import FUNCTIONS, Program, Step, program
 from gainproof.derive.printer.registers import plan
 from gainproof.derive.printer.threshold import threshold
 
@@ -103,6 +103,8 @@ def _expression(steps: Program, number: int, step: Step) -> str:
             value = literal(limit.value)
             test = f"{parts[0]} < {value}" if limit.input_first else f"{value} < {parts[1]}"
             return f"{test} ? {parts[2]} : {parts[3]}"
+        case name if name in FUNCTIONS:
+            return f"{name}({', '.join(parts)})"
     plain = f"{parts[0]} {SIGN[step.operation]} {parts[1]}"
     affine = affine_sum(steps, number, FLOAT64)
     if affine is None or affine.parts == 1:

@@ -11,7 +11,10 @@ import numpy as np
 from gainproof.derive.printer.bound import KernelBound, OutputBound
 from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64, Format
-from gainproof.derive.printer.kernel import Input, Kernel, Limit
+from gainproof.derive.printer.kernel import Input, Kernel, Limit, Requirement
+from gainproof.derive.printer.library import ULP, functions_of
+from gainproof.derive.printer.program import program
+from gainproof.derive.printer.signed_inputs import has_signs
 
 WIDTH = 96  # of the text, inside an indentation of four
 
@@ -26,6 +29,11 @@ SEVERAL = (
     "taken, arrays of any shapes that broadcast. Where all inputs are float32 so are the results; "
     "otherwise everything becomes float64, integers too."
 )
+SIGNED = (
+    "Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are "
+    "float32 so are the results; otherwise everything becomes float64, integers too."
+)
+ASSUMED = f"err by at most {ULP} units in the last place of the true value"
 
 
 def number_text(value: float, form: Format) -> str:
@@ -36,6 +44,8 @@ def number_text(value: float, form: Format) -> str:
 
 def wanted_text(given: Input) -> str:
     """The domain of an input in words, for its guard's message."""
+    if given.signed:
+        return _magnitude_text(given)
     number = "a whole number" if given.integer else "a number"
     number = f"0 or {number}" if given.zero else number
     text = f"{number} {_ends_text(given)}"
@@ -44,6 +54,23 @@ def wanted_text(given: Input) -> str:
     lower, upper = given.single
     single = _ends_text(replace(given, lower=lower, upper=upper))
     return f"{text}, in float32 {single}"
+
+
+def _magnitude_text(given: Input) -> str:
+    """Of an input of either sign."""
+    ends = [(given.lower, given.upper)] + ([given.single] if given.single else [])
+    double, *single = (
+        f"{_limit_text(lower)} to {_limit_text(upper)}"
+        for lower, upper in ends
+        if upper is not None
+    )
+    return f"0 or of magnitude {double}" + "".join(f", in float32 {text}" for text in single)
+
+
+def required_text(required: Requirement) -> str:
+    """What is required, in words."""
+    least, single = _limit_text(required.least), _limit_text(required.single)
+    return f"at least {least}" + (f", in float32 {single}" if single != least else "")
 
 
 def _ends_text(given: Input) -> str:
@@ -72,12 +99,14 @@ def _limit_text(limit: Limit) -> str:
 
 def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
     """The text between the quotes, lines without indentation."""
+    several = SIGNED if has_signs(kernel) else SEVERAL
     sections = [
         [kernel.summary],
         [f"    {line}" for line in kernel.equations],
         [line for given in kernel.inputs for line in _input(given)],
+        [line for required in kernel.requirements for line in _required(required)],
         [line for row in range(len(kernel.outputs)) for line in _output(kernel, bounds, row)],
-        _wrap(f"{SEVERAL if len(kernel.inputs) > 1 else ONE} `out`: a tuple of arrays to fill."),
+        _wrap(f"{several if len(kernel.inputs) > 1 else ONE} `out`: a tuple of arrays to fill."),
         _wrap(
             "ValueError: an input outside its domain, with its place; `out` that does not fit. "
             "TypeError: an input that is no real number of these types."
@@ -91,9 +120,16 @@ def _input(given: Input) -> Iterator[str]:
     yield from _wrap(f"{given.name}: {given.meaning}; {wanted_text(given)}.", "    ")
 
 
+def _required(required: Requirement) -> Iterator[str]:
+    text = f"The {required.meaning}, of the inputs together, must be {required_text(required)}."
+    yield from _wrap(text, "    ")
+
+
 def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator[str]:
     output = kernel.outputs[row]
     scale = "Relative error" if output.relative_to is None else f"Error over {output.relative_to}"
+    if output.by_terms:
+        scale = "Error over the sum of its terms taken positive"
     found = [(bound.format, bound.outputs[row]) for bound in bounds]
     sizes = ", ".join(
         f"{_decimal(each)} * 2^{1 - form.digits} ({form.name})" for form, each in found
@@ -105,11 +141,34 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
         for form, each in found
     ]
     text += "every input." if len(kernel.inputs) > 1 else " and ".join(places) + "."
+    if has_signs(kernel):
+        beside = [(each.beside, form) for form, each in found if each.beside]
+        more = " and ".join(f"{_upwards(size)} ({form.name})" for size, form in beside)
+        more = f", and {more} beside it where a product underflows" if more else ""
+        text = f"{text.removesuffix('.')}{more}{_assumption(kernel, output.name)}."
     for name, reason in kernel.cancellations.items():
         if found[0][1].amplification.get(name):
             most = max(each.amplification[name] for _, each in found)
             text += f" Cancellation in {name}, condition number {most:.3g}: {reason}."
     yield from _wrap(text, "    ")
+
+
+def _assumption(kernel: Kernel, output: str) -> str:
+    """On which functions' errors the bound of an output rests."""
+    used = program(kernel.graph)
+    names = functions_of(used, [used.outputs[output]])
+    if not names:
+        return ""
+    *first, last = (f"np.{name}" for name in names)
+    listed = f"{', '.join(first)} and {last}" if first else last
+    return f", provided {listed} {ASSUMED if first else ASSUMED.replace('err', 'errs', 1)}"
+
+
+def _upwards(size: float) -> str:
+    """A size with one digit, rounded up."""
+    digit, _, exponent = f"{size:.0e}".partition("e")
+    text = f"{digit}e{int(exponent)}"
+    return text if float(text) >= size else f"{int(digit) + 1}e{int(exponent)}"
 
 
 def _decimal(bound: OutputBound) -> str:

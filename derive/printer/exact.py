@@ -11,7 +11,8 @@ import flint
 
 from gainproof.derive.printer.enclosed import chain
 from gainproof.derive.printer.formats import Format
-from gainproof.derive.printer.program import Program, Step
+from gainproof.derive.printer.library import ball
+from gainproof.derive.printer.program import FUNCTIONS, Program, Step
 from gainproof.derive.printer.threshold import threshold
 from gainproof.derive.printer.unrolled import Cycle
 
@@ -78,6 +79,8 @@ def _ball(
             scaled, value = point * Fraction(limit.factor), Fraction(limit.value)
             holds = scaled < value if limit.input_first else value < scaled
             return parts[2] if holds else parts[3]
+    if step.operation in FUNCTIONS:
+        return ball(step.operation, parts)
     raise ValueError(f"unknown operation {step.operation}")
 
 

@@ -21,7 +21,8 @@ class Input:
     numbers. `single`: lower and upper in float32, where they are others.
 
     A kernel with several inputs has its bounds on the whole product of their domains, which are
-    closed and positive: `closed` makes such an input. `zero`: 0 is admitted beside them.
+    closed and positive: `closed` makes such an input. `zero`: 0 is admitted beside them. `signed`:
+    the domain is that of the magnitude (see `signed`).
     """
 
     name: str
@@ -33,6 +34,7 @@ class Input:
     integer: bool = False
     single: tuple[Limit, Limit] | None = None
     zero: bool = False
+    signed: bool = False
 
 
 def closed(
@@ -47,18 +49,43 @@ def closed(
     return Input(name, meaning, lower, upper, False, False, single=single, zero=zero)
 
 
+def signed(
+    name: str,
+    meaning: str,
+    lower: Limit,
+    upper: Limit,
+    single: tuple[Limit, Limit] | None = None,
+) -> Input:
+    """An input of either sign: 0, or a magnitude from `lower` to `upper`, both admitted."""
+    return Input(name, meaning, lower, upper, False, False, single=single, zero=True, signed=True)
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """What several inputs must fulfil together: the graph's output `name`, `meaning` in words, is
+    at least `least`; in float32 at least `single`.
+    """
+
+    name: str
+    meaning: str
+    least: Limit
+    single: Limit
+
+
 @dataclass(frozen=True)
 class Output:
     """One field of a kernel's result, dimensionless.
 
     The error bound is relative to the true value itself, or to the true value of the graph's output
     `relative_to` (which need not be an `Output`), e.g. the modulus of a pole whose real part may
-    vanish.
+    vanish. `by_terms`: it is relative to the value of the output's own formula with every term of
+    its sums taken positive, which a kernel of signed inputs must say where terms may cancel.
     """
 
     name: str
     meaning: str
     relative_to: str | None = None
+    by_terms: bool = False
 
 
 @dataclass(frozen=True)
@@ -69,6 +96,7 @@ class Kernel:
     line. `equations`: lines of plain text. `source`: what it rests on. `cancellations`: the
     subtractions of computed values that are meant, by the name (in the graph's "names") of the
     difference, each with its reason; any other subtraction of computed values is refused.
+    `requirements`: what the inputs must fulfil together, of kernels with signed inputs.
     """
 
     name: str
@@ -80,6 +108,7 @@ class Kernel:
     graph: Graph
     source: str
     cancellations: Mapping[str, str] = field(default_factory=dict)
+    requirements: tuple[Requirement, ...] = ()
 
 
 @dataclass(frozen=True)

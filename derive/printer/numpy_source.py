@@ -10,6 +10,7 @@ from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.docstring import docstring, wanted_text
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.layout import WIDTH, call, listed, row
+from gainproof.derive.printer.requirements import requirements
 from gainproof.derive.printer.together import prove_all
 
 
@@ -28,6 +29,8 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
     nears = any(arithmetic.nears for arithmetic in arithmetics)
     taken = f"Domain, Signature, {'choose, ' if chooses else ''}evaluate"
     taken += f"{', mask_of' if chooses else ''}{', near_cbrt' if nears else ''}"
+    if any(kernel.requirements for kernel in module.kernels):
+        taken = taken.replace("Domain, ", "Domain, Required, ")
     lines = [
         f"# Made by: {_one_line(module.command)}",
         f"# From: {_one_line(module.derivation)}",
@@ -108,6 +111,7 @@ def _kernel_domains(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[_Doma
             lines.append(f"({least}, {most}),")
         lines += ["whole=True,"] if given.integer else []
         lines += ["zero=True,"] if given.zero else []
+        lines += ["signed=True,"] if given.signed else []
         found.append(tuple(lines))
     return found
 
@@ -143,6 +147,9 @@ def _kernel(
     head = f"def {block}({arguments}) -> None:"
     yield from [head] if len(head) <= WIDTH else [f"def {block}(", f"    {arguments}", ") -> None:"]
     yield from (f"    {line}" for line in arithmetic.lines)
+    required = requirements(kernel)
+    for each in required:
+        yield from ("", "", *each.function)
     yield from ("", "")
     yield f"{signature} = Signature("
     yield f'    "{kernel.name}",'
@@ -150,6 +157,11 @@ def _kernel(
     yield from row("    ", [f'"{output.name}"' for output in kernel.outputs], ",")
     yield f"    {arithmetic.work},"
     yield f"    {block},"
+    if required:
+        yield "    ("
+        for each in required:
+            yield from (f"        {line}" for line in each.entry)
+        yield "    ),"
     yield ")"
 
 

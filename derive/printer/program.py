@@ -15,7 +15,8 @@ from gainproof.derive.printer.graph import Graph, GraphNode, operands
 from gainproof.derive.printer.unrolled import Cycle, unrolled
 
 ITERATES = ("start", "iterate", "root")
-CALLS = ("abs", "select", "near_cbrt", "less", *ITERATES)
+FUNCTIONS = ("sin", "cos", "atan2", "hypot", "exp", "expm1")  # see `library`
+CALLS = ("abs", "select", "near_cbrt", "less", *ITERATES, *FUNCTIONS)
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,8 @@ from gainproof.derive.printer.value import LEAST_NORMAL, Box, Grid, Mask, Printi
 class Settled:
     """What a proof found: errors over scales and domains, an entry an output.
 
-    `factors`: of each named cancellation, an entry an output.
+    `factors`: of each named cancellation, an entry an output. `beside`: errors of outputs of signed
+    inputs that no scale bounds.
     """
 
     inputs: Box
@@ -32,6 +33,7 @@ class Settled:
     bounds: Array
     factors: Mapping[str, Array]
     boxes: int
+    beside: tuple[float, ...] = ()
 
 
 class Proof:

@@ -7,6 +7,7 @@ from typing import Any, Literal
 from gainproof.bad_input import unknown_name
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.quantity import MEASUREMENT_DEVIATION, SAMPLING_INTERVAL
+from gainproof.derive.sensors.algebraic import algebraic
 from gainproof.derive.source import SOURCES
 from gainproof.derive.subject import Subject
 from gainproof.derived import Derived, DerivedStep
@@ -83,11 +84,12 @@ def plain_subject(subject: Subject) -> Derived:
 
 
 def _programs(subject: Subject) -> dict[str, Any]:
-    """The programs that must be proved: with the graphs that the kernels are printed from.
+    """The programs that must be proved: with the graphs that the kernels are printed from, or, of
+    those with sines and the like, with what `algebraic` leaves of these.
 
     Raises LookupError for a kernel that no program describes: it would ship unproved.
     """
-    printed = {kernel.name: kernel.graph for kernel in subject.module.kernels}
+    printed = {kernel.name: algebraic(kernel.graph) for kernel in subject.module.kernels}
     unproved = sorted(set(printed) - set(subject.programs))
     if unproved:
         raise LookupError(f"{subject.name}: kernels without a program to prove: {unproved}")

@@ -69,14 +69,14 @@ def printed_pairs() -> tuple[PrintedPair, ...]:
 
 
 def pairs_of(family: str, folder: Path) -> Iterator[PrintedPair]:
-    """The kernels of several inputs of one module."""
+    """The kernels of several inputs of one module, none of which has a sign."""
     loaded = importlib.import_module(f"gainproof.generated.{family}")
     programs: dict[str, Any] = {}
     for name in loaded.__all__:
         if not name[0].islower():  # a class of results
             continue
         signature = getattr(loaded, f"_{name.upper()}")
-        if len(signature.inputs) < 2:
+        if len(signature.inputs) < 2 or any(domain.signed for domain in signature.inputs):
             continue
         if not programs:  # megabytes, read once and only where there are pairs
             text = (folder / f"{family}.json").read_text(encoding="utf-8")

@@ -1,0 +1,56 @@
+"""The bounds of kernels whose inputs have signs, or which call functions of a library."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from gainproof.derive.printer.domain import product
+from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.interval import SLACK
+from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.program import FUNCTIONS, program
+from gainproof.derive.printer.proof import Settled
+from gainproof.derive.printer.reference import Reference, References
+from gainproof.derive.printer.value import PrintingError
+
+
+def has_signs(kernel: Kernel) -> bool:
+    """Whether a kernel is one of those: boxes of positive numbers say nothing of it."""
+    calls = any(node[0] == "call" and node[1] in FUNCTIONS for node in kernel.graph["nodes"])
+    return calls or any(given.signed for given in kernel.inputs)
+
+
+def by_reference(kernel: Kernel, form: Format) -> Settled:
+    """Bounds of every output on the whole domain.
+
+    PrintingError, naming the node, for what may overflow, for a division by what may be 0, and for
+    an output whose terms may cancel and that is not said to be measured by them.
+    """
+    names = tuple(given.name for given in kernel.inputs)
+    used = program(kernel.graph)
+    if not set(used.inputs) <= set(names):
+        raise PrintingError(f"the graph has inputs {used.inputs}, the kernel has {names}")
+    box = product(kernel.inputs, form)
+    signs = [0 if given.signed else 1 for given in kernel.inputs]
+    zeros = [given.zero for given in kernel.inputs]
+    used = replace(used, inputs=names)
+    steps = References(used, form, box, signs, zeros).run(kernel.requirements)
+    bounds, beside = [], []
+    for output in kernel.outputs:
+        if output.relative_to is not None:
+            raise PrintingError(f"output {output.name}: its own value or its terms are its scale")
+        found = steps[used.outputs[output.name]]
+        if found.tight is output.by_terms:
+            what = "may cancel, and is not" if output.by_terms is False else "cannot cancel, and is"
+            raise PrintingError(f"output {output.name} {what} measured by its terms")
+        bounds.append(_bound(found, form))
+        beside.append(found.stray)
+    return Settled(box, [box for _ in bounds], np.array(bounds), {}, 0, tuple(beside))
+
+
+def _bound(found: Reference, form: Format) -> float:
+    """(1 - u)^-n - 1 <= n u/(1 - n u)."""
+    small = found.count * form.unit_roundoff
+    return small / (1.0 - small) * SLACK

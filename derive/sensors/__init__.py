@@ -1,0 +1,1 @@
+"""What sensors measure, and what becomes of it in other coordinates."""
