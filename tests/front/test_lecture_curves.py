@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from itertools import pairwise
 from math import sqrt
 
 import numpy as np
 import pytest
 
 from gainproof.figures.lecture import coordinates, curves, fits, kalman_track, relations
+from gainproof.figures.lecture.curves_drawing import CURVES as LABELS
 from gainproof.figures.lecture.relations_drawing import GENERAL, SPECIAL, WORDS
 from gainproof.figures.table import Reals, Table
 from gainproof.verify.oracles import fixed_gain, least_squares
@@ -166,6 +168,25 @@ def test_every_derived_line_is_an_arrow_and_every_arrow_a_line() -> None:
     assert generals == {*GENERAL, "linear filter", "alpha-beta filter"}
     contained = {line.special for line in relations.LINES if line.general == "alpha-beta filter"}
     assert contained == set(SPECIAL)
+
+
+def test_what_is_drawn_is_what_the_table_says() -> None:
+    """The formulas on the sheets are the lines' own, and the order that of the variances."""
+    for name, special in CURVES.items():
+        (box, curve), line = (SPECIAL[special].text, LABELS[name]), printed(special)
+        assert plain(box) == plain(curve.partition(": ")[2]) == line.replace(" ", "")
+    table = curves.minimum_variance()
+    ordered = [table[f"{name.lower()}_variance"] for name in relations.ORDER]
+    there = np.isfinite(ordered[-1])
+    for less, more in pairwise(ordered):
+        assert (less[there] < more[there]).all()
+
+
+def plain(formula: str) -> str:
+    """A formula of the sheet in the letters of the table."""
+    for drawn, word in (("\\,", ""), ("{", "("), ("}", ")"), ("\\", ""), ("$", ""), (" ", "")):
+        formula = formula.replace(drawn, word)
+    return formula
 
 
 def test_the_example_has_its_range_elevation_and_bearing() -> None:

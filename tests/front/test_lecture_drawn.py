@@ -19,6 +19,7 @@ def words_of(draw: Draw, size: tuple[float, float]) -> tuple[list[tuple[str, Any
     """Every text but ticks' with its rectangle on the sheet, and the sheet's own."""
     pytest.importorskip("matplotlib")
     import matplotlib as mpl
+    from matplotlib.axis import Axis
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from matplotlib.text import Text
@@ -33,8 +34,8 @@ def words_of(draw: Draw, size: tuple[float, float]) -> tuple[list[tuple[str, Any
         # beside an axis, where Matplotlib keeps them apart; some beyond its ends are not drawn
         ticks = {
             label
-            for axes in sheet.axes
-            for axis in (axes.xaxis, axes.yaxis)
+            for axis in sheet.findobj(Axis)
+            if isinstance(axis, Axis)
             for label in [*axis.get_ticklabels(), *axis.get_ticklabels(minor=True)]
         }
         return [

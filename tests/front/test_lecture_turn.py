@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from gainproof import time_varying
 from gainproof.figures.lecture import fixed_gain_track, kalman_track, turn
 from gainproof.figures.lecture.scene import STANDARD_GRAVITY, Scene, Seen, seen
 from gainproof.figures.table import Reals
+from gainproof.verify.oracles import fixed_gain
 
 SCENE = Scene()
 
@@ -149,6 +152,22 @@ def test_the_numbers_are_those_of_the_errors(make: object) -> None:
     away = np.hypot(table["large_x_m"] - table["true_x_m"], table["large_y_m"] - table["true_y_m"])
     assert 0.7 < np.sqrt(np.mean(away[inside] ** 2)) / over["large"] < 1.3
     assert any("200 m/s" in note for note in table.notes)
+
+
+def test_what_the_lecture_gives_is_taken() -> None:
+    """Slides on the alpha-beta and on the Kalman filter."""
+    assert turn.GAINS == {"small": (0.095, 0.01), "large": (0.4571, 0.5)}
+    assert turn.INCREMENTS == {"small": 0.01, "large": 10.0}
+    assert SCENE.acceleration == pytest.approx(0.980665)
+    given = (SCENE.interval, SCENE.range_deviation, np.rad2deg(SCENE.bearing_deviation))
+    assert given == (10.0, 8.0, pytest.approx(0.06))
+
+
+def test_the_lags_are_those_of_long_runs() -> None:
+    told = turn.alpha_beta_turn().numbers["steady lag behind a constant 0.1 g (m), from the kernel"]
+    for name, (alpha, beta) in turn.GAINS.items():
+        _, updated = fixed_gain.steady_errors((Fraction(alpha), Fraction(beta)), 2, 20)
+        assert told[name] == pytest.approx(98.0665 * float(updated[0]), rel=1e-12)
 
 
 def test_bad_input_of_the_tracks_is_refused() -> None:
