@@ -859,7 +859,7 @@ def random_velocity_by_lag(
         * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 0.6036 <= lag <= 1e30 (float64) and
         0.6036 <= lag <= 1e09 (float32).
     random_velocity_predicted_11: variance of the predicted position over sigma_v^2, random
-        velocity. Relative error at most 8.44 * 2^-52 (float64), 8.44 * 2^-23 (float32), proved for
+        velocity. Relative error at most 8.43 * 2^-52 (float64), 8.43 * 2^-23 (float32), proved for
         0.6036 <= lag <= 1e30 (float64) and 0.6036 <= lag <= 1e09 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1032,7 +1032,7 @@ def minimum_smoothed_variance_by_gain(
         Relative error at most 4.26 * 2^-52 (float64), 4.26 * 2^-23 (float32), proved for 1e-15 <=
         alpha <= 0.9999999999999999 (float64) and 1e-09 <= alpha <= 0.99999994 (float32).
     minimum_smoothed_variance_predicted_11: variance of the predicted position over sigma_v^2,
-        minimum smoothed variance. Relative error at most 8.32 * 2^-52 (float64), 8.29 * 2^-23
+        minimum smoothed variance. Relative error at most 8.26 * 2^-52 (float64), 8.28 * 2^-23
         (float32), proved for 1e-15 <= alpha <= 0.9999999999999999 (float64) and 1e-09 <= alpha <=
         0.99999994 (float32).
     minimum_smoothed_variance_updated_11: variance of the smoothed position over sigma_v^2, minimum

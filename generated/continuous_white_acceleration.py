@@ -169,7 +169,7 @@ def gain_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.46 *
+    alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.42 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64) and
         1e-45 <= tracking_index <= 6.49139e12 (float32).
     beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.99
@@ -244,7 +244,7 @@ def gains_with_derivatives(
         3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.46
+    d_alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.42
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
@@ -532,7 +532,7 @@ def predicted_covariance_derivatives(
         tracking_index <= 1.4450712711759723e308 (float64) and 1e-45 <= tracking_index <=
         2.7353304e38 (float32).
     predicted_12: derivative of the covariance of predicted position and velocity times T/sigma_v^2.
-        Relative error at most 4.06 * 2^-52 (float64), 4.07 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 4.07 * 2^-52 (float64), 4.06 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.1396917792938073e308 (float64) and 1e-45 <= tracking_index <=
         2.157287e38 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
@@ -632,7 +632,7 @@ def updated_covariance(
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
     updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 4.44 *
-        2^-52 (float64), 4.45 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
+        2^-52 (float64), 4.44 * 2^-23 (float32), proved for 6.278939363646863e-206 <= tracking_index
         <= 2.4954742419024312e154 (float64) and 4.1033358e-26 <= tracking_index <= 3.4333126e19
         (float32).
 
@@ -695,7 +695,7 @@ def updated_covariance_derivatives(
         finite.
 
     updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
-        most 10.42 * 2^-52 (float64), 10.46 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 10.42 * 2^-52 (float64), 10.42 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 5.247628584236248e102 (float64) and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
         Relative error at most 10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324
@@ -787,8 +787,8 @@ def gain_second_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 17.20 * 2^-52
-        (float64), 17.19 * 2^-23 (float32), proved for 1.5697348409117346e-206 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 17.18 * 2^-52
+        (float64), 17.16 * 2^-23 (float32), proved for 1.5697348409117346e-206 <= tracking_index <=
         1.442954478563842e77 (float64) and 1.0258406e-26 <= tracking_index <= 5.3522156e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
@@ -893,7 +893,7 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 19.21 * 2^-52 (float64), 19.20 * 2^-23 (float32), proved for 1.5697348409117355e-206
+        at most 19.23 * 2^-52 (float64), 19.21 * 2^-23 (float32), proved for 1.5697348409117355e-206
         <= tracking_index <= 2.318063502250569e77 (float64) and 1.0258408e-26 <= tracking_index <=
         8.598175e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
@@ -1009,14 +1009,14 @@ def predicted_covariance_second_derivatives(
         finite.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Error over predicted_11_scale at most 14.38 * 2^-52 (float64), 14.42 * 2^-23
+        sigma_v^2. Error over predicted_11_scale at most 14.28 * 2^-52 (float64), 14.41 * 2^-23
         (float32), proved for 1.569734840911731e-206 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1.0258393e-26 <= tracking_index <= 3.4028235e38 (float32). Cancellation in
         predicted_11_turn, condition number 1: the variance bends down for a small index and up for
         a large one, so that it vanishes between; predicted_11_scale is the sum of the terms whose
         difference it is.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
-        times T/sigma_v^2. Relative error at most 7.54 * 2^-52 (float64), 7.56 * 2^-23 (float32),
+        times T/sigma_v^2. Relative error at most 7.54 * 2^-52 (float64), 7.54 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     predicted_22: second derivative by Lambda of the variance of the predicted velocity times
@@ -1143,7 +1143,7 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 17.20 * 2^-52 (float64), 17.19 * 2^-23 (float32), proved for
+        Relative error at most 17.18 * 2^-52 (float64), 17.16 * 2^-23 (float32), proved for
         1.5697348409117346e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
         1.0258406e-26 <= tracking_index <= 5.3522156e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
@@ -1278,14 +1278,14 @@ def closed_loop_poles(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 10.70 * 2^-52
-        (float64), 10.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 10.67 * 2^-52
+        (float64), 10.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
         most 8.15 * 2^-52 (float64), 8.15 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 10.70 * 2^-52
-        (float64), 10.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 10.67 * 2^-52
+        (float64), 10.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
         most 8.15 * 2^-52 (float64), 8.15 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -1372,7 +1372,7 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
 
     alpha: position gain; a number above 0 and below 1.
 
-    tracking_index: tracking index Lambda. Relative error at most 3.53 * 2^-52 (float64), 3.53 *
+    tracking_index: tracking index Lambda. Relative error at most 3.51 * 2^-52 (float64), 3.51 *
         2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999 (float64)
         and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
@@ -1423,8 +1423,8 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
 
     alpha: position gain; a number above 0 and below 1.
 
-    beta: velocity gain times the sampling interval. Relative error at most 2.28 * 2^-52 (float64),
-        2.28 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
+    beta: velocity gain times the sampling interval. Relative error at most 2.26 * 2^-52 (float64),
+        2.26 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
         (float64) and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal

@@ -612,8 +612,8 @@ def predictor_gains(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.21 * 2^-52
-        (float64), 6.21 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.17 * 2^-52
+        (float64), 6.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -1220,14 +1220,14 @@ def predicted_covariance(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
         2^511, in float32 above 0 and at most 2^63.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.86 *
-        2^-52 (float64), 10.86 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.84 *
+        2^-52 (float64), 10.84 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 10.34 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 10.33 * 2^-52 (float64), 10.33 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
-        error at most 5.46 * 2^-52 (float64), 5.45 * 2^-23 (float32), proved for
+        error at most 5.44 * 2^-52 (float64), 5.44 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 6.703903964971299e153 (float64) and
         1.1754944e-38 <= tracking_index <= 9.223372e18 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
@@ -1235,7 +1235,7 @@ def predicted_covariance(
         tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
         9.223372e18 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
-        error at most 7.07 * 2^-52 (float64), 7.07 * 2^-23 (float32), proved for
+        error at most 7.03 * 2^-52 (float64), 7.05 * 2^-23 (float32), proved for
         1.0832677820940206e-231 <= tracking_index <= 6.703903964971299e153 (float64) and
         2.122721e-29 <= tracking_index <= 9.223372e18 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
@@ -1426,15 +1426,15 @@ def predicted_covariance_derivatives(
         <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_13: derivative of the covariance of predicted position and acceleration times
-        T^2/sigma_v^2. Relative error at most 7.73 * 2^-52 (float64), 7.79 * 2^-23 (float32), proved
+        T^2/sigma_v^2. Relative error at most 7.72 * 2^-52 (float64), 7.76 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 16.38 * 2^-52 (float64), 16.41 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.38 * 2^-52 (float64), 16.32 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_23: derivative of the covariance of predicted velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 10.57 * 2^-52 (float64), 10.58 * 2^-23 (float32),
+        T^3/sigma_v^2. Relative error at most 10.56 * 2^-52 (float64), 10.54 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     predicted_33: derivative of the variance of the predicted acceleration times T^4/sigma_v^2.
@@ -1693,11 +1693,11 @@ def updated_covariance(
         most 6.11 * 2^-52 (float64), 6.12 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     updated_13: covariance of updated position and acceleration times T^2/sigma_v^2. Relative error
-        at most 4.56 * 2^-52 (float64), 4.57 * 2^-23 (float32), proved for 2.2250738585072014e-308
+        at most 4.56 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308
         <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
         9.223372e18 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 16.74 *
-        2^-52 (float64), 16.78 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 16.73 *
+        2^-52 (float64), 16.76 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
         tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
         9.223372e18 (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
@@ -1890,7 +1890,7 @@ def gain_second_derivatives(
         (float64), 27.28 * 2^-23 (float32), proved for 6.852691063641298e-186 <= tracking_index <=
         1.565378169971955e77 (float64) and 4.6732775e-24 <= tracking_index <= 5.80631e09 (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 36.32 * 2^-52 (float64), 36.33 * 2^-23 (float32), proved for
+        error at most 36.26 * 2^-52 (float64), 36.27 * 2^-23 (float32), proved for
         3.506117298415984e-232 <= tracking_index <= 3.351388711764904e77 (float64) and 6.871206e-30
         <= tracking_index <= 1.2430991e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling

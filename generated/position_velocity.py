@@ -127,14 +127,14 @@ def gains(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
-    gain_11: position's gain on the measured position. Relative error at most 16.83 * 2^-52
-        (float64), 16.77 * 2^-23 (float32), proved for every input.
-    gain_12: position's gain on the measured velocity over T. Relative error at most 7.54 * 2^-52
-        (float64), 7.30 * 2^-23 (float32), proved for every input.
-    gain_21: velocity's gain on the measured position times T. Relative error at most 8.54 * 2^-52
-        (float64), 8.25 * 2^-23 (float32), proved for every input.
-    gain_22: velocity's gain on the measured velocity. Relative error at most 11.12 * 2^-52
-        (float64), 11.18 * 2^-23 (float32), proved for every input.
+    gain_11: position's gain on the measured position. Relative error at most 22.10 * 2^-52
+        (float64), 15.56 * 2^-23 (float32), proved for every input.
+    gain_12: position's gain on the measured velocity over T. Relative error at most 7.75 * 2^-52
+        (float64), 7.55 * 2^-23 (float32), proved for every input.
+    gain_21: velocity's gain on the measured position times T. Relative error at most 8.75 * 2^-52
+        (float64), 8.55 * 2^-23 (float32), proved for every input.
+    gain_22: velocity's gain on the measured velocity. Relative error at most 13.45 * 2^-52
+        (float64), 9.25 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -244,12 +244,12 @@ def predicted_covariance(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
-    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 16.73 *
-        2^-52 (float64), 16.75 * 2^-23 (float32), proved for every input.
+    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 21.17 *
+        2^-52 (float64), 14.40 * 2^-23 (float32), proved for every input.
     predicted_12: covariance of predicted position and velocity times T/sigma_o^2. Relative error at
-        most 7.33 * 2^-52 (float64), 6.18 * 2^-23 (float32), proved for every input.
+        most 7.63 * 2^-52 (float64), 7.63 * 2^-23 (float32), proved for every input.
     predicted_22: variance of the predicted velocity times T^2/sigma_o^2. Relative error at most
-        6.99 * 2^-52 (float64), 6.86 * 2^-23 (float32), proved for every input.
+        6.92 * 2^-52 (float64), 6.92 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -363,12 +363,12 @@ def updated_covariance(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
-    updated_11: variance of the updated position over sigma_o^2. Relative error at most 16.83 *
-        2^-52 (float64), 16.77 * 2^-23 (float32), proved for every input.
+    updated_11: variance of the updated position over sigma_o^2. Relative error at most 22.10 *
+        2^-52 (float64), 15.78 * 2^-23 (float32), proved for every input.
     updated_12: covariance of updated position and velocity times T/sigma_o^2. Relative error at
-        most 8.54 * 2^-52 (float64), 8.35 * 2^-23 (float32), proved for every input.
-    updated_22: variance of the updated velocity times T^2/sigma_o^2. Relative error at most 11.77 *
-        2^-52 (float64), 11.80 * 2^-23 (float32), proved for every input.
+        most 8.75 * 2^-52 (float64), 8.55 * 2^-23 (float32), proved for every input.
+    updated_22: variance of the updated velocity times T^2/sigma_o^2. Relative error at most 14.45 *
+        2^-52 (float64), 9.75 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -490,12 +490,12 @@ def gains_by_tracking_index(
     gain_11: derivative by Lambda of the position's gain on the measured position. Relative error at
         most 38.88 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every input.
     gain_12: derivative by Lambda of the position's gain on the measured velocity over T. Error over
-        gain_12_scale at most 39.75 * 2^-52 (float64), 39.01 * 2^-23 (float32), proved for every
+        gain_12_scale at most 39.75 * 2^-52 (float64), 38.84 * 2^-23 (float32), proved for every
         input. Cancellation in gain_12_difference, condition number 1: what it is the derivative of
         grows in one part of the domain and falls in another, so that it vanishes between;
         gain_12_scale is the sum of the terms whose difference it is.
     gain_21: derivative by Lambda of the velocity's gain on the measured position times T. Error
-        over gain_21_scale at most 38.75 * 2^-52 (float64), 38.01 * 2^-23 (float32), proved for
+        over gain_21_scale at most 38.75 * 2^-52 (float64), 37.84 * 2^-23 (float32), proved for
         every input. Cancellation in gain_21_difference, condition number 1: what it is the
         derivative of grows in one part of the domain and falls in another, so that it vanishes
         between; gain_21_scale is the sum of the terms whose difference it is.
@@ -892,7 +892,7 @@ def predicted_covariance_by_tracking_index(
         T/sigma_o^2. Relative error at most 36.37 * 2^-52 (float64), 31.33 * 2^-23 (float32), proved
         for every input.
     predicted_22: derivative by Lambda of the variance of the predicted velocity times
-        T^2/sigma_o^2. Relative error at most 45.35 * 2^-52 (float64), 35.86 * 2^-23 (float32),
+        T^2/sigma_o^2. Relative error at most 45.35 * 2^-52 (float64), 35.81 * 2^-23 (float32),
         proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
@@ -1240,15 +1240,15 @@ def updated_covariance_by_tracking_index(
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     updated_11: derivative by Lambda of the variance of the updated position over sigma_o^2.
-        Relative error at most 38.88 * 2^-52 (float64), 37.11 * 2^-23 (float32), proved for every
+        Relative error at most 38.88 * 2^-52 (float64), 34.89 * 2^-23 (float32), proved for every
         input.
     updated_12: derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_o^2. Error over updated_12_scale at most 38.75 * 2^-52 (float64), 37.84 * 2^-23
+        T/sigma_o^2. Error over updated_12_scale at most 38.75 * 2^-52 (float64), 37.29 * 2^-23
         (float32), proved for every input. Cancellation in updated_12_difference, condition number
         1: what it is the derivative of grows in one part of the domain and falls in another, so
         that it vanishes between; updated_12_scale is the sum of the terms whose difference it is.
     updated_22: derivative by Lambda of the variance of the updated velocity times T^2/sigma_o^2.
-        Relative error at most 45.88 * 2^-52 (float64), 43.78 * 2^-23 (float32), proved for every
+        Relative error at most 45.88 * 2^-52 (float64), 42.16 * 2^-23 (float32), proved for every
         input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
@@ -1559,7 +1559,7 @@ def known_velocity(
         sampling_interval^4/position_deviation^2; a number at least 1e-12 and at most 1e12, in
         float32 at least 1e-8 and at most 1e8.
 
-    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 2.27 *
+    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 2.26 *
         2^-52 (float64), 2.26 * 2^-23 (float32), proved for 1e-12 <= tracking_index <=
         1000000000000.0 (float64) and 1e-08 <= tracking_index <= 1e08 (float32).
     updated_11: variance of the updated position over sigma_o^2. Relative error at most 1.76 * 2^-52

@@ -127,14 +127,14 @@ def gains(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
-    gain_11: position's gain on the measured position. Relative error at most 13.67 * 2^-52
-        (float64), 13.76 * 2^-23 (float32), proved for every input.
-    gain_12: position's gain on the measured velocity over T. Relative error at most 6.10 * 2^-52
-        (float64), 6.10 * 2^-23 (float32), proved for every input.
-    gain_21: velocity's gain on the measured position times T. Relative error at most 7.10 * 2^-52
-        (float64), 7.10 * 2^-23 (float32), proved for every input.
-    gain_22: velocity's gain on the measured velocity. Relative error at most 8.47 * 2^-52
-        (float64), 8.47 * 2^-23 (float32), proved for every input.
+    gain_11: position's gain on the measured position. Relative error at most 12.82 * 2^-52
+        (float64), 12.64 * 2^-23 (float32), proved for every input.
+    gain_12: position's gain on the measured velocity over T. Relative error at most 6.28 * 2^-52
+        (float64), 6.01 * 2^-23 (float32), proved for every input.
+    gain_21: velocity's gain on the measured position times T. Relative error at most 7.28 * 2^-52
+        (float64), 7.01 * 2^-23 (float32), proved for every input.
+    gain_22: velocity's gain on the measured velocity. Relative error at most 8.52 * 2^-52
+        (float64), 7.80 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -236,12 +236,12 @@ def predicted_covariance(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
-    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 13.71 *
-        2^-52 (float64), 8.86 * 2^-23 (float32), proved for every input.
+    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 11.55 *
+        2^-52 (float64), 11.60 * 2^-23 (float32), proved for every input.
     predicted_12: covariance of predicted position and velocity times T/sigma_o^2. Relative error at
-        most 5.68 * 2^-52 (float64), 5.49 * 2^-23 (float32), proved for every input.
+        most 5.58 * 2^-52 (float64), 5.58 * 2^-23 (float32), proved for every input.
     predicted_22: variance of the predicted velocity times T^2/sigma_o^2. Relative error at most
-        6.09 * 2^-52 (float64), 6.03 * 2^-23 (float32), proved for every input.
+        6.07 * 2^-52 (float64), 6.06 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -347,12 +347,12 @@ def updated_covariance(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
-    updated_11: variance of the updated position over sigma_o^2. Relative error at most 13.67 *
-        2^-52 (float64), 11.89 * 2^-23 (float32), proved for every input.
+    updated_11: variance of the updated position over sigma_o^2. Relative error at most 12.70 *
+        2^-52 (float64), 12.64 * 2^-23 (float32), proved for every input.
     updated_12: covariance of updated position and velocity times T/sigma_o^2. Relative error at
-        most 7.10 * 2^-52 (float64), 7.10 * 2^-23 (float32), proved for every input.
-    updated_22: variance of the updated velocity times T^2/sigma_o^2. Relative error at most 9.19 *
-        2^-52 (float64), 8.17 * 2^-23 (float32), proved for every input.
+        most 7.28 * 2^-52 (float64), 7.01 * 2^-23 (float32), proved for every input.
+    updated_22: variance of the updated velocity times T^2/sigma_o^2. Relative error at most 8.63 *
+        2^-52 (float64), 8.14 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -799,13 +799,13 @@ def predicted_covariance_by_tracking_index(
         1e-30 and at most 1e30, in float32 at least 1e-6 and at most 1e6.
 
     predicted_11: derivative by Lambda of the variance of the predicted position over sigma_o^2.
-        Relative error at most 26.03 * 2^-52 (float64), 20.14 * 2^-23 (float32), proved for every
+        Relative error at most 26.03 * 2^-52 (float64), 20.12 * 2^-23 (float32), proved for every
         input.
     predicted_12: derivative by Lambda of the covariance of predicted position and velocity times
         T/sigma_o^2. Relative error at most 24.73 * 2^-52 (float64), 18.76 * 2^-23 (float32), proved
         for every input.
     predicted_22: derivative by Lambda of the variance of the predicted velocity times
-        T^2/sigma_o^2. Relative error at most 27.61 * 2^-52 (float64), 24.80 * 2^-23 (float32),
+        T^2/sigma_o^2. Relative error at most 27.61 * 2^-52 (float64), 24.77 * 2^-23 (float32),
         proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
@@ -960,9 +960,9 @@ def predicted_covariance_by_velocity_ratio(
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     predicted_11: derivative by S of the variance of the predicted position over sigma_o^2. Relative
-        error at most 26.75 * 2^-52 (float64), 24.99 * 2^-23 (float32), proved for every input.
+        error at most 26.75 * 2^-52 (float64), 24.96 * 2^-23 (float32), proved for every input.
     predicted_12: derivative by S of the covariance of predicted position and velocity times
-        T/sigma_o^2. Relative error at most 27.00 * 2^-52 (float64), 22.85 * 2^-23 (float32), proved
+        T/sigma_o^2. Relative error at most 27.00 * 2^-52 (float64), 22.06 * 2^-23 (float32), proved
         for every input.
     predicted_22: derivative by S of the variance of the predicted velocity times T^2/sigma_o^2.
         Relative error at most 28.24 * 2^-52 (float64), 34.84 * 2^-23 (float32), proved for every
@@ -1247,7 +1247,7 @@ def updated_covariance_by_velocity_ratio(
     updated_11: derivative by S of the variance of the updated position over sigma_o^2. Relative
         error at most 26.09 * 2^-52 (float64), 24.44 * 2^-23 (float32), proved for every input.
     updated_12: derivative by S of the covariance of updated position and velocity times
-        T/sigma_o^2. Relative error at most 27.00 * 2^-52 (float64), 24.79 * 2^-23 (float32), proved
+        T/sigma_o^2. Relative error at most 27.00 * 2^-52 (float64), 24.61 * 2^-23 (float32), proved
         for every input.
     updated_22: derivative by S of the variance of the updated velocity times T^2/sigma_o^2.
         Relative error at most 28.24 * 2^-52 (float64), 34.84 * 2^-23 (float32), proved for every
@@ -1530,7 +1530,7 @@ def real_poles(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = Non
         1.01 * 2^-52 (float64), 1.01 * 2^-23 (float32), proved for 1e-12 <= tracking_index <=
         1000000000000.0 (float64) and 1e-08 <= tracking_index <= 1e08 (float32).
     negative_up_to: the 1/S^2 up to which both poles are real and negative, for no S where it is not
-        positive. Error over positive_from at most 4.02 * 2^-52 (float64), 4.04 * 2^-23 (float32),
+        positive. Error over positive_from at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32),
         proved for 1e-12 <= tracking_index <= 1000000000000.0 (float64) and 1e-08 <= tracking_index
         <= 1e08 (float32).
 

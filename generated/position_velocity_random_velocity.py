@@ -131,14 +131,14 @@ def gains(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e8.
 
-    gain_11: position's gain on the measured position. Relative error at most 11.66 * 2^-52
+    gain_11: position's gain on the measured position. Relative error at most 11.79 * 2^-52
         (float64), 11.61 * 2^-23 (float32), proved for every input.
     gain_12: position's gain on the measured velocity over T. Relative error at most 8.00 * 2^-52
         (float64), 8.00 * 2^-23 (float32), proved for every input.
-    gain_21: velocity's gain on the measured position times T. Relative error at most 8.40 * 2^-52
+    gain_21: velocity's gain on the measured position times T. Relative error at most 8.50 * 2^-52
         (float64), 8.40 * 2^-23 (float32), proved for every input.
-    gain_22: velocity's gain on the measured velocity. Relative error at most 7.56 * 2^-52
-        (float64), 7.51 * 2^-23 (float32), proved for every input.
+    gain_22: velocity's gain on the measured velocity. Relative error at most 7.57 * 2^-52
+        (float64), 7.54 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -234,12 +234,12 @@ def predicted_covariance(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e8.
 
-    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 8.06 *
-        2^-52 (float64), 7.46 * 2^-23 (float32), proved for every input.
+    predicted_11: variance of the predicted position over sigma_o^2. Relative error at most 8.31 *
+        2^-52 (float64), 7.47 * 2^-23 (float32), proved for every input.
     predicted_12: covariance of predicted position and velocity times T/sigma_o^2. Relative error at
-        most 4.17 * 2^-52 (float64), 4.09 * 2^-23 (float32), proved for every input.
+        most 4.21 * 2^-52 (float64), 4.09 * 2^-23 (float32), proved for every input.
     predicted_22: variance of the predicted velocity times T^2/sigma_o^2. Relative error at most
-        7.02 * 2^-52 (float64), 6.99 * 2^-23 (float32), proved for every input.
+        7.05 * 2^-52 (float64), 6.99 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -335,12 +335,12 @@ def updated_covariance(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e8.
 
-    updated_11: variance of the updated position over sigma_o^2. Relative error at most 11.63 *
+    updated_11: variance of the updated position over sigma_o^2. Relative error at most 11.76 *
         2^-52 (float64), 11.61 * 2^-23 (float32), proved for every input.
     updated_12: covariance of updated position and velocity times T/sigma_o^2. Relative error at
-        most 8.40 * 2^-52 (float64), 8.40 * 2^-23 (float32), proved for every input.
-    updated_22: variance of the updated velocity times T^2/sigma_o^2. Relative error at most 6.56 *
-        2^-52 (float64), 6.51 * 2^-23 (float32), proved for every input.
+        most 8.50 * 2^-52 (float64), 8.40 * 2^-23 (float32), proved for every input.
+    updated_22: variance of the updated velocity times T^2/sigma_o^2. Relative error at most 6.55 *
+        2^-52 (float64), 6.52 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -797,13 +797,13 @@ def predicted_covariance_by_tracking_index(
         1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
 
     predicted_11: derivative by Lambda of the variance of the predicted position over sigma_o^2.
-        Relative error at most 24.52 * 2^-52 (float64), 19.06 * 2^-23 (float32), proved for every
+        Relative error at most 24.52 * 2^-52 (float64), 18.64 * 2^-23 (float32), proved for every
         input.
     predicted_12: derivative by Lambda of the covariance of predicted position and velocity times
-        T/sigma_o^2. Relative error at most 33.83 * 2^-52 (float64), 24.17 * 2^-23 (float32), proved
+        T/sigma_o^2. Relative error at most 33.83 * 2^-52 (float64), 23.91 * 2^-23 (float32), proved
         for every input.
     predicted_22: derivative by Lambda of the variance of the predicted velocity times
-        T^2/sigma_o^2. Relative error at most 40.43 * 2^-52 (float64), 17.06 * 2^-23 (float32),
+        T^2/sigma_o^2. Relative error at most 40.43 * 2^-52 (float64), 16.90 * 2^-23 (float32),
         proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
@@ -944,9 +944,9 @@ def predicted_covariance_by_velocity_ratio(
         1e-30 and at most 1e30, in float32 at least 1e-5 and at most 1e5.
 
     predicted_11: derivative by S of the variance of the predicted position over sigma_o^2. Relative
-        error at most 32.32 * 2^-52 (float64), 29.37 * 2^-23 (float32), proved for every input.
+        error at most 32.32 * 2^-52 (float64), 29.02 * 2^-23 (float32), proved for every input.
     predicted_12: derivative by S of the covariance of predicted position and velocity times
-        T/sigma_o^2. Relative error at most 31.22 * 2^-52 (float64), 27.67 * 2^-23 (float32), proved
+        T/sigma_o^2. Relative error at most 31.22 * 2^-52 (float64), 27.28 * 2^-23 (float32), proved
         for every input.
     predicted_22: derivative by S of the variance of the predicted velocity times T^2/sigma_o^2.
         Relative error at most 32.85 * 2^-52 (float64), 34.27 * 2^-23 (float32), proved for every
@@ -1219,12 +1219,12 @@ def updated_covariance_by_velocity_ratio(
         1e-30 and at most 1e30, in float32 at least 1e-4 and at most 1e4.
 
     updated_11: derivative by S of the variance of the updated position over sigma_o^2. Relative
-        error at most 81.86 * 2^-52 (float64), 67.30 * 2^-23 (float32), proved for every input.
+        error at most 81.86 * 2^-52 (float64), 60.36 * 2^-23 (float32), proved for every input.
     updated_12: derivative by S of the covariance of updated position and velocity times
         T/sigma_o^2. Relative error at most 36.67 * 2^-52 (float64), 25.60 * 2^-23 (float32), proved
         for every input.
     updated_22: derivative by S of the variance of the updated velocity times T^2/sigma_o^2.
-        Relative error at most 33.15 * 2^-52 (float64), 29.51 * 2^-23 (float32), proved for every
+        Relative error at most 33.15 * 2^-52 (float64), 29.45 * 2^-23 (float32), proved for every
         input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,

@@ -350,8 +350,8 @@ def predictor_gain_derivatives(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: derivative of the position entry of F K, alpha + beta. Relative error at most 11.57 *
-        2^-52 (float64), 11.60 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: derivative of the position entry of F K, alpha + beta. Relative error at most 11.54 *
+        2^-52 (float64), 11.55 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
         error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <=
@@ -703,7 +703,7 @@ def gain_second_derivatives(
         and finite.
 
     alpha: second derivative by Lambda of the position gain. Relative error at most 15.01 * 2^-52
-        (float64), 15.02 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
+        (float64), 15.01 * 2^-23 (float32), proved for 1.5697348409117308e-206 <= tracking_index <=
         1.8122441335979363e77 (float64) and 1.0258392e-26 <= tracking_index <= 6.721987e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
@@ -780,7 +780,7 @@ def predictor_gain_second_derivatives(
         and finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 15.53 * 2^-52 (float64), 15.65 * 2^-23 (float32), proved for 1.5697348409117308e-206
+        at most 15.53 * 2^-52 (float64), 15.51 * 2^-23 (float32), proved for 1.5697348409117308e-206
         <= tracking_index <= 8.958978968711217e102 (float64) and 1.0258392e-26 <= tracking_index <=
         1.1082382e13 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
@@ -968,7 +968,7 @@ def updated_covariance_second_derivatives(
         and finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 15.01 * 2^-52 (float64), 15.02 * 2^-23 (float32), proved for
+        Relative error at most 15.01 * 2^-52 (float64), 15.01 * 2^-23 (float32), proved for
         1.5697348409117308e-206 <= tracking_index <= 1.8122441335979363e77 (float64) and
         1.0258392e-26 <= tracking_index <= 6.721987e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
@@ -1066,8 +1066,8 @@ def closed_loop_poles(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 8.53 * 2^-52
-        (float64), 8.54 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 8.52 * 2^-52
+        (float64), 8.51 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
         most 7.61 * 2^-52 (float64), 7.61 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -1154,7 +1154,7 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
 
     alpha: position gain; a number above 0 and below 1.
 
-    tracking_index: tracking index Lambda. Relative error at most 3.40 * 2^-52 (float64), 3.40 *
+    tracking_index: tracking index Lambda. Relative error at most 3.40 * 2^-52 (float64), 3.39 *
         2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999 (float64)
         and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
@@ -1203,8 +1203,8 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
 
     alpha: position gain; a number above 0 and below 1.
 
-    beta: velocity gain times the sampling interval. Relative error at most 2.15 * 2^-52 (float64),
-        2.15 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
+    beta: velocity gain times the sampling interval. Relative error at most 2.14 * 2^-52 (float64),
+        2.14 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
         (float64) and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1250,7 +1250,7 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
 
     beta: velocity gain times the sampling interval; a number above 0 and below 2.
 
-    tracking_index: tracking index Lambda. Relative error at most 2.53 * 2^-52 (float64), 2.53 *
+    tracking_index: tracking index Lambda. Relative error at most 2.51 * 2^-52 (float64), 2.51 *
         2^-23 (float32), proved for 2.2250738585072014e-308 <= beta <= 1.9999999999999998 (float64)
         and 1.1754944e-38 <= beta <= 1.9999999 (float32).
 

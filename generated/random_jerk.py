@@ -249,14 +249,14 @@ def gain_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 17.07 * 2^-52 (float64), 17.05 *
+    alpha: derivative of the position gain. Relative error at most 17.06 * 2^-52 (float64), 17.06 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 6.147487532734931e102 (float64) and
         1e-45 <= tracking_index <= 7.604528e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 18.06
-        * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 18.04
+        * 2^-52 (float64), 18.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <= 2.1021648e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 17.13 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 17.11 * 2^-52 (float64), 17.11 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <= tracking_index <=
         2.6091866e13 (float32).
 
@@ -450,14 +450,14 @@ def gains_with_derivatives(
         * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 17.07 * 2^-52 (float64), 17.05
+    d_alpha: derivative of the position gain. Relative error at most 17.06 * 2^-52 (float64), 17.06
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 6.147487532734931e102 (float64)
         and 1e-45 <= tracking_index <= 7.604528e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        18.06 * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        18.04 * 2^-52 (float64), 18.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <= 2.1021648e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 17.13 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 17.11 * 2^-52 (float64), 17.11 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <= tracking_index <=
         2.6091866e13 (float32).
 
@@ -640,8 +640,8 @@ def predictor_gains(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.21 * 2^-52
-        (float64), 6.21 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.17 * 2^-52
+        (float64), 6.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -789,14 +789,14 @@ def predictor_gain_derivatives(
         finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.56 * 2^-52 (float64), 18.55 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 18.53 * 2^-52 (float64), 18.52 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 2.1423048991561227e103 (float64) and 1e-45 <= tracking_index <= 2.650061e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 18.05 * 2^-52 (float64), 18.04 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 18.03 * 2^-52 (float64), 18.02 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.426769755425277e103 (float64) and 1e-45 <= tracking_index <=
         3.001948e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 17.13 * 2^-52 (float64), 17.12 * 2^-23 (float32),
+        interval, gamma. Relative error at most 17.11 * 2^-52 (float64), 17.11 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <=
         tracking_index <= 2.6091866e13 (float32).
 
@@ -978,7 +978,7 @@ def innovation_deviation(
         finite.
 
     innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
-        5.00 * 2^-52 (float64), 5.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        4.99 * 2^-52 (float64), 4.99 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1108,7 +1108,7 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
         finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 11.49 * 2^-52 (float64), 11.49 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 11.48 * 2^-52 (float64), 11.48 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0777833921299165e154 (float64) and 1e-45 <= tracking_index <=
         1.482837e19 (float32).
 
@@ -1251,14 +1251,14 @@ def predicted_covariance(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
         most 2^511, in float32 above 0 and at most 2^63.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.92 *
-        2^-52 (float64), 10.91 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.89 *
+        2^-52 (float64), 10.89 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 10.46 * 2^-52 (float64), 10.47 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 10.46 * 2^-52 (float64), 10.45 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
-        error at most 5.52 * 2^-52 (float64), 5.52 * 2^-23 (float32), proved for
+        error at most 5.51 * 2^-52 (float64), 5.51 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 6.703903964971299e153 (float64) and
         1.1754944e-38 <= tracking_index <= 9.223372e18 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
@@ -1266,7 +1266,7 @@ def predicted_covariance(
         tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
         9.223372e18 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
-        error at most 7.07 * 2^-52 (float64), 7.07 * 2^-23 (float32), proved for
+        error at most 7.03 * 2^-52 (float64), 7.05 * 2^-23 (float32), proved for
         1.0832677820940206e-231 <= tracking_index <= 6.703903964971299e153 (float64) and
         2.122721e-29 <= tracking_index <= 9.223372e18 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
@@ -1461,11 +1461,11 @@ def predicted_covariance_derivatives(
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 16.38 * 2^-52 (float64), 16.41 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.38 * 2^-52 (float64), 16.32 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_23: derivative of the covariance of predicted velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 10.60 * 2^-52 (float64), 10.60 * 2^-23 (float32),
+        T^3/sigma_v^2. Relative error at most 10.56 * 2^-52 (float64), 10.54 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     predicted_33: derivative of the variance of the predicted acceleration times T^4/sigma_v^2.
@@ -1727,8 +1727,8 @@ def updated_covariance(
         at most 4.61 * 2^-52 (float64), 4.61 * 2^-23 (float32), proved for 2.2250738585072014e-308
         <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
         9.223372e18 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 17.81 *
-        2^-52 (float64), 17.82 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 17.80 *
+        2^-52 (float64), 17.81 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
         tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
         9.223372e18 (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
@@ -2270,16 +2270,16 @@ def gain_second_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 27.37 * 2^-52
+    alpha: second derivative by Lambda of the position gain. Relative error at most 27.38 * 2^-52
         (float64), 27.57 * 2^-23 (float32), proved for 6.852691063641311e-186 <= tracking_index <=
         1.6248136397643547e77 (float64) and 4.6732578e-24 <= tracking_index <= 6.0267684e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 36.32 * 2^-52 (float64), 36.33 * 2^-23 (float32), proved for
+        error at most 36.26 * 2^-52 (float64), 36.27 * 2^-23 (float32), proved for
         3.506117298415993e-232 <= tracking_index <= 3.483368529203275e77 (float64) and 6.8711666e-30
         <= tracking_index <= 1.2920532e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 32.86 * 2^-52 (float64), 32.83 * 2^-23 (float32), proved
+        interval. Relative error at most 32.83 * 2^-52 (float64), 32.83 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 4.0961722872046457e77 (float64) and 1e-45 <= tracking_index
         <= 1.5193547e10 (float32).
 
@@ -2593,15 +2593,15 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 30.56 * 2^-52 (float64), 30.54 * 2^-23 (float32), proved for
+        Relative error at most 30.48 * 2^-52 (float64), 30.47 * 2^-23 (float32), proved for
         6.852691063641454e-186 <= tracking_index <= 4.1442054202196843e77 (float64) and
         4.6733086e-24 <= tracking_index <= 1.5371711e10 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta + gamma. Relative error at most 36.83 * 2^-52 (float64), 36.83 * 2^-23 (float32),
+        beta + gamma. Relative error at most 36.76 * 2^-52 (float64), 36.77 * 2^-23 (float32),
         proved for 3.506117298415993e-232 <= tracking_index <= 4.5504227289903544e77 (float64) and
         6.871167e-30 <= tracking_index <= 1.6878456e10 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 32.86 * 2^-52 (float64), 32.83 * 2^-23
+        the sampling interval, gamma. Relative error at most 32.83 * 2^-52 (float64), 32.83 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 4.0961722872046457e77 (float64) and 1e-45
         <= tracking_index <= 1.5193547e10 (float32).
 
@@ -2934,7 +2934,7 @@ def predicted_covariance_second_derivatives(
         proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
         tracking_index <= 1.329228e36 (float32).
     predicted_23: second derivative by Lambda of the covariance of predicted velocity and
-        acceleration times T^3/sigma_v^2. Relative error at most 10.21 * 2^-52 (float64), 10.21 *
+        acceleration times T^3/sigma_v^2. Relative error at most 10.21 * 2^-52 (float64), 10.19 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_33: second derivative by Lambda of the variance of the predicted acceleration times
@@ -3234,13 +3234,13 @@ def predicted_position_second_derivatives(
         and at most 2^480, in float32 at least 2^-80 and at most 2^56.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Error over predicted_11_scale at most 65.88 * 2^-52 (float64), 69.49 * 2^-23
+        sigma_v^2. Error over predicted_11_scale at most 65.44 * 2^-52 (float64), 69.44 * 2^-23
         (float32), proved for 6.8526910636413096e-186 <= tracking_index <= 3.1217485503159922e144
         (float64) and 4.6732578e-24 <= tracking_index <= 7.2057594e16 (float32). Cancellation in
         predicted_11_turn, condition number 1: it bends down for a small index and up for a large
         one; the scale is the sum of the two terms whose difference it is.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
-        times T/sigma_v^2. Error over predicted_12_scale at most 67.81 * 2^-52 (float64), 71.77 *
+        times T/sigma_v^2. Error over predicted_12_scale at most 67.77 * 2^-52 (float64), 71.60 *
         2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
         3.1217485503159922e144 (float64) and 8.271806e-25 <= tracking_index <= 7.2057594e16
         (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
@@ -3495,7 +3495,7 @@ def updated_covariance_second_derivatives(
         most 2^480, in float32 above 0 and at most 2^56.
 
     updated_22: second derivative by Lambda of the variance of the updated velocity times
-        T^2/sigma_v^2. Error over updated_22_scale at most 38.73 * 2^-52 (float64), 42.08 * 2^-23
+        T^2/sigma_v^2. Error over updated_22_scale at most 38.70 * 2^-52 (float64), 41.94 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
         <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_22_turn, condition
         number 1: it bends down for a small index and up for a large one; the scale is the sum of

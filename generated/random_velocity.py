@@ -764,8 +764,8 @@ def gain_second_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 13.29 * 2^-52
-        (float64), 13.29 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 13.28 * 2^-52
+        (float64), 13.26 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
         1.2814501160326402e77 (float64) and 1.0258395e-26 <= tracking_index <= 4.753162e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
@@ -861,7 +861,7 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 13.80 * 2^-52 (float64), 13.80 * 2^-23 (float32), proved for 1.569734840911732e-206
+        at most 13.78 * 2^-52 (float64), 13.76 * 2^-23 (float32), proved for 1.569734840911732e-206
         <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258396e-26 <= tracking_index <=
         6.721987e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
@@ -966,14 +966,14 @@ def predicted_covariance_second_derivatives(
         finite.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Error over predicted_11_scale at most 10.76 * 2^-52 (float64), 10.74 * 2^-23
+        sigma_v^2. Error over predicted_11_scale at most 10.67 * 2^-52 (float64), 10.68 * 2^-23
         (float32), proved for 1.5697348409117308e-206 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32). Cancellation in
         predicted_11_turn, condition number 1: the variance bends down for a small index and up for
         a large one, so that it vanishes between; predicted_11_scale is the sum of the terms whose
         difference it is.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
-        times T/sigma_v^2. Relative error at most 6.76 * 2^-52 (float64), 6.77 * 2^-23 (float32),
+        times T/sigma_v^2. Relative error at most 6.75 * 2^-52 (float64), 6.77 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     predicted_22: second derivative by Lambda of the variance of the predicted velocity times
@@ -1085,7 +1085,7 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 13.29 * 2^-52 (float64), 13.29 * 2^-23 (float32), proved for
+        Relative error at most 13.28 * 2^-52 (float64), 13.26 * 2^-23 (float32), proved for
         1.5697348409117316e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
         1.0258395e-26 <= tracking_index <= 4.753162e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
@@ -1203,17 +1203,17 @@ def closed_loop_poles(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    first_real: real part of the first pole. Error over first_modulus at most 7.04 * 2^-52
-        (float64), 7.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    first_real: real part of the first pole. Error over first_modulus at most 7.02 * 2^-52
+        (float64), 7.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 4.62 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
-    second_real: real part of the second pole. Error over second_modulus at most 7.04 * 2^-52
-        (float64), 7.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    second_real: real part of the second pole. Error over second_modulus at most 7.02 * 2^-52
+        (float64), 7.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 4.62 * 2^-52 (float64), 4.62 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1271,7 +1271,7 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
 
     alpha: position gain; a number above 0 and below 1.
 
-    tracking_index: tracking index Lambda. Relative error at most 3.52 * 2^-52 (float64), 3.52 *
+    tracking_index: tracking index Lambda. Relative error at most 3.51 * 2^-52 (float64), 3.51 *
         2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999 (float64)
         and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
@@ -1321,8 +1321,8 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
 
     alpha: position gain; a number above 0 and below 1.
 
-    beta: velocity gain times the sampling interval. Relative error at most 2.27 * 2^-52 (float64),
-        2.27 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
+    beta: velocity gain times the sampling interval. Relative error at most 2.26 * 2^-52 (float64),
+        2.26 * 2^-23 (float32), proved for 2.1095373229726e-154 <= alpha <= 0.9999999999999999
         (float64) and 1.5332935e-19 <= alpha <= 0.99999994 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal

@@ -907,7 +907,7 @@ def start_random_jerk(
         15.00 * 2^-52 (float64), 14.98 * 2^-23 (float32), proved for every input.
     diagonal_3: d3, variance of the acceleration, m^2/s^4. Relative error at most 11.00 * 2^-52
         (float64), 10.98 * 2^-23 (float32), proved for every input.
-    first_shear: a, s. Relative error at most 10.51 * 2^-52 (float64), 10.48 * 2^-23 (float32),
+    first_shear: a, s. Relative error at most 10.50 * 2^-52 (float64), 10.48 * 2^-23 (float32),
         proved for every input.
     second_shear: b, s. Relative error at most 14.00 * 2^-52 (float64), 13.96 * 2^-23 (float32),
         proved for every input.
@@ -1984,7 +1984,7 @@ def predict_continuous_white_jerk(
         for every input.
     second_shear: b, s. Relative error at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32),
         proved for every input.
-    third_shear: c, s. Relative error at most 14.01 * 2^-52 (float64), 14.01 * 2^-23 (float32),
+    third_shear: c, s. Relative error at most 14.01 * 2^-52 (float64), 14.00 * 2^-23 (float32),
         proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,

@@ -618,8 +618,8 @@ def predictor_gains(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.18 * 2^-52
-        (float64), 6.18 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.17 * 2^-52
+        (float64), 6.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -1207,22 +1207,22 @@ def predicted_covariance(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         at most 2^511, in float32 above 0 and at most 2^63.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.56 *
-        2^-52 (float64), 9.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.55 *
+        2^-52 (float64), 9.56 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 9.42 * 2^-52 (float64), 9.43 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 9.41 * 2^-52 (float64), 9.42 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
         error at most 4.91 * 2^-52 (float64), 4.91 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 6.703903964971299e153 (float64) and
         1.1754944e-38 <= tracking_index <= 9.223372e18 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        12.32 * 2^-52 (float64), 12.31 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        12.27 * 2^-52 (float64), 12.27 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
         tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
         9.223372e18 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
-        error at most 6.40 * 2^-52 (float64), 6.40 * 2^-23 (float32), proved for
+        error at most 6.36 * 2^-52 (float64), 6.36 * 2^-23 (float32), proved for
         1.0832677820940206e-231 <= tracking_index <= 6.703903964971299e153 (float64) and
         2.122721e-29 <= tracking_index <= 9.223372e18 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
@@ -1410,11 +1410,11 @@ def predicted_covariance_derivatives(
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
-        error at most 14.88 * 2^-52 (float64), 14.86 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 14.88 * 2^-52 (float64), 14.82 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_23: derivative of the covariance of predicted velocity and acceleration times
-        T^3/sigma_v^2. Relative error at most 9.90 * 2^-52 (float64), 9.89 * 2^-23 (float32), proved
+        T^3/sigma_v^2. Relative error at most 9.90 * 2^-52 (float64), 9.87 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_33: derivative of the variance of the predicted acceleration times T^4/sigma_v^2.
@@ -2045,7 +2045,7 @@ def gain_second_derivatives(
         1.8122441335979363e77 (float64) and 4.6731686e-24 <= tracking_index <= 6.721987e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 28.95 * 2^-52 (float64), 28.95 * 2^-23 (float32), proved for
+        error at most 28.93 * 2^-52 (float64), 28.94 * 2^-23 (float32), proved for
         3.506117298415883e-232 <= tracking_index <= 8.958978968711217e102 (float64) and 6.87103e-30
         <= tracking_index <= 1.1082382e13 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
@@ -2292,7 +2292,7 @@ def predictor_gain_second_derivatives(
         6.852691063641282e-186 <= tracking_index <= 1.1287606188244725e103 (float64) and
         4.673234e-24 <= tracking_index <= 1.3962927e13 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta + gamma. Relative error at most 29.45 * 2^-52 (float64), 29.45 * 2^-23 (float32),
+        beta + gamma. Relative error at most 29.43 * 2^-52 (float64), 29.44 * 2^-23 (float32),
         proved for 3.5061172984158834e-232 <= tracking_index <= 1.292108356801686e103 (float64) and
         6.8710304e-30 <= tracking_index <= 1.5983561e13 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
@@ -2550,11 +2550,11 @@ def predicted_covariance_second_derivatives(
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_22: second derivative by Lambda of the variance of the predicted velocity times
-        T^2/sigma_v^2. Relative error at most 9.75 * 2^-52 (float64), 9.74 * 2^-23 (float32), proved
+        T^2/sigma_v^2. Relative error at most 9.75 * 2^-52 (float64), 9.71 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_23: second derivative by Lambda of the covariance of predicted velocity and
-        acceleration times T^3/sigma_v^2. Relative error at most 9.71 * 2^-52 (float64), 9.70 *
+        acceleration times T^3/sigma_v^2. Relative error at most 9.71 * 2^-52 (float64), 9.69 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
         1e-45 <= tracking_index <= 1.329228e36 (float32).
     predicted_33: second derivative by Lambda of the variance of the predicted acceleration times
@@ -2802,7 +2802,7 @@ def predicted_position_second_derivatives(
         predicted_11_turn, condition number 1: it bends down for a small index and up for a large
         one; the scale is the sum of the two terms whose difference it is.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
-        times T/sigma_v^2. Error over predicted_12_scale at most 64.31 * 2^-52 (float64), 66.77 *
+        times T/sigma_v^2. Error over predicted_12_scale at most 64.09 * 2^-52 (float64), 66.77 *
         2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
         3.1217485503159922e144 (float64) and 8.271806e-25 <= tracking_index <= 7.2057594e16
         (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
@@ -3019,15 +3019,15 @@ def updated_covariance_second_derivatives(
         at most 2^1000, in float32 above 0 and at most 2^120.
 
     updated_22: second derivative by Lambda of the variance of the updated velocity times
-        T^2/sigma_v^2. Relative error at most 21.37 * 2^-52 (float64), 21.37 * 2^-23 (float32),
+        T^2/sigma_v^2. Relative error at most 21.37 * 2^-52 (float64), 21.36 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.422149263949316e103 (float64) and 1e-45 <=
         tracking_index <= 1.7592185e13 (float32).
     updated_23: second derivative by Lambda of the covariance of updated velocity and acceleration
-        times T^3/sigma_v^2. Relative error at most 21.37 * 2^-52 (float64), 21.37 * 2^-23
+        times T^3/sigma_v^2. Relative error at most 21.37 * 2^-52 (float64), 21.36 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 1.422149263949316e103 (float64) and 1e-45
         <= tracking_index <= 1.7592185e13 (float32).
     updated_33: second derivative by Lambda of the variance of the updated acceleration times
-        T^4/sigma_v^2. Relative error at most 25.46 * 2^-52 (float64), 25.46 * 2^-23 (float32),
+        T^4/sigma_v^2. Relative error at most 25.46 * 2^-52 (float64), 25.45 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 2.844298527898632e103 (float64) and 1e-45 <=
         tracking_index <= 3.518437e13 (float32).
 

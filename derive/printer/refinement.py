@@ -12,6 +12,7 @@ from gainproof.derive.printer.value import Grid, Mask
 TOLERANCE = 0.01  # boxes are bisected until the bound is this close to its least possible value
 GREATEST_COUNT = 40_000  # of boxes of one kernel in one format
 ROUNDS = 40
+ENOUGH = 256  # boxes of a round: NumPy takes hardly longer for these than for one
 
 
 class Refinement:
@@ -45,6 +46,9 @@ class Refinement:
         return again
 
     def finer(self, grid: Grid, again: Mask) -> Grid:
-        """Those boxes, each in four."""
-        part = boxes.grid(grid.low[:, again], grid.high[:, again])
-        return boxes.halves(boxes.halves(part, self.form), self.form)
+        """Those boxes, each in four, or in more where they are few."""
+        finer = boxes.grid(grid.low[:, again], grid.high[:, again])
+        finer = boxes.halves(boxes.halves(finer, self.form), self.form)
+        while finer.count < ENOUGH:
+            finer = boxes.halves(finer, self.form)
+        return finer

@@ -14,7 +14,7 @@ from gainproof.derive.printer.adjoint import Adjoint
 from gainproof.derive.printer.behaviour import Behaviour
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.forward import Forward
-from gainproof.derive.printer.frontier import Frontier, Waiting
+from gainproof.derive.printer.frontier import ENOUGH, Frontier, Waiting
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.program import program
@@ -170,13 +170,27 @@ def test_waiting_boxes_count_with_their_own_bounds() -> None:
     frontier.add(Waiting(grid, upper, np.zeros((0, 4))), upper / 9)
     following = frontier.finer()
     assert following is not None
-    assert following.count == 16
+    count = following.count
+    assert count == ENOUGH
     assert frontier.settled.tolist() == [0.0]
     with np.errstate(all="ignore"):
         assert isinstance(proof.adjoint(following), Adjoint)
-    frontier.add(Waiting(following, np.full((1, 16), 1.0), np.zeros((0, 16))), np.ones((1, 16)))
+    ones = np.ones((1, count))
+    frontier.add(Waiting(following, ones, np.zeros((0, count))), ones)
     assert frontier.finer() is None
     assert frontier.settled.tolist() == [1.0]
+
+
+def test_few_boxes_are_bisected_further_within_the_budget_only() -> None:
+    """Quarters are always made; more of them while the budget has room for twice as many."""
+    for budget, count in ((20, 16), (36, 32), (67, 32), (68, 64)):
+        frontier = Frontier(1, 0, FLOAT64, 100.0, budget)
+        grid = boxes.grid(np.full((2, 4), 1.0), np.full((2, 4), 2.0))
+        upper = np.array([[3.0, 9.0, 5.0, 7.0]])
+        frontier.add(Waiting(grid, upper, np.zeros((0, 4))), upper / 9)
+        following = frontier.finer()
+        assert following is not None
+        assert following.count == count
 
 
 class GraphBuilderOfSum:
