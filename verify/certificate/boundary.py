@@ -25,7 +25,8 @@ from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.generator import read_constants
 from gainproof.verify.certificate.pair_boundary import require_pair, require_root
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.polynomial import Monomial, Polynomial
+from gainproof.verify.certificate.polynomial import Polynomial
+from gainproof.verify.certificate.products import Monomial
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial
 from gainproof.verify.certificate.rejection import RejectedError
 from gainproof.verify.certificate.tower import Tower

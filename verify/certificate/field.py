@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from gainproof.verify.certificate.coupled import Pair
-from gainproof.verify.certificate.polynomial import Monomial, Polynomial, Ring
+from gainproof.verify.certificate.polynomial import Polynomial, Ring
+from gainproof.verify.certificate.products import Monomial
 from gainproof.verify.certificate.rejection import RejectedError
 
 

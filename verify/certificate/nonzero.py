@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.polynomial import Monomial, Polynomial
+from gainproof.verify.certificate.polynomial import Polynomial
+from gainproof.verify.certificate.products import Monomial
 from gainproof.verify.certificate.ratio import Ratio
 from gainproof.verify.certificate.rejection import RejectedError
 from gainproof.verify.certificate.written import read_fraction

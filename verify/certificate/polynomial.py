@@ -13,15 +13,13 @@ from fractions import Fraction
 from math import gcd
 from operator import add
 
+from gainproof.verify.certificate.products import Monomial, product_of
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_COEFFICIENT_BITS,
     MAXIMUM_EXPONENT,
-    MAXIMUM_TERMS,
     Meter,
     RejectedError,
 )
-
-Monomial = tuple[int, ...]
 
 # What any operation costs, however short, in products of two terms.
 _OVERHEAD = 10
@@ -119,20 +117,11 @@ class Polynomial:
     def __mul__(self, other: Polynomial) -> Polynomial:
         self._same_ring(other)
         self.ring.meter.spend(self._cost(other))
-        if any(degree > MAXIMUM_EXPONENT for degree in map(add, self._degrees(), other._degrees())):
+        degrees = list(map(add, self._degrees(), other._degrees()))
+        if any(degree > MAXIMUM_EXPONENT for degree in degrees):
             raise RejectedError(f"an exponent grew beyond {MAXIMUM_EXPONENT}")
-        short, long = sorted((self.terms, other.terms), key=len)
-        product: dict[Monomial, int] = {}
-        for left, first in short.items():
-            if not product:  # no two products of one term with others meet
-                product = {tuple(map(add, left, m)): first * c for m, c in long.items()}
-            else:
-                for right, second in long.items():
-                    monomial = tuple(map(add, left, right))
-                    product[monomial] = product.get(monomial, 0) + first * second
-            if len(product) > MAXIMUM_TERMS:
-                raise RejectedError(f"a polynomial grew beyond {MAXIMUM_TERMS} terms")
-        return self.ring.normal(product, self.denominator * other.denominator)
+        terms = product_of(self.terms, other.terms, degrees)
+        return self.ring.normal(terms, self.denominator * other.denominator)
 
     def __pow__(self, exponent: int) -> Polynomial:
         """A nonnegative integer power."""

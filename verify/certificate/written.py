@@ -8,7 +8,8 @@ from fractions import Fraction
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.polynomial import Monomial, Polynomial, Ring
+from gainproof.verify.certificate.polynomial import Polynomial, Ring
+from gainproof.verify.certificate.products import Monomial
 from gainproof.verify.certificate.ratio import Ratio, fraction
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_EXPONENT,
