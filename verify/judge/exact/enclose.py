@@ -20,13 +20,25 @@ class Unresolved(ArithmeticError):
     """A ball contains zero where its sign matters, or a function is not known."""
 
 
+class Balls:
+    """Balls round the values of expressions at one point; what several share is enclosed once."""
+
+    def __init__(self, values: Mapping[str, Fraction], precision: int) -> None:
+        self.values, self.precision = values, precision
+        self._known: dict[bytes, Ball] = {}
+
+    def round(self, expr: Expr) -> Ball:
+        """A ball round the value. Raises NoValue, Unresolved."""
+        known = self._known
+        with flint.ctx.workprec(self.precision):
+            for node in walk(expr, known=known):
+                known[node.key] = _node(node, [known[p.key] for p in node.parts], self.values)
+        return known[expr.key]
+
+
 def enclosed(expr: Expr, values: Mapping[str, Fraction], precision: int) -> Ball:
     """A ball round the value at a point. Raises NoValue, Unresolved."""
-    with flint.ctx.workprec(precision):
-        done: dict[bytes, Ball] = {}
-        for node in walk(expr):
-            done[node.key] = _node(node, [done[p.key] for p in node.parts], values)
-        return done[expr.key]
+    return Balls(values, precision).round(expr)
 
 
 def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction]) -> Ball:

@@ -7,7 +7,7 @@ product with zero is still found.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -158,14 +158,16 @@ def whole_power(base: Expr, exponent: int) -> Expr:
     return base if exponent == 1 else power(base, exponent)
 
 
-def walk(*roots: Expr) -> Iterator[Expr]:
-    """Every distinct node below the roots, parts before wholes."""
+def walk(*roots: Expr, known: Container[bytes] = ()) -> Iterator[Expr]:
+    """Every distinct node below the roots, parts before wholes, without those whose keys are
+    `known` and what is below these alone.
+    """
     seen: set[bytes] = set()
     stack = list(reversed(roots))
     while stack:
         node = stack[-1]
-        if node.key not in seen:
-            before = [part for part in node.parts if part.key not in seen]
+        if node.key not in seen and node.key not in known:
+            before = [p for p in node.parts if p.key not in seen and p.key not in known]
             if before:
                 before.reverse()
                 stack += before

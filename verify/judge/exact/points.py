@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
@@ -83,15 +83,15 @@ def _at(
 ) -> Witness | int:
     """A witness, 1 if the statement was seen to hold at the point, 0 if it says nothing there."""
     for precision in PRECISIONS:
+        balls = Balls(point, precision)
         try:
-            if not all(_holds(rel, point, precision) for rel in statement.domain):
+            if not all(_holds(rel, balls) for rel in statement.domain):
                 return 0
             for needed in statement.needed:
-                enclosed(needed, point, precision)
+                balls.round(needed)
             for rel in statement.relations:
-                a, b = (enclosed(side, point, precision) for side in (rel.left, rel.right))
-                if not _holds(rel, point, precision):
-                    shown = separated(a, b)
+                if not _holds(rel, balls):
+                    shown = separated(balls.round(rel.left), balls.round(rel.right))
                     if shown is None:
                         raise Unresolved("sides too close")
                     where = {labels.get(name, name): str(value) for name, value in point.items()}
@@ -104,11 +104,11 @@ def _at(
     return 0
 
 
-def _holds(rel: Rel, point: Mapping[str, Fraction], precision: int) -> bool:
+def _holds(rel: Rel, balls: Balls) -> bool:
     """Truth by balls; two sides that agree to AGREED_BITS count as equal. Raises Unresolved,
     NoValue.
     """
-    a, b = (enclosed(side, point, precision) for side in (rel.left, rel.right))
+    a, b = balls.round(rel.left), balls.round(rel.right)
     if not a.overlaps(b):
         less = bool(a < b)
         return {"=": False, "!=": True, "<": less, "<=": less, ">": not less, ">=": not less}[

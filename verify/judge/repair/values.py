@@ -8,7 +8,7 @@ from fractions import Fraction
 import flint
 
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
@@ -38,6 +38,7 @@ class Values:
         overriding: Mapping[str, Ball] | None = None,
     ) -> None:
         self.scope, self.point, self.put_in, self.precision = scope, point, put_in, precision
+        self._balls = Balls(point, precision)
         self._symbols: dict[str, Ball | None] = dict(overriding or {})
         self._own = frozenset(overriding or {})
         self._kept: dict[bytes, Ball | None] = {}
@@ -58,7 +59,7 @@ class Values:
         try:
             if self.put_in:
                 expr = substituted(expr, self.put_in)
-            return enclosed(expr, self.point, self.precision)
+            return self._balls.round(expr)
         except (NoValue, Unresolved):
             return None
 

@@ -84,7 +84,8 @@ class ChartField:
 
         Roots and positive symbols are positive: their coefficients must have one sign.
         """
-        outer = [i for i in range(self.low) if degree(p, i) > 0]
+        degrees = p.degrees()
+        outer = [i for i in range(self.low) if degrees[i] > 0]
         loose = [MOST_ROOTS + k for k, n in enumerate(self.free) if n not in self.positive]
         if any(i in loose for i in outer):
             return None
@@ -145,9 +146,11 @@ class ChartField:
         return self._tidy(x.num * y.num, x.den * y.den)
 
     def _reduced(self, p: Poly) -> Poly:
+        degrees = p.degrees()
         for index, square in enumerate(self.squares):
-            if degree(p, index) >= 2:
+            if degrees[index] >= 2:
                 p = divmod(p, self.ring.gen(index) ** 2 - square)[1]
+                degrees = p.degrees()
         if len(p) > DEFAULT_LIMITS.terms:
             raise Undecided(f"a polynomial of more than {DEFAULT_LIMITS.terms} terms")
         return p
