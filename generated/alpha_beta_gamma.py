@@ -21,6 +21,9 @@ __all__ = [
     "Lags",
     "MinimumVarianceByLag",
     "RandomAccelerationByGain",
+    "RandomAccelerationByLag",
+    "RandomJerkByGain",
+    "RandomJerkByLag",
     "Variances",
     "VariancesOfCoordinates",
     "coordinates",
@@ -28,6 +31,9 @@ __all__ = [
     "lags",
     "minimum_variance_by_lag",
     "random_acceleration_by_gain",
+    "random_acceleration_by_lag",
+    "random_jerk_by_gain",
+    "random_jerk_by_lag",
     "variances",
     "variances_of_coordinates",
 ]
@@ -73,6 +79,18 @@ _LAG_DOMAIN = Domain(
     "a number above 1/8 and at most 1e30, in float32 above 1/8 and at most 1e9",
     (0.12500000000000003, 1e30),
     (0.1250000149011612, 1000000000.0),
+)
+_LAG_DOMAIN_2 = Domain(
+    "lag",
+    "a number above 1/2 and at most 1e30, in float32 above 1/2 and at most 1e9",
+    (0.5000000000000001, 1e30),
+    (0.5000000596046448, 1000000000.0),
+)
+_LAG_DOMAIN_3 = Domain(
+    "lag",
+    "a number above 69/128 and at most 1e30, in float32 above 69/128 and at most 1e9",
+    (0.5390625000000001, 1e30),
+    (0.5390625596046448, 1000000000.0),
 )
 _ALPHA_DOMAIN_2 = Domain(
     "alpha",
@@ -823,6 +841,440 @@ _MINIMUM_VARIANCE_BY_LAG = Signature(
 )
 
 
+class RandomAccelerationByLag(NamedTuple):
+    """Result of `random_acceleration_by_lag`."""
+
+    random_acceleration_alpha: Real
+    """Gain of the position, random acceleration."""
+    random_acceleration_beta: Real
+    """Gain of the velocity times T, random acceleration."""
+    random_acceleration_gamma: Real
+    """Gain of the acceleration times T^2, random acceleration."""
+    random_acceleration_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, random acceleration."""
+
+
+def random_acceleration_by_lag(
+    lag: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> RandomAccelerationByLag:
+    """The stable random acceleration filter (RA) of a lag.
+
+        alpha (alpha + beta + gamma/2) = 2 beta, beta^2 = 2 alpha gamma, gamma = 1/lag; with
+        x (x + 2)^2 = 64 lag: random_acceleration_predicted_11 =
+        4 x (5 x + 6)/((x - 2) (3 x^2 - 4))
+
+    lag: 1/gamma, lag of the predicted position behind a constant jerk j over j T^3; a number above
+        1/2 and at most 1e30, in float32 above 1/2 and at most 1e9.
+
+    random_acceleration_alpha: gain of the position, random acceleration. Relative error at most
+        10.42 * 2^-52 (float64), 10.42 * 2^-23 (float32), proved for 0.5000000000000001 <= lag <=
+        1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
+    random_acceleration_beta: gain of the velocity times T, random acceleration. Relative error at
+        most 5.21 * 2^-52 (float64), 5.21 * 2^-23 (float32), proved for 0.5000000000000001 <= lag <=
+        1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
+    random_acceleration_gamma: gain of the acceleration times T^2, random acceleration. Relative
+        error at most 0.51 * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 0.5000000000000001
+        <= lag <= 1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
+    random_acceleration_predicted_11: variance of the predicted position over sigma_v^2, random
+        acceleration. Relative error at most 35.39 * 2^-52 (float64), 35.34 * 2^-23 (float32),
+        proved for 0.5000000000000001 <= lag <= 1e30 (float64) and 0.50000006 <= lag <= 1e09
+        (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return RandomAccelerationByLag(*evaluate(_RANDOM_ACCELERATION_BY_LAG, (lag,), out))
+
+
+def _random_acceleration_by_lag_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (lag,) = given
+    (
+        random_acceleration_alpha,
+        random_acceleration_beta,
+        random_acceleration_gamma,
+        random_acceleration_predicted_11,
+    ) = out
+    w0, w1, w2, w3, w4 = work
+    t2 = np.multiply(lag, 0.5, w0)
+    t3 = near_cbrt(lag, w1, single)
+    t5 = np.add(t3, 0.18, w1)
+    t8 = np.multiply(t5, 0.25, w2)
+    t9 = np.add(t8, lag, w3)
+    t10 = np.multiply(t9, t5, w4)
+    t11 = np.add(t10, t2, w4)
+    t12 = np.sqrt(t11, random_acceleration_predicted_11)
+    t13 = np.sqrt(t12, random_acceleration_alpha)
+    t15 = np.multiply(t9, 4.0, w3)
+    t16 = np.multiply(t15, 0.25, w3)
+    t17 = np.add(t8, t16, w2)
+    t18 = np.multiply(t12, 4.0, random_acceleration_predicted_11)
+    t19 = np.multiply(t18, t13, random_acceleration_predicted_11)
+    t20 = np.multiply(t13, t19, random_acceleration_alpha)
+    t21 = np.multiply(t17, t5, w1)
+    t22 = np.subtract(t20, t21, random_acceleration_alpha)
+    t23 = np.subtract(t19, t17, random_acceleration_predicted_11)
+    t24 = np.divide(t22, t23, random_acceleration_beta)
+    t26 = np.multiply(t24, 0.25, w1)
+    t27 = np.add(t26, lag, w2)
+    t28 = np.multiply(t27, t24, w3)
+    t29 = np.add(t28, t2, w3)
+    t30 = np.sqrt(t29, random_acceleration_gamma)
+    t31 = np.sqrt(t30, w3)
+    t32 = np.multiply(t27, 4.0, w2)
+    t33 = np.multiply(t32, 0.25, w2)
+    t34 = np.add(t26, t33, w1)
+    t35 = np.multiply(t30, 4.0, random_acceleration_gamma)
+    t36 = np.multiply(t35, t31, random_acceleration_gamma)
+    t37 = np.multiply(t31, t36, w3)
+    t38 = np.multiply(t34, t24, random_acceleration_beta)
+    t39 = np.subtract(t37, t38, w3)
+    t40 = np.subtract(t36, t34, random_acceleration_gamma)
+    t41 = np.divide(t39, t40, w3)
+    t43 = np.multiply(t41, 0.25, w1)
+    t44 = np.add(t43, lag, w2)
+    t45 = np.multiply(t44, t41, w4)
+    t46 = np.add(t45, t2, w4)
+    t47 = np.sqrt(t46, w4)
+    t48 = np.sqrt(t47, random_acceleration_alpha)
+    t49 = np.multiply(t44, 4.0, w2)
+    t50 = np.multiply(t49, 0.25, w2)
+    t51 = np.add(t43, t50, w1)
+    t52 = np.multiply(t47, 4.0, w4)
+    t53 = np.multiply(t52, t48, w4)
+    t54 = np.multiply(t48, t53, random_acceleration_alpha)
+    t55 = np.multiply(t51, t41, w3)
+    t56 = np.subtract(t54, t55, random_acceleration_alpha)
+    t57 = np.subtract(t53, t51, w4)
+    t58 = np.divide(t56, t57, random_acceleration_alpha)
+    t60 = np.multiply(t58, 0.25, w1)
+    t61 = np.add(t60, lag, w2)
+    t62 = np.multiply(t61, t58, w3)
+    t63 = np.add(t62, t2, w3)
+    t64 = np.sqrt(t63, w3)
+    t65 = np.sqrt(t64, w4)
+    t66 = np.multiply(t61, 4.0, w2)
+    t67 = np.multiply(t66, 0.25, w2)
+    t68 = np.add(t60, t67, w1)
+    t69 = np.multiply(t64, 4.0, w3)
+    t70 = np.multiply(t69, t65, w3)
+    t71 = np.multiply(t65, t70, w4)
+    t72 = np.multiply(t68, t58, random_acceleration_alpha)
+    t73 = np.subtract(t71, t72, w4)
+    t74 = np.subtract(t70, t68, w3)
+    t75 = np.divide(t73, t74, w4)
+    t77 = np.multiply(t75, 0.25, w1)
+    t78 = np.add(t77, lag, w1)
+    t79 = np.multiply(t78, t75, w1)
+    t80 = np.add(t79, t2, w1)
+    root_of_map = np.sqrt(t80, w1)
+    root = np.sqrt(root_of_map, w1)
+    t83 = np.square(root, w1)
+    t84 = np.multiply(lag, 4.0, w0)
+    t85 = np.divide(t84, t83, w0)
+    t86 = np.multiply(lag, 2.0, w2)
+    t89 = np.add(t86, -1.0, w2)
+    t91 = np.multiply(t89, 32.0, w2)
+    t93 = np.add(t85, 6.0, w3)
+    t94 = np.multiply(t93, t85, w3)
+    t96 = np.add(t94, 16.0, w3)
+    t97 = np.divide(t91, t96, w2)
+    t99 = np.multiply(t85, 5.0, w3)
+    t100 = np.add(t99, 6.0, w3)
+    t101 = np.multiply(t100, 4.0, w3)
+    t102 = np.multiply(t101, t85, w3)
+    t103 = np.divide(t102, t97, w3)
+    t104 = np.add(t85, 2.0, w4)
+    t105 = np.multiply(t97, t104, w2)
+    t107 = np.multiply(t105, 3.0, w2)
+    t109 = np.add(t107, 8.0, w2)
+    t111 = np.multiply(t83, 2.0, w4)
+    np.divide(t103, t109, random_acceleration_predicted_11)
+    np.divide(t85, t111, random_acceleration_alpha)
+    np.divide(2.0, t83, random_acceleration_beta)
+    np.divide(1.0, lag, random_acceleration_gamma)
+
+
+_RANDOM_ACCELERATION_BY_LAG = Signature(
+    "random_acceleration_by_lag",
+    (_LAG_DOMAIN_2,),
+    (
+        "random_acceleration_alpha",
+        "random_acceleration_beta",
+        "random_acceleration_gamma",
+        "random_acceleration_predicted_11",
+    ),
+    5,
+    _random_acceleration_by_lag_block,
+)
+
+
+class RandomJerkByLag(NamedTuple):
+    """Result of `random_jerk_by_lag`."""
+
+    random_jerk_alpha: Real
+    """Gain of the position, random jerk."""
+    random_jerk_beta: Real
+    """Gain of the velocity times T, random jerk."""
+    random_jerk_gamma: Real
+    """Gain of the acceleration times T^2, random jerk."""
+
+
+def random_jerk_by_lag(
+    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> RandomJerkByLag:
+    """The random jerk filter (RJ) of a lag.
+
+        2 alpha gamma - beta^2 = gamma^2/12, gamma = 1/lag,
+        2 alpha^2 + 2 alpha beta - 4 beta + alpha gamma = gamma^2/18; with x = 2 beta/gamma:
+        192 lag x = 3 x^4 + 12 x^3 + 14 x^2 + 4 x - 1, alpha = (3 x^2 + 1)/(24 lag);
+        alpha is below 1, as of a Kalman filter, for lags above (2 + sqrt(3))/6
+
+    lag: 1/gamma, lag of the predicted position behind a constant jerk j over j T^3; a number above
+        69/128 and at most 1e30, in float32 above 69/128 and at most 1e9.
+
+    random_jerk_alpha: gain of the position, random jerk. Relative error at most 16.37 * 2^-52
+        (float64), 16.60 * 2^-23 (float32), proved for 0.5390625000000001 <= lag <= 1e30 (float64)
+        and 0.53906256 <= lag <= 1e09 (float32).
+    random_jerk_beta: gain of the velocity times T, random jerk. Relative error at most 7.44 * 2^-52
+        (float64), 7.51 * 2^-23 (float32), proved for 0.5390625000000001 <= lag <= 1e30 (float64)
+        and 0.53906256 <= lag <= 1e09 (float32).
+    random_jerk_gamma: gain of the acceleration times T^2, random jerk. Relative error at most 0.51
+        * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 0.5390625000000001 <= lag <= 1e30
+        (float64) and 0.53906256 <= lag <= 1e09 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return RandomJerkByLag(*evaluate(_RANDOM_JERK_BY_LAG, (lag,), out))
+
+
+def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (lag,) = given
+    random_jerk_alpha, random_jerk_beta, random_jerk_gamma = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    t2 = np.multiply(lag, 4.0, w0)
+    t4 = near_cbrt(t2, w1, single)
+    t6 = np.multiply(t2, t4, w2)
+    t7 = np.sqrt(t6, random_jerk_alpha)
+    t8 = np.sqrt(t7, random_jerk_beta)
+    t10 = np.multiply(t2, 0.25, w2)
+    t11 = np.multiply(t7, t8, random_jerk_alpha)
+    t12 = np.multiply(t8, t11, random_jerk_beta)
+    t13 = np.multiply(t10, t4, w1)
+    t14 = np.subtract(t12, t13, random_jerk_beta)
+    t15 = np.subtract(t11, t10, random_jerk_alpha)
+    t16 = np.divide(t14, t15, random_jerk_gamma)
+    t18 = np.multiply(t2, t16, w1)
+    t19 = np.sqrt(t18, w1)
+    t20 = np.sqrt(t19, random_jerk_alpha)
+    t21 = np.multiply(t19, t20, w1)
+    t22 = np.multiply(t20, t21, random_jerk_alpha)
+    t23 = np.multiply(t10, t16, random_jerk_gamma)
+    t24 = np.subtract(t22, t23, random_jerk_alpha)
+    t25 = np.subtract(t21, t10, w1)
+    t26 = np.divide(t24, t25, random_jerk_alpha)
+    t28 = np.multiply(t2, t26, w1)
+    t29 = np.sqrt(t28, w1)
+    t30 = np.sqrt(t29, random_jerk_beta)
+    t31 = np.multiply(t29, t30, w1)
+    t32 = np.multiply(t30, t31, random_jerk_beta)
+    t33 = np.multiply(t10, t26, random_jerk_alpha)
+    t34 = np.subtract(t32, t33, random_jerk_beta)
+    t35 = np.subtract(t31, t10, w1)
+    t36 = np.divide(t34, t35, random_jerk_beta)
+    t38 = np.multiply(t2, t36, random_jerk_beta)
+    c_of_map = np.sqrt(t38, random_jerk_beta)
+    c = np.sqrt(c_of_map, random_jerk_beta)
+    t43 = np.add(t2, -1.0, w0)
+    t44 = np.add(c, 1.0, w1)
+    t45 = np.multiply(t44, c, w2)
+    t46 = np.add(t45, 1.0, w2)
+    t47 = np.divide(t43, t46, w0)
+    t48 = np.square(c, w2)
+    t49 = np.multiply(c, t47, random_jerk_alpha)
+    t50 = np.add(t49, 0.3333333333333333, random_jerk_alpha)
+    t51 = np.multiply(t48, t50, random_jerk_alpha)
+    t52 = np.multiply(t47, t44, w1)
+    t54 = np.multiply(t52, 6.0, random_jerk_gamma)
+    t56 = np.add(t54, 5.666666666666667, random_jerk_gamma)
+    t58 = np.add(t52, 0.6666666666666666, w1)
+    t59 = np.multiply(t58, c, w1)
+    t61 = np.multiply(t59, 2.0, w1)
+    t63 = np.add(c, 0.64, w3)
+    t64 = np.multiply(t63, c, w3)
+    t66 = np.add(t64, 0.2, w3)
+    t67 = np.multiply(t48, c, w2)
+    t69 = np.multiply(t67, 0.26, w2)
+    t70 = np.divide(t66, t69, w3)
+    t71 = np.divide(t61, t51, w1)
+    t72 = np.divide(t56, t51, random_jerk_gamma)
+    t73 = np.multiply(c, 4.0, random_jerk_beta)
+    t74 = np.divide(t73, t51, random_jerk_beta)
+    t75 = np.divide(1.0, t51, random_jerk_alpha)
+    t76 = np.square(t71, w2)
+    t77 = np.add(t76, t72, w2)
+    t78 = np.multiply(t71, t77, w4)
+    t79 = np.multiply(t72, t71, w5)
+    t80 = np.add(t78, t79, w4)
+    t81 = np.add(t80, t74, w4)
+    t82 = np.multiply(t71, t81, w5)
+    t83 = np.multiply(t72, t77, w6)
+    t84 = np.add(t82, t83, w5)
+    t85 = np.multiply(t74, t71, w6)
+    t86 = np.add(t84, t85, w5)
+    t87 = np.add(t86, t75, w5)
+    t88 = np.multiply(t71, t87, w6)
+    t89 = np.multiply(t72, t81, w7)
+    t90 = np.add(t88, t89, w6)
+    t91 = np.multiply(t74, t77, w7)
+    t92 = np.add(t90, t91, w6)
+    t93 = np.multiply(t75, t71, w1)
+    t94 = np.add(t92, t93, w6)
+    t95 = np.multiply(t72, t87, random_jerk_gamma)
+    t96 = np.multiply(t74, t81, w1)
+    t97 = np.add(t95, t96, random_jerk_gamma)
+    t98 = np.multiply(t75, t77, w2)
+    t99 = np.add(t97, t98, random_jerk_gamma)
+    t100 = np.multiply(t74, t87, random_jerk_beta)
+    t101 = np.multiply(t75, t81, w4)
+    t102 = np.add(t100, t101, random_jerk_beta)
+    t103 = np.multiply(t75, t87, random_jerk_alpha)
+    t105 = np.multiply(t94, t70, w1)
+    t106 = np.add(t105, t99, w2)
+    t107 = np.multiply(t106, t70, w2)
+    t108 = np.add(t107, t102, w4)
+    t109 = np.multiply(t108, t70, w5)
+    t110 = np.add(t109, t103, w5)
+    t111 = np.sqrt(t110, w5)
+    t112 = np.sqrt(t111, w7)
+    t113 = np.sqrt(t112, w8)
+    t115 = np.multiply(t105, t70, w1)
+    t116 = np.multiply(t115, 0.125, w1)
+    t117 = np.multiply(t107, 0.125, w2)
+    t118 = np.multiply(t108, 0.125, w4)
+    t119 = np.add(t116, t117, w1)
+    t120 = np.add(t119, t118, w1)
+    t121 = np.multiply(t111, t112, w5)
+    t122 = np.multiply(t121, t113, w5)
+    t123 = np.multiply(t113, t122, w8)
+    t124 = np.multiply(t120, t70, w3)
+    t125 = np.subtract(t123, t124, w8)
+    t126 = np.subtract(t122, t120, w5)
+    t127 = np.divide(t125, t126, w8)
+    t129 = np.multiply(t94, t127, w1)
+    t130 = np.add(t129, t99, w2)
+    t131 = np.multiply(t130, t127, w2)
+    t132 = np.add(t131, t102, w3)
+    t133 = np.multiply(t132, t127, w4)
+    t134 = np.add(t133, t103, w4)
+    t135 = np.sqrt(t134, w4)
+    t136 = np.sqrt(t135, w5)
+    t137 = np.sqrt(t136, w7)
+    t138 = np.multiply(t129, t127, w1)
+    t139 = np.multiply(t138, 0.125, w1)
+    t140 = np.multiply(t131, 0.125, w2)
+    t141 = np.multiply(t132, 0.125, w3)
+    t142 = np.add(t139, t140, w1)
+    t143 = np.add(t142, t141, w1)
+    t144 = np.multiply(t135, t136, w4)
+    t145 = np.multiply(t144, t137, w4)
+    t146 = np.multiply(t137, t145, w7)
+    t147 = np.multiply(t143, t127, w8)
+    t148 = np.subtract(t146, t147, w7)
+    t149 = np.subtract(t145, t143, w4)
+    t150 = np.divide(t148, t149, w7)
+    t152 = np.multiply(t94, t150, w1)
+    t153 = np.add(t152, t99, w2)
+    t154 = np.multiply(t153, t150, w2)
+    t155 = np.add(t154, t102, w3)
+    t156 = np.multiply(t155, t150, w4)
+    t157 = np.add(t156, t103, w4)
+    t158 = np.sqrt(t157, w4)
+    t159 = np.sqrt(t158, w5)
+    t160 = np.sqrt(t159, w8)
+    t161 = np.multiply(t152, t150, w1)
+    t162 = np.multiply(t161, 0.125, w1)
+    t163 = np.multiply(t154, 0.125, w2)
+    t164 = np.multiply(t155, 0.125, w3)
+    t165 = np.add(t162, t163, w1)
+    t166 = np.add(t165, t164, w1)
+    t167 = np.multiply(t158, t159, w4)
+    t168 = np.multiply(t167, t160, w4)
+    t169 = np.multiply(t160, t168, w8)
+    t170 = np.multiply(t166, t150, w7)
+    t171 = np.subtract(t169, t170, w8)
+    t172 = np.subtract(t168, t166, w4)
+    t173 = np.divide(t171, t172, w8)
+    t175 = np.multiply(t94, t173, w1)
+    t176 = np.add(t175, t99, w2)
+    t177 = np.multiply(t176, t173, w2)
+    t178 = np.add(t177, t102, w3)
+    t179 = np.multiply(t178, t173, w4)
+    t180 = np.add(t179, t103, w4)
+    t181 = np.sqrt(t180, w4)
+    t182 = np.sqrt(t181, w5)
+    t183 = np.sqrt(t182, w7)
+    t184 = np.multiply(t175, t173, w1)
+    t185 = np.multiply(t184, 0.125, w1)
+    t186 = np.multiply(t177, 0.125, w2)
+    t187 = np.multiply(t178, 0.125, w3)
+    t188 = np.add(t185, t186, w1)
+    t189 = np.add(t188, t187, w1)
+    t190 = np.multiply(t181, t182, w4)
+    t191 = np.multiply(t190, t183, w4)
+    t192 = np.multiply(t183, t191, w7)
+    t193 = np.multiply(t189, t173, w8)
+    t194 = np.subtract(t192, t193, w7)
+    t195 = np.subtract(t191, t189, w4)
+    t196 = np.divide(t194, t195, w7)
+    t198 = np.multiply(t94, t196, w6)
+    t199 = np.add(t198, t99, w6)
+    t200 = np.multiply(t199, t196, w6)
+    t201 = np.add(t200, t102, w6)
+    t202 = np.multiply(t201, t196, w6)
+    t203 = np.add(t202, t103, w6)
+    z_inside = np.sqrt(t203, w6)
+    z_of_map = np.sqrt(z_inside, w6)
+    z = np.sqrt(z_of_map, w6)
+    t207 = np.divide(1.0, z, w6)
+    t208 = np.add(t47, t207, w0)
+    t209 = np.multiply(t208, 2.0, w0)
+    t210 = np.add(t209, 1.0, w0)
+    t211 = np.square(t210, w1)
+    t213 = np.multiply(t211, 3.0, w1)
+    t214 = np.add(t213, 1.0, w1)
+    t216 = np.multiply(lag, 24.0, w2)
+    t218 = np.multiply(lag, 2.0, w3)
+    np.divide(t214, t216, random_jerk_alpha)
+    np.divide(t210, t218, random_jerk_beta)
+    np.divide(1.0, lag, random_jerk_gamma)
+
+
+_RANDOM_JERK_BY_LAG = Signature(
+    "random_jerk_by_lag",
+    (_LAG_DOMAIN_3,),
+    ("random_jerk_alpha", "random_jerk_beta", "random_jerk_gamma"),
+    9,
+    _random_jerk_by_lag_block,
+)
+
+
 class RandomAccelerationByGain(NamedTuple):
     """Result of `random_acceleration_by_gain`."""
 
@@ -852,7 +1304,7 @@ def random_acceleration_by_gain(
         error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for 1e-15 <= alpha <=
         0.9999999999999999 (float64) and 1e-06 <= alpha <= 0.99999994 (float32).
     random_acceleration_predicted_11: variance of the predicted position over sigma_v^2, random
-        acceleration. Relative error at most 3.89 * 2^-52 (float64), 3.86 * 2^-23 (float32), proved
+        acceleration. Relative error at most 3.86 * 2^-52 (float64), 3.86 * 2^-23 (float32), proved
         for 1e-15 <= alpha <= 0.9999999999999999 (float64) and 1e-06 <= alpha <= 0.99999994
         (float32).
 
@@ -898,4 +1350,263 @@ _RANDOM_ACCELERATION_BY_GAIN = Signature(
     ("random_acceleration_beta", "random_acceleration_gamma", "random_acceleration_predicted_11"),
     3,
     _random_acceleration_by_gain_block,
+)
+
+
+class RandomJerkByGain(NamedTuple):
+    """Result of `random_jerk_by_gain`."""
+
+    random_jerk_beta: Real
+    """Gain of the velocity times T, random jerk."""
+    random_jerk_gamma: Real
+    """Gain of the acceleration times T^2, random jerk."""
+    random_jerk_predicted_11: Real
+    """Variance of the predicted position over sigma_v^2, random jerk."""
+
+
+def random_jerk_by_gain(
+    alpha: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> RandomJerkByGain:
+    """The random jerk filter (RJ) of a position gain.
+
+        2 alpha gamma - beta^2 = gamma^2/12,
+        2 alpha^2 + 2 alpha beta - 4 beta + alpha gamma = gamma^2/18; with x = 2 beta/gamma:
+        alpha = 8 x (3 x^2 + 1)/(3 x^4 + 12 x^3 + 14 x^2 + 4 x - 1),
+        random_jerk_predicted_11 = (1 + x + y + d) (x (1 + x) + m)/(d m) - 1 with
+        y = (d + m)/x, d = (3 x^4 - 10 x^2 - 1)/(24 x), m = (9 x^2 - 1) (x^2 - 1)/(24 x)
+
+    alpha: gain of the position; a number at least 1e-15 and below 1, in float32 at least 1e-6 and
+        below 1.
+
+    random_jerk_beta: gain of the velocity times T, random jerk. Relative error at most 17.06 *
+        2^-52 (float64), 17.09 * 2^-23 (float32), proved for 1e-15 <= alpha <= 0.9999999999999999
+        (float64) and 1e-06 <= alpha <= 0.99999994 (float32).
+    random_jerk_gamma: gain of the acceleration times T^2, random jerk. Relative error at most 21.34
+        * 2^-52 (float64), 21.36 * 2^-23 (float32), proved for 1e-15 <= alpha <= 0.9999999999999999
+        (float64) and 1e-06 <= alpha <= 0.99999994 (float32).
+    random_jerk_predicted_11: variance of the predicted position over sigma_v^2, random jerk.
+        Relative error at most 14.34 * 2^-52 (float64), 14.59 * 2^-23 (float32), proved for 1e-15 <=
+        alpha <= 0.9999999999999999 (float64) and 1e-06 <= alpha <= 0.99999994 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return RandomJerkByGain(*evaluate(_RANDOM_JERK_BY_GAIN, (alpha,), out))
+
+
+def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (alpha,) = given
+    random_jerk_beta, random_jerk_gamma, random_jerk_predicted_11 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    t2 = np.subtract(1.0, alpha, w0)
+    t4 = np.multiply(alpha, 3.0, w1)
+    t6 = np.multiply(t2, 17.0, w2)
+    t7 = np.add(t6, 1.0, w2)
+    t8 = np.multiply(t2, alpha, w3)
+    t10 = np.multiply(t8, 1.6, w3)
+    t12 = np.add(t2, 0.075, w4)
+    t13 = np.divide(t10, t12, random_jerk_beta)
+    t14 = np.square(t2, w3)
+    t16 = np.multiply(t14, 36.0, w3)
+    t17 = np.add(t7, t13, random_jerk_beta)
+    t18 = np.multiply(t4, t17, random_jerk_beta)
+    t19 = np.add(t16, t18, w3)
+    half = np.sqrt(t19, random_jerk_gamma)
+    t22 = np.multiply(t2, 6.0, w3)
+    t23 = np.add(t22, half, w3)
+    t24 = np.divide(t23, t4, random_jerk_predicted_11)
+    t25 = np.square(alpha, w1)
+    t27 = np.multiply(t2, 4.0, w3)
+    t28 = np.multiply(t7, alpha, w2)
+    t29 = np.divide(t28, 3.0, w2)
+    t31 = np.multiply(t2, 10.0, w4)
+    t32 = np.multiply(t31, t25, w4)
+    t33 = np.divide(t32, 3.0, w4)
+    t35 = np.multiply(t2, 2.0, random_jerk_beta)
+    t36 = np.multiply(t25, alpha, w1)
+    t37 = np.multiply(t35, t36, random_jerk_beta)
+    t38 = np.divide(t37, 3.0, random_jerk_beta)
+    t39 = np.square(t27, w1)
+    t40 = np.add(t39, t29, w1)
+    t41 = np.multiply(t27, t40, random_jerk_gamma)
+    t42 = np.multiply(t29, t27, w5)
+    t43 = np.add(t41, t42, random_jerk_gamma)
+    t44 = np.add(t43, t33, random_jerk_gamma)
+    t45 = np.multiply(t27, t44, w5)
+    t46 = np.multiply(t29, t40, w6)
+    t47 = np.add(t45, t46, w5)
+    t48 = np.multiply(t33, t27, w6)
+    t49 = np.add(t47, t48, w5)
+    t50 = np.add(t49, t38, w5)
+    t51 = np.multiply(t27, t50, w6)
+    t52 = np.multiply(t29, t44, w7)
+    t53 = np.add(t51, t52, w6)
+    t54 = np.multiply(t33, t40, w7)
+    t55 = np.add(t53, t54, w6)
+    t56 = np.multiply(t38, t27, w3)
+    t57 = np.add(t55, t56, w6)
+    t58 = np.multiply(t29, t50, w2)
+    t59 = np.multiply(t33, t44, w3)
+    t60 = np.add(t58, t59, w2)
+    t61 = np.multiply(t38, t40, w1)
+    t62 = np.add(t60, t61, w2)
+    t63 = np.multiply(t33, t50, w4)
+    t64 = np.multiply(t38, t44, random_jerk_gamma)
+    t65 = np.add(t63, t64, w4)
+    t66 = np.multiply(t38, t50, random_jerk_beta)
+    t67 = np.multiply(t24, alpha, random_jerk_predicted_11)
+    t69 = np.multiply(t57, t67, w1)
+    t70 = np.add(t69, t62, w3)
+    t71 = np.multiply(t70, t67, w3)
+    t72 = np.add(t71, t65, w5)
+    t73 = np.multiply(t72, t67, w7)
+    t74 = np.add(t73, t66, w7)
+    t75 = np.sqrt(t74, w7)
+    t76 = np.sqrt(t75, random_jerk_gamma)
+    t77 = np.sqrt(t76, w8)
+    t79 = np.multiply(t69, t67, w1)
+    t80 = np.multiply(t79, 0.125, w1)
+    t81 = np.multiply(t71, 0.125, w3)
+    t82 = np.multiply(t72, 0.125, w5)
+    t83 = np.add(t80, t81, w1)
+    t84 = np.add(t83, t82, w1)
+    t85 = np.multiply(t75, t76, w7)
+    t86 = np.multiply(t85, t77, w7)
+    t87 = np.multiply(t77, t86, w8)
+    t88 = np.multiply(t84, t67, random_jerk_predicted_11)
+    t89 = np.subtract(t87, t88, w8)
+    t90 = np.subtract(t86, t84, w7)
+    t91 = np.divide(t89, t90, w8)
+    t93 = np.multiply(t57, t91, w1)
+    t94 = np.add(t93, t62, w3)
+    t95 = np.multiply(t94, t91, w3)
+    t96 = np.add(t95, t65, w5)
+    t97 = np.multiply(t96, t91, w7)
+    t98 = np.add(t97, t66, w7)
+    t99 = np.sqrt(t98, w7)
+    t100 = np.sqrt(t99, random_jerk_gamma)
+    t101 = np.sqrt(t100, random_jerk_predicted_11)
+    t102 = np.multiply(t93, t91, w1)
+    t103 = np.multiply(t102, 0.125, w1)
+    t104 = np.multiply(t95, 0.125, w3)
+    t105 = np.multiply(t96, 0.125, w5)
+    t106 = np.add(t103, t104, w1)
+    t107 = np.add(t106, t105, w1)
+    t108 = np.multiply(t99, t100, w7)
+    t109 = np.multiply(t108, t101, w7)
+    t110 = np.multiply(t101, t109, random_jerk_predicted_11)
+    t111 = np.multiply(t107, t91, w8)
+    t112 = np.subtract(t110, t111, random_jerk_predicted_11)
+    t113 = np.subtract(t109, t107, w7)
+    t114 = np.divide(t112, t113, random_jerk_predicted_11)
+    t116 = np.multiply(t57, t114, w1)
+    t117 = np.add(t116, t62, w3)
+    t118 = np.multiply(t117, t114, w3)
+    t119 = np.add(t118, t65, w5)
+    t120 = np.multiply(t119, t114, w7)
+    t121 = np.add(t120, t66, w7)
+    t122 = np.sqrt(t121, w7)
+    t123 = np.sqrt(t122, w8)
+    t124 = np.sqrt(t123, random_jerk_gamma)
+    t125 = np.multiply(t116, t114, w1)
+    t126 = np.multiply(t125, 0.125, w1)
+    t127 = np.multiply(t118, 0.125, w3)
+    t128 = np.multiply(t119, 0.125, w5)
+    t129 = np.add(t126, t127, w1)
+    t130 = np.add(t129, t128, w1)
+    t131 = np.multiply(t122, t123, w7)
+    t132 = np.multiply(t131, t124, w7)
+    t133 = np.multiply(t124, t132, random_jerk_gamma)
+    t134 = np.multiply(t130, t114, random_jerk_predicted_11)
+    t135 = np.subtract(t133, t134, random_jerk_gamma)
+    t136 = np.subtract(t132, t130, w7)
+    t137 = np.divide(t135, t136, random_jerk_gamma)
+    t139 = np.multiply(t57, t137, w1)
+    t140 = np.add(t139, t62, w3)
+    t141 = np.multiply(t140, t137, w3)
+    t142 = np.add(t141, t65, w5)
+    t143 = np.multiply(t142, t137, w7)
+    t144 = np.add(t143, t66, w7)
+    t145 = np.sqrt(t144, w7)
+    t146 = np.sqrt(t145, w8)
+    t147 = np.sqrt(t146, random_jerk_predicted_11)
+    t148 = np.multiply(t139, t137, w1)
+    t149 = np.multiply(t148, 0.125, w1)
+    t150 = np.multiply(t141, 0.125, w3)
+    t151 = np.multiply(t142, 0.125, w5)
+    t152 = np.add(t149, t150, w1)
+    t153 = np.add(t152, t151, w1)
+    t154 = np.multiply(t145, t146, w7)
+    t155 = np.multiply(t154, t147, w7)
+    t156 = np.multiply(t147, t155, random_jerk_predicted_11)
+    t157 = np.multiply(t153, t137, random_jerk_gamma)
+    t158 = np.subtract(t156, t157, random_jerk_predicted_11)
+    t159 = np.subtract(t155, t153, w7)
+    t160 = np.divide(t158, t159, random_jerk_predicted_11)
+    t162 = np.multiply(t57, t160, w6)
+    t163 = np.add(t162, t62, w6)
+    t164 = np.multiply(t163, t160, w6)
+    t165 = np.add(t164, t65, w6)
+    t166 = np.multiply(t165, t160, w6)
+    t167 = np.add(t166, t66, w6)
+    w_inside = np.sqrt(t167, w6)
+    w_of_map = np.sqrt(w_inside, w6)
+    w = np.sqrt(w_of_map, w6)
+    t171 = np.divide(w, alpha, w6)
+    t172 = np.multiply(t171, 2.0, w1)
+    t173 = np.add(t172, 1.0, w1)
+    t174 = np.add(t171, 1.0, w2)
+    t175 = np.square(t174, w3)
+    t176 = np.multiply(t171, 3.0, w4)
+    t177 = np.add(t176, 6.0, w5)
+    t178 = np.multiply(t177, t171, w5)
+    t179 = np.add(t178, 2.0, w5)
+    t180 = np.multiply(t175, t179, w7)
+    t181 = np.divide(t175, t171, w8)
+    t182 = np.multiply(t2, t181, w0)
+    t183 = np.divide(t179, t171, w5)
+    t184 = np.multiply(t182, t183, w0)
+    t185 = np.multiply(t173, 3.0, w5)
+    t186 = np.multiply(t184, t175, w0)
+    t187 = np.multiply(t186, 2.0, w0)
+    t188 = np.add(t187, t173, w0)
+    t189 = np.divide(t188, t185, w0)
+    t190 = np.add(t176, 1.0, w3)
+    t191 = np.add(t176, 2.0, w4)
+    t192 = np.multiply(t190, t191, w3)
+    t193 = np.multiply(t171, t174, w6)
+    t194 = np.multiply(t192, t193, w3)
+    t195 = np.multiply(t194, 2.0, w3)
+    t196 = np.divide(t195, t185, w3)
+    t197 = np.square(t173, w2)
+    t198 = np.multiply(t197, 6.0, w2)
+    t201 = np.multiply(t173, 12.0, w4)
+    t203 = np.add(t173, 1.0, w5)
+    t204 = np.multiply(t173, t203, w6)
+    t205 = np.add(t204, t196, w8)
+    t206 = np.multiply(t204, t203, w6)
+    t207 = np.add(t196, t206, w6)
+    t208 = np.divide(t207, t196, w6)
+    t209 = np.divide(t205, t189, w0)
+    t210 = np.divide(t205, t196, w8)
+    t211 = np.multiply(t209, t210, w0)
+    t212 = np.add(t208, t211, w6)
+    np.divide(t198, t180, random_jerk_beta)
+    np.divide(t201, t180, random_jerk_gamma)
+    np.divide(t212, t173, random_jerk_predicted_11)
+
+
+_RANDOM_JERK_BY_GAIN = Signature(
+    "random_jerk_by_gain",
+    (_ALPHA_DOMAIN_2,),
+    ("random_jerk_beta", "random_jerk_gamma", "random_jerk_predicted_11"),
+    9,
+    _random_jerk_by_gain_block,
 )

@@ -11,6 +11,7 @@ from gainproof.derive.fixed_gain.steps_answer import answer_steps
 from gainproof.derive.fixed_gain.steps_filter import filter_steps
 from gainproof.derive.fixed_gain.steps_lag import lag_steps
 from gainproof.derive.fixed_gain.steps_variance import variance_steps
+from gainproof.derive.fixed_gain.three_curve_towers import curve_steps, curve_towers
 from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
 from gainproof.derive.fixed_gain.three_steps_minimum import minimum_steps
@@ -43,6 +44,7 @@ def build() -> Subject:
         *minimum_steps(),
         *named_steps(),
         *ordering_steps(),
+        *curve_steps(),
         *kernel_steps(made),
     )
     return Subject(
@@ -50,7 +52,7 @@ def build() -> Subject:
         title=TITLE,
         model=None,
         derivation=Derivation(OPENING, steps, (LECTURE.key,), LATEX),
-        towers={tower.name: tower for tower in towers()},
+        towers={tower.name: tower for tower in (*towers(), *curve_towers())},
         programs={
             name: Program(
                 {

@@ -10,6 +10,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from gainproof.derive.fixed_gain.three_curve_kernels import (
+    random_acceleration_by_lag,
+    random_jerk_by_gain,
+    random_jerk_by_lag,
+)
 from gainproof.derive.fixed_gain.three_named_kernels import (
     minimum_variance_by_lag,
     random_acceleration_by_gain,
@@ -158,5 +163,8 @@ def graphs() -> dict[str, Graph]:
         "variances_of_coordinates": region_variances(),
         "lags": lags(),
         "minimum_variance_by_lag": minimum_variance_by_lag(),
+        "random_acceleration_by_lag": random_acceleration_by_lag(),
+        "random_jerk_by_lag": random_jerk_by_lag(),
         "random_acceleration_by_gain": random_acceleration_by_gain(),
+        "random_jerk_by_gain": random_jerk_by_gain(),
     }

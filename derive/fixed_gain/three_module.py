@@ -9,6 +9,8 @@ import sympy as sp
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.names import MEANINGS
+from gainproof.derive.fixed_gain.three_curve_towers import BY_GAIN, BY_LAG, curve_roots
+from gainproof.derive.fixed_gain.three_kernel_words import EQUATIONS, SUMMARIES
 from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_steps_stability import (
     ALPHA,
@@ -27,69 +29,17 @@ SCALES = {
     "updated_velocity_lag": "predicted_velocity_lag",
 }
 REASON = "changes its sign; error over the sum of its terms"
-SUMMARIES = {
-    "coordinates": "How far gains are inside the region of stability.",
-    "gains_of_coordinates": "Gains of any stable alpha-beta-gamma filter from its coordinates.",
-    "variances": "Covariances under measurement noise alone, from the gains.",
-    "variances_of_coordinates": "Covariance of the prediction, any stable filter.",
-    "lags": "Steady errors behind a constant jerk j, over j T^3 (positions), j T^2 and j T.",
-    "minimum_variance_by_lag": "The stable filter of least position variance at a lag (MV).",
-    "random_acceleration_by_gain": "The stable random acceleration filter (RA) of a position gain.",
-}
-SHARE = "gamma = 2 alpha beta share/(2 - alpha), margin = 4 - 2 alpha - beta,"
-EQUATIONS: Mapping[str, tuple[str, ...]] = {
-    "coordinates": (
-        SHARE,
-        "linear_coefficient = 2 beta/gamma, cubic_coefficient = 2 margin/gamma,",
-        "hurwitz_determinant = 8 (alpha beta - gamma (1 - alpha/2))/gamma^2",
-    ),
-    "gains_of_coordinates": (
-        "alpha = 2 (1 + y)/n, beta = 4 x/n, gamma = 8/n, n = 1 + x + y + d, y = (d + m)/x,",
-        "all x > 0, d > 0 and m > 0 are stable",
-    ),
-    "variances": (
-        SHARE,
-        "g = 2 alpha beta - gamma (2 - alpha),",
-        "predicted_11 = 8 beta^2/((2 - alpha) g margin) + alpha/(2 - alpha),",
-        "predicted_12 = beta (2 alpha + beta) (2 beta + gamma)/(g margin),",
-        "predicted_13 = gamma (2 g + beta (2 beta + gamma))/(g margin),",
-        "predicted_22 = 2 (2 beta^2 (beta + gamma) + gamma^2 (2 - alpha))/(g margin),",
-        "predicted_23 = 2 beta gamma (2 beta + gamma)/(g margin),",
-        "predicted_33 = 4 beta gamma^2/(g margin), also after the update,",
-        "updated_11 = (1 - alpha)^2 predicted_11 + alpha^2,",
-        "updated_12 = beta (2 alpha - beta) (2 beta - gamma)/(g margin),",
-        "updated_13 = gamma (2 g - beta (2 beta - gamma))/(g margin),",
-        "updated_22 = (beta (2 beta - gamma)^2 + gamma^2 margin)/(g margin),",
-        "updated_23 = 2 beta gamma (2 beta - gamma)/(g margin); updated_12_scale and",
-        "updated_13_scale are updated_12 and updated_13 with plus between their terms",
-    ),
-    "variances_of_coordinates": (
-        "predicted_11 = (1 + x + y + d) (x (1 + x) + m)/(d m) - 1, y = (d + m)/x,",
-        "predicted_12 = 2 (1 + x) (x (1 + x) + d + m)/(d m),",
-        "predicted_13 = 4 (x (1 + x) + m)/(d m),",
-        "predicted_22 = 4 (d + x (1 + x)^2)/(d m), predicted_23 = 8 x (1 + x)/(d m),",
-        "predicted_33 = 16 x/(d m)",
-    ),
-    "lags": (
-        SHARE,
-        "predicted_position_lag = 1/gamma, predicted_acceleration_lag = beta/gamma + 1/2,",
-        "predicted_velocity_lag = (12 alpha + 6 beta + gamma)/(12 gamma),",
-        "updated_position_lag = (1 - alpha)/gamma, updated_acceleration_lag = beta/gamma - 1/2,",
-        "updated_velocity_lag = (12 alpha - 6 beta + gamma)/(12 gamma);",
-        "none behind rest, constant velocity and constant acceleration",
-    ),
-    "minimum_variance_by_lag": (
-        "with x = 2 lag^(1/3) - 1: alpha = 2 (2 x^2 + 2 x + 1)/(1 + x)^3, beta = 4 x/(1 + x)^3,",
-        "gamma = 8/(1 + x)^3, minimum_variance_predicted_11 = (1 + 1/x)^3 - 1",
-    ),
-    "random_acceleration_by_gain": (
-        "beta = 2 (1 - w)^2, gamma = beta^2/(2 alpha), w = sqrt(1 - alpha),",
-        "random_acceleration_predicted_11 = alpha (4 + w)/(w (1 + 4 w + w^2))",
-    ),
-}
 TOWERS = {
     "minimum_variance_by_lag": "minimum_variance",
+    "random_acceleration_by_lag": "stable_acceleration",
+    "random_jerk_by_lag": BY_LAG,
+    "random_jerk_by_gain": BY_GAIN,
     "random_acceleration_by_gain": "stable_acceleration",
+}
+LEAST_LAGS = {
+    "minimum_variance": "1/8",
+    "random_acceleration": "1/2",
+    "random_jerk": "69/128",  # x = 2, just inside
 }
 SYMBOLS = {"linear_coefficient": "x", "cubic_coefficient": "d", "hurwitz_determinant": "m"}
 OWN_MEANINGS = {
@@ -134,7 +84,8 @@ def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
 
 def _input(kernel: str, entry: str, meaning: str) -> Input:
     if entry == "lag":
-        return Input(entry, meaning, "1/8", "1e30", True, False, single=("1/8", "1e9"))
+        low = LEAST_LAGS[kernel.removesuffix("_by_lag")]
+        return Input(entry, meaning, low, "1e30", True, False, single=(low, "1e9"))
     if kernel.endswith("_by_gain"):
         return Input(entry, meaning, "1e-15", "1", False, True, single=("1e-6", "1"))
     if entry in ("alpha", "share"):
@@ -149,7 +100,9 @@ def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
     e, cube = real("e"), real("cube")
     roots = {
         "minimum_variance_by_lag": {"root": cube, "root_of_map": cube**2},
+        "random_acceleration_by_lag": {"root": 1 + e / 4, "root_of_map": (1 + e / 4) ** 2},
         "random_acceleration_by_gain": {"root": e / (4 + e)},
+        **curve_roots(),
     }
     return [
         Step(
@@ -183,7 +136,7 @@ def _meant(graph: Graph) -> dict[str, sp.Expr]:
     }
 
     def meaning(output: str) -> sp.Expr:
-        for prefix in ("minimum_variance_", "random_acceleration_"):
+        for prefix in ("minimum_variance_", "random_acceleration_", "random_jerk_"):
             if output.startswith(prefix):
                 return real(output.removeprefix(prefix))
         return known.get(output, real(output))

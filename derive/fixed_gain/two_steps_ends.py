@@ -66,8 +66,8 @@ def _small() -> list[Step]:
     return [
         Step(
             "ends-velocity",
-            "Along the named curves it goes to 0 with `alpha`: that of random velocity, with `x = 2 "
-            "+ e`, as `3/4 alpha`.",
+            "Along the named curves it goes to 0 with `alpha`: that of random velocity, with `x = "
+            "2 + e`, as `3/4 alpha`.",
             equal(row(ALPHA * (ALPHA + BETA), P11), row(2 * BETA, lecture_variance(ALPHA, BETA))),
             "Insert; highest powers of `e`.",
             tower=KALMAN,

@@ -9,7 +9,7 @@ import flint
 import numpy as np
 import pytest
 from fixed_gain_points import WORKING, kernels_of, worst_excess
-from fixed_gain_truth import AlphaBetaGammaTruth
+from fixed_gain_triples import AlphaBetaGammaTruth
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_truth import truth_at
@@ -159,6 +159,14 @@ def test_relations_are_those_of_the_kalman_filter(alpha: float) -> None:
     found = AlphaBetaGammaTruth().at("alpha", alpha)
     for gain in ("beta", "gamma"):
         assert abs(kalman[gain].value - found[f"random_acceleration_{gain}"].value) < 1e-20
+
+
+@pytest.mark.parametrize("alpha", [1e-4, 0.3, 0.9, 0.999])
+def test_random_jerk_is_that_of_its_kalman_filter(alpha: float) -> None:
+    kalman = truth_at("random_jerk", "alpha", alpha)
+    found = AlphaBetaGammaTruth().at("alpha", alpha)
+    for gain in ("beta", "gamma"):
+        assert abs(kalman[gain].value - found[f"random_jerk_{gain}"].value) < 1e-20
 
 
 @pytest.mark.parametrize("dtype", DTYPES)

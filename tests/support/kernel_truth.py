@@ -14,7 +14,8 @@ from typing import Any
 
 import flint
 from both_measured import BothMeasuredTruth, both_measured
-from fixed_gain_truth import AlphaBetaGammaTruth, AlphaBetaTruth
+from fixed_gain_triples import AlphaBetaGammaTruth
+from fixed_gain_truth import AlphaBetaTruth
 
 from gainproof.verify.oracles.truth import FitTruth, SteadyStateTruth, Truth, steady_state_truth
 
