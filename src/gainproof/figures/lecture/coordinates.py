@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from gainproof.figures.table import Column, Table, Words
+from gainproof.generated import polar_coordinates
 
 ELEVATION_DEGREES, BEARING_DEGREES = 36.0, 50.0
 RANGE, ELEVATION, BEARING = 10e3, np.deg2rad(ELEVATION_DEGREES), np.deg2rad(BEARING_DEGREES)
@@ -16,9 +17,8 @@ RANGE, ELEVATION, BEARING = 10e3, np.deg2rad(ELEVATION_DEGREES), np.deg2rad(BEAR
 
 def coordinates() -> Table:
     """Radar, target, the target's foot on the ground, and the ends of the axes."""
-    ground = RANGE * np.cos(ELEVATION)
-    x, y = ground * np.sin(BEARING), ground * np.cos(BEARING)
-    z = RANGE * np.sin(ELEVATION)
+    place = polar_coordinates.to_cartesian(RANGE, ELEVATION, BEARING)
+    x, y, z = (float(value) for value in place)
     points = {
         "radar": (0.0, 0.0, 0.0),
         "target": (x, y, z),

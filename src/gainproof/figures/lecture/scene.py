@@ -1,6 +1,7 @@
 """A target that flies straight, turns, and flies straight on, and a radar that sees it.
 
-This is simulation, no formula under test: where the target is, what the radar draws of it.
+The target and the noise are simulated here, no formula under test; what the radar measures goes to
+Cartesian coordinates by the kernels of polar coordinates.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gainproof.figures.table import Reals
+from gainproof.generated import polar_coordinates
 
 STANDARD_GRAVITY = 9.80665
 
@@ -77,16 +79,15 @@ class Seen:
     @property
     def positions(self) -> Reals:
         """The same in coordinates, (runs, samples, 2)."""
-        east, north = np.sin(self.bearing), np.cos(self.bearing)
-        return np.stack([self.range * east, self.range * north], axis=-1)
+        return np.stack(polar_coordinates.to_cartesian_in_plane(self.range, self.bearing), axis=-1)
 
     def covariances(self, scene: Scene) -> Reals:
         """Of the measured positions to first order, at the measurement, (runs, samples, 2, 2)."""
-        east, north = np.sin(self.bearing), np.cos(self.bearing)
-        along = np.stack([east, north], axis=-1) * scene.range_deviation
-        across = np.stack([north, -east], axis=-1) * self.range[..., None]
-        across = across * scene.bearing_deviation
-        return _outer(along) + _outer(across)
+        deviations = scene.range_deviation, scene.bearing_deviation
+        xx, xy, yy = polar_coordinates.noise_covariance_in_plane(
+            self.range, self.bearing, *deviations
+        )
+        return np.stack([np.stack([xx, xy], axis=-1), np.stack([xy, yy], axis=-1)], axis=-2)
 
 
 def seen(scene: Scene, runs: int, seed: int) -> Seen:
@@ -97,7 +98,3 @@ def seen(scene: Scene, runs: int, seed: int) -> Seen:
         np.hypot(x, y) + scene.range_deviation * noise[0],
         np.arctan2(x, y) + scene.bearing_deviation * noise[1],
     )
-
-
-def _outer(vectors: Reals) -> Reals:
-    return np.asarray(vectors[..., :, None] * vectors[..., None, :])
