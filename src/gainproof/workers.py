@@ -18,7 +18,7 @@ from gainproof.process import BrokenOffError, Process
 from gainproof.tasks import DERIVING
 from gainproof.waiting import Waiting
 
-REPRODUCIBLE = {"SYMPY_GROUND_TYPES": "python", "PYTHONHASHSEED": "0"}
+REPRODUCIBLE = {"SYMPY_GROUND_TYPES": "flint", "PYTHONHASHSEED": "0"}
 """What makes a derivation come out the same everywhere, whatever else is installed."""
 WORKER = "gainproof.worker"
 """The module that is run on the other side."""
