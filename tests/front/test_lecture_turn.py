@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
 import numpy as np
@@ -10,7 +11,7 @@ import pytest
 from gainproof import time_varying
 from gainproof.figures.lecture import fixed_gain_track, kalman_track, turn
 from gainproof.figures.lecture.scene import STANDARD_GRAVITY, Scene, Seen, seen
-from gainproof.figures.table import Reals
+from gainproof.figures.table import Reals, Table
 from gainproof.verify.oracles import fixed_gain
 
 SCENE = Scene()
@@ -134,9 +135,8 @@ def test_fixed_gains_run_as_their_matrix_says() -> None:
 
 
 @pytest.mark.parametrize("make", [turn.alpha_beta_turn, turn.kalman_turn])
-def test_the_numbers_are_those_of_the_errors(make: object) -> None:
+def test_the_numbers_are_those_of_the_errors(make: Callable[[], Table]) -> None:
     """Small reacts late and is quiet before; large follows; means agree with the RMS columns."""
-    assert callable(make)
     table = make()
     inside = table["in_turn"] > 0
     assert inside.sum() == 32

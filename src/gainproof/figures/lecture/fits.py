@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from gainproof.figures.lecture import fixed_gain_track
-from gainproof.figures.table import Column, Table
+from gainproof.figures.table import Column, Reals, Table
 from gainproof.generated import least_squares_line, least_squares_mean
 
 SAMPLES = 25
@@ -27,16 +28,14 @@ def mean_and_line() -> Table:
     time = INTERVAL * k
     noise = DEVIATION * np.random.default_rng(SEED).standard_normal((2, SAMPLES))
     standing, moving = STANDING + noise[0], FIRST + SPEED * time + noise[1]
-    first = np.ones(1)
-    mean_gain = np.concatenate([first, *least_squares_mean.gains(k[1:])])
+    mean_gain = _from_one(least_squares_mean.gains(k[1:]).alpha)
     mean, _ = fixed_gain_track.followed(standing, mean_gain, np.zeros(SAMPLES))
-    line_gains = [np.concatenate([first, np.asarray(g)]) for g in least_squares_line.gains(k[1:])]
-    line, velocity = fixed_gain_track.followed(moving, *line_gains)
+    alpha, beta = (_from_one(gain) for gain in least_squares_line.gains(k[1:]))
+    line, velocity = fixed_gain_track.followed(moving, alpha, beta)
     mean_variance = least_squares_mean.updated_covariance(k[1:]).updated_11
     line_variance = least_squares_line.updated_covariance(k[1:]).updated_11
     spreads = [
-        DEVIATION * np.sqrt(np.concatenate([first, np.asarray(variance)]))
-        for variance in (mean_variance, line_variance)
+        DEVIATION * np.sqrt(_from_one(variance)) for variance in (mean_variance, line_variance)
     ]
     # the line through all samples, back from the last estimate
     through = line[-1] + velocity[-1] * (k - k[-1])
@@ -73,10 +72,19 @@ def gains() -> Table:
         "Gains of the linear least-squares filter against the sample number",
         (
             Column("k", "sample number, the first sample is 0", k),
-            Column("alpha", "gain of the position, of the line", np.asarray(line.alpha)),
-            Column("beta", "gain of the velocity times T, of the line", np.asarray(line.beta)),
-            Column("mean_alpha", "gain of the mean, 1/(k + 1)", np.asarray(mean.alpha)),
+            Column("alpha", "gain of the position, of the line", _reals(line.alpha)),
+            Column("beta", "gain of the velocity times T, of the line", _reals(line.beta)),
+            Column("mean_alpha", "gain of the mean, 1/(k + 1)", _reals(mean.alpha)),
         ),
         {},
         (f"Ours: k from 1 to {LAST_GAIN}, the gain of the mean beside those of the line.",),
     )
+
+
+def _reals(values: ArrayLike) -> Reals:
+    return np.asarray(values, np.float64)
+
+
+def _from_one(values: ArrayLike) -> Reals:
+    """1 for the first sample, which is taken as measured, then the values."""
+    return np.concatenate([np.ones(1), _reals(values)])

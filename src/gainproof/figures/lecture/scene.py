@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from gainproof.figures.table import Reals
 from gainproof.generated import polar_coordinates
@@ -79,7 +80,8 @@ class Seen:
     @property
     def positions(self) -> Reals:
         """The same in coordinates, (runs, samples, 2)."""
-        return np.stack(polar_coordinates.to_cartesian_in_plane(self.range, self.bearing), axis=-1)
+        x, y = polar_coordinates.to_cartesian_in_plane(self.range, self.bearing)
+        return _together(x, y)
 
     def covariances(self, scene: Scene) -> Reals:
         """Of the measured positions to first order, at the measurement, (runs, samples, 2, 2)."""
@@ -87,7 +89,7 @@ class Seen:
         xx, xy, yy = polar_coordinates.noise_covariance_in_plane(
             self.range, self.bearing, *deviations
         )
-        return np.stack([np.stack([xx, xy], axis=-1), np.stack([xy, yy], axis=-1)], axis=-2)
+        return _together(_together(xx, xy), _together(xy, yy))
 
 
 def seen(scene: Scene, runs: int, seed: int) -> Seen:
@@ -98,3 +100,8 @@ def seen(scene: Scene, runs: int, seed: int) -> Seen:
         np.hypot(x, y) + scene.range_deviation * noise[0],
         np.arctan2(x, y) + scene.bearing_deviation * noise[1],
     )
+
+
+def _together(first: ArrayLike, second: ArrayLike) -> Reals:
+    """Both along a new last axis; rows of a symmetric matrix may be stacked as columns."""
+    return np.stack([np.asarray(first, np.float64), np.asarray(second, np.float64)], axis=-1)
