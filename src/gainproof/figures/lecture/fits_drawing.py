@@ -48,9 +48,8 @@ def _draw(axes: Axes, table: Table, name: str) -> None:
     time, estimate = table["time_s"], table[f"{name}_m"]
     spread = table[f"{name}_deviation_m"]
     observed = table["standing_observed_m" if name == "mean" else "moving_observed_m"]
-    axes.fill_between(
-        time, estimate - spread, estimate + spread, color="0.88", linewidth=0, label="± 1 deviation"
-    )
+    band: dict[str, Any] = {"color": "0.9", "linewidth": 0, "zorder": 0.5}
+    axes.fill_between(time, estimate - spread, estimate + spread, label="± 1 deviation", **band)
     axes.plot(time, observed, label="observed", **OBSERVED)
     axes.plot(time, estimate, **Look(look.DARK, look.SOLID, "estimate so far").line)
 
