@@ -20,6 +20,7 @@ from gainproof.derive.families import (
     random_velocity,
     wiener_acceleration,
 )
+from gainproof.derive.filter_step import subject as filter_step
 from gainproof.derive.recursion import three_states, two_states
 from gainproof.derive.sensors import polar_coordinates
 from gainproof.derive.subject import Subject
@@ -74,4 +75,5 @@ CATALOGUE: tuple[Entry, ...] = (
         fixed_gain_alpha_beta_gamma.build,
     ),
     Entry(polar_coordinates.NAME, polar_coordinates.TITLE, polar_coordinates.build),
+    Entry(filter_step.NAME, filter_step.TITLE, filter_step.build),
 )

@@ -7,6 +7,7 @@
 - `continuous_white_acceleration`: Continuous white acceleration: steady state with measured
   position.
 - `continuous_white_jerk`: Continuous white jerk: steady state with measured position.
+- `filter_step`: One step of filters with fixed gains.
 - `least_squares_line`: Least-squares line (growing memory): gains by sample number.
 - `least_squares_mean`: Least-squares mean (growing memory): gains by sample number.
 - `least_squares_parabola`: Least-squares parabola (growing memory): gains by sample number.

@@ -77,7 +77,7 @@ def evaluate(
     """
     inputs = _as_real(kernel, given)
     shape = _common_shape(kernel, inputs)
-    flat = [_flat(x, shape) for x in inputs]
+    flat = [_constant(x, shape) if x.size == 1 else _flat(x, shape) for x in inputs]
     kind = inputs[0].dtype
     with np.errstate(all="ignore"):
         if out is None:
@@ -87,10 +87,10 @@ def evaluate(
             for domain, x, whole in zip(kernel.inputs, flat, inputs, strict=True):
                 for start in range(0, x.size, SIZE):
                     _guard(kernel, domain, x[start : start + SIZE], start, whole, shape)
-            for start in range(0, flat[0].size, SIZE) if kernel.required else ():
-                _require(kernel, [x[start : start + SIZE] for x in flat], start, shape)
-            if any(_overlap(y, x) for y in results for x in flat):
-                flat = [x.copy() for x in flat]
+            size = results[0].size
+            for start in range(0, size, SIZE) if kernel.required else ():
+                _require(kernel, _parts(flat, start, min(start + SIZE, size), size), start, shape)
+            flat = [x.copy() if _elsewhere(x, results) else x for x in flat]
         _run(kernel, flat, results, inputs, out is None)
     if out is None and shape == ():
         return tuple(y[()] for y in results)
@@ -139,7 +139,7 @@ def _run(
     inputs: Sequence[Array],
     guard: bool,
 ) -> None:
-    size, kind = flat[0].size, flat[0].dtype
+    size, kind = results[0].size, flat[0].dtype
     single = kind == np.float32
     length = min(size, SIZE)
     # an output that is not contiguous is filled through a buffer
@@ -149,12 +149,19 @@ def _run(
         for y, straight in zip(results, direct, strict=True)
     ]
     work: list[Array] = [np.empty(length, kind) for _ in range(kernel.work)]
+    # inputs that an output takes the place of: kept block by block, while they are read
+    copies = {
+        place: np.empty(length, kind)
+        for place, x in enumerate(flat)
+        if any(_overlap(y, x) for y in results)
+    }
     for start in range(0, size, SIZE):
         stop = min(start + SIZE, size)
-        parts = [x[start:stop] for x in flat]
+        parts = _parts(flat, start, stop, size)
         if guard:
             for domain, part, whole in zip(kernel.inputs, parts, inputs, strict=True):
-                _guard(kernel, domain, part, start, whole, results[0].shape)
+                if not start or whole.size > 1:
+                    _guard(kernel, domain, part, start, whole, results[0].shape)
             _require(kernel, parts, start, results[0].shape)
         if stop - start < length:
             work = [w[: stop - start] for w in work]
@@ -162,10 +169,18 @@ def _run(
             y[start:stop] if straight else y[: stop - start]
             for y, straight in zip(targets, direct, strict=True)
         ]
+        for place, held in copies.items():
+            np.copyto(held[: stop - start], parts[place])
+            parts[place] = held[: stop - start]
         kernel.block(parts, filled, work, single)
         for y, straight, result in zip(filled, direct, results, strict=True):
             if not straight:
                 np.asarray(result).flat[start:stop] = y
+
+
+def _parts(flat: Sequence[Array], start: int, stop: int, size: int) -> list[Array]:
+    """The block of each input; of a constant as much as the block is long."""
+    return [x[start:stop] if x.size == size else x[: stop - start] for x in flat]
 
 
 def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
@@ -198,11 +213,32 @@ def _flat(x: Array, shape: tuple[int, ...]) -> Array:
     return contiguous.reshape(-1)
 
 
+def _constant(x: Array, shape: tuple[int, ...]) -> Array:
+    """One number as often as a block takes it."""
+    size = 1
+    for count in shape:
+        size *= count
+    return np.full(min(size, SIZE), x.reshape(-1)[0], x.dtype)
+
+
+def _elsewhere(x: Array, results: Sequence[Array]) -> bool:
+    """Whether an input shares memory with an output other than by being the same array: then it is
+    not read and written element by element, and the whole of it has to be kept.
+    """
+    shared = [y for y in results if _overlap(y, x)]
+    return any(
+        y.size != x.size or not y.flags.c_contiguous or y.ctypes.data != x.ctypes.data
+        for y in shared
+    )
+
+
 def _guard(
     kernel: Signature, domain: Domain, x: Array, start: int, whole: Array, shape: tuple[int, ...]
 ) -> None:
     """ValueError with the first element outside the domain; comparisons with NaN are false."""
     low, high = domain.single if x.dtype == np.float32 else domain.double
+    if domain.signed and not low and np.dot(x, x) <= high * high / 2:
+        return  # the one pass that takes no longer than the way from memory: no term is larger
     came, x = x, np.abs(x) if domain.signed else x
     inside = not x.size or bool(np.minimum.reduce(x) >= low and np.maximum.reduce(x) <= high)
     if inside and not (domain.whole and np.any(x != np.floor(x))):

@@ -59,12 +59,13 @@ def wanted_text(given: Input) -> str:
 def _magnitude_text(given: Input) -> str:
     """Of an input of either sign."""
     ends = [(given.lower, given.upper)] + ([given.single] if given.single else [])
-    double, *single = (
-        f"{_limit_text(lower)} to {_limit_text(upper)}"
-        for lower, upper in ends
-        if upper is not None
-    )
-    return f"0 or of magnitude {double}" + "".join(f", in float32 {text}" for text in single)
+    if all(constant(low).rational == 0 for low, _ in ends):
+        words, texts = "of magnitude at most", [_limit_text(upper) for _, upper in ends if upper]
+    else:
+        words = "0 or of magnitude"
+        texts = [f"{_limit_text(low)} to {_limit_text(upper)}" for low, upper in ends if upper]
+    double, *single = texts
+    return f"{words} {double}" + "".join(f", in float32 {text}" for text in single)
 
 
 def required_text(required: Requirement) -> str:

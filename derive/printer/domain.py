@@ -50,6 +50,8 @@ def product(inputs: Sequence[Input], form: Format) -> Box:
             raise PrintingError(f"input {given.name}: one of several needs a closed domain")
     domain = tuple(input_range(given, form) for given in inputs)
     for given, (low, high) in zip(inputs, domain, strict=True):
+        if given.signed and low == 0 < high:
+            continue
         if not form.least_normal <= low < high:
             raise PrintingError(
                 f"input {given.name}: one of several needs a domain of positive normal numbers, "

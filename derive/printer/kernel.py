@@ -56,7 +56,9 @@ def signed(
     upper: Limit,
     single: tuple[Limit, Limit] | None = None,
 ) -> Input:
-    """An input of either sign: 0, or a magnitude from `lower` to `upper`, both admitted."""
+    """An input of either sign: 0, or a magnitude from `lower` to `upper`, both admitted; from 0 on
+    subnormal numbers too.
+    """
     return Input(name, meaning, lower, upper, False, False, single=single, zero=True, signed=True)
 
 

@@ -99,6 +99,7 @@ class References:
         if step.operation == "input":
             axis = self.program.axis(number)
             low, high = self.box[axis]
+            low = low or self.form.least  # from 0 on
             return Reference(0.0, low, high, self.signs[axis], self.zeros[axis])
         if step.operation == "constant":
             return self._constant(step)

@@ -1,0 +1,1 @@
+"""One step of fixed-gain filters: prediction over an interval, then a position observed."""

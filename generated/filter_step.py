@@ -1,0 +1,788 @@
+# Made by: gainproof generate filter-step
+# From: gainproof derive filter-step, SymPy 1.14.0
+"""One step of filters with fixed gains."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Arrays, Real
+
+__all__ = [
+    "StepInteracting",
+    "StepThreeStates",
+    "StepTwoStates",
+    "step_interacting",
+    "step_three_states",
+    "step_two_states",
+]
+
+_POSITION_DOMAIN = Domain(
+    "position",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_DOMAIN = Domain(
+    "velocity",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_INTERVAL_DOMAIN = Domain(
+    "interval",
+    "a number at least 1e-10 and at most 1e10, in float32 at least 1e-3 and at most 1e4",
+    (1e-10, 10000000000.0),
+    (0.0010000000474974513, 10000.0),
+)
+_OBSERVED_DOMAIN = Domain(
+    "observed",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_ALPHA_DOMAIN = Domain(
+    "alpha",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_BETA_DOMAIN = Domain(
+    "beta",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_ACCELERATION_DOMAIN = Domain(
+    "acceleration",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_GAMMA_DOMAIN = Domain(
+    "gamma",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_X_POSITION_DOMAIN = Domain(
+    "x_position",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_Y_POSITION_DOMAIN = Domain(
+    "y_position",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_Z_POSITION_DOMAIN = Domain(
+    "z_position",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_X_VELOCITY_DOMAIN = Domain(
+    "x_velocity",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_Y_VELOCITY_DOMAIN = Domain(
+    "y_velocity",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_Z_VELOCITY_DOMAIN = Domain(
+    "z_velocity",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_X_OBSERVED_DOMAIN = Domain(
+    "x_observed",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_Y_OBSERVED_DOMAIN = Domain(
+    "y_observed",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_Z_OBSERVED_DOMAIN = Domain(
+    "z_observed",
+    "of magnitude at most 1e40, in float32 1e8",
+    (0.0, 1e40),
+    (0.0, 100000000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_11_DOMAIN = Domain(
+    "position_gain_11",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_12_DOMAIN = Domain(
+    "position_gain_12",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_13_DOMAIN = Domain(
+    "position_gain_13",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_21_DOMAIN = Domain(
+    "position_gain_21",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_22_DOMAIN = Domain(
+    "position_gain_22",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_23_DOMAIN = Domain(
+    "position_gain_23",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_31_DOMAIN = Domain(
+    "position_gain_31",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_32_DOMAIN = Domain(
+    "position_gain_32",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_POSITION_GAIN_33_DOMAIN = Domain(
+    "position_gain_33",
+    "of magnitude at most 1e4, in float32 1e4",
+    (0.0, 10000.0),
+    (0.0, 10000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_11_DOMAIN = Domain(
+    "velocity_gain_11",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_12_DOMAIN = Domain(
+    "velocity_gain_12",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_13_DOMAIN = Domain(
+    "velocity_gain_13",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_21_DOMAIN = Domain(
+    "velocity_gain_21",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_22_DOMAIN = Domain(
+    "velocity_gain_22",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_23_DOMAIN = Domain(
+    "velocity_gain_23",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_31_DOMAIN = Domain(
+    "velocity_gain_31",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_32_DOMAIN = Domain(
+    "velocity_gain_32",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+_VELOCITY_GAIN_33_DOMAIN = Domain(
+    "velocity_gain_33",
+    "of magnitude at most 1e14, in float32 1e7",
+    (0.0, 100000000000000.0),
+    (0.0, 10000000.0),
+    zero=True,
+    signed=True,
+)
+
+
+class StepTwoStates(NamedTuple):
+    """Result of `step_two_states`."""
+
+    updated_position: Real
+    """Position after this one, m."""
+    updated_velocity: Real
+    """Velocity after this one, m/s."""
+
+
+def step_two_states(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    interval: ArrayLike,
+    observed: ArrayLike,
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    *,
+    out: tuple[Real, Real] | None = None,
+) -> StepTwoStates:
+    """Prediction and update of tracks with position and velocity.
+
+        updated_position = p + alpha r, updated_velocity = velocity + beta r/t,
+        p = position + t velocity, r = observed - p
+
+    position: position after the last update, m; of magnitude at most 1e40, in float32 1e8.
+    velocity: velocity after the last update, m/s; of magnitude at most 1e40, in float32 1e8.
+    interval: t, time since the last update, s; a number at least 1e-10 and at most 1e10, in float32
+        at least 1e-3 and at most 1e4.
+    observed: z, what is observed of the position, m; of magnitude at most 1e40, in float32 1e8.
+    alpha: gain of the position (0 where nothing was observed); of magnitude at most 1e4, in float32
+        1e4.
+    beta: gain of the velocity times t; of magnitude at most 1e4, in float32 1e4.
+
+    updated_position: position after this one, m. Error over the sum of its terms taken positive at
+        most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input, and 3e-319
+        (float64) and 8e-41 (float32) beside it where a product underflows.
+    updated_velocity: velocity after this one, m/s. Error over the sum of its terms taken positive
+        at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input, and 3e-309
+        (float64) and 8e-38 (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation filter-step
+    """
+    return StepTwoStates(
+        *evaluate(_STEP_TWO_STATES, (position, velocity, interval, observed, alpha, beta), out)
+    )
+
+
+def _step_two_states_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    position, velocity, interval, observed, alpha, beta = given
+    updated_position, updated_velocity = out
+    w0, w1, w2 = work
+    t6 = np.multiply(interval, velocity, w0)
+    t7 = np.add(position, t6, w0)
+    t8 = np.subtract(observed, t7, w1)
+    t9 = np.multiply(alpha, t8, w2)
+    t11 = np.divide(t8, interval, updated_position)
+    t12 = np.multiply(beta, t11, w1)
+    np.add(t7, t9, updated_position)
+    np.add(velocity, t12, updated_velocity)
+
+
+_STEP_TWO_STATES = Signature(
+    "step_two_states",
+    (
+        _POSITION_DOMAIN,
+        _VELOCITY_DOMAIN,
+        _INTERVAL_DOMAIN,
+        _OBSERVED_DOMAIN,
+        _ALPHA_DOMAIN,
+        _BETA_DOMAIN,
+    ),
+    ("updated_position", "updated_velocity"),
+    3,
+    _step_two_states_block,
+)
+
+
+class StepThreeStates(NamedTuple):
+    """Result of `step_three_states`."""
+
+    updated_position: Real
+    """Position after this one, m."""
+    updated_velocity: Real
+    """Velocity after this one, m/s."""
+    updated_acceleration: Real
+    """Acceleration after this one, m/s^2."""
+
+
+def step_three_states(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: ArrayLike,
+    interval: ArrayLike,
+    observed: ArrayLike,
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    gamma: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+) -> StepThreeStates:
+    """Prediction and update of tracks with position, velocity, acceleration.
+
+        updated_position = p + alpha r, updated_velocity = w + beta r/t,
+        updated_acceleration = acceleration + gamma r/t^2,
+        p = position + t velocity + t^2 acceleration/2, w = velocity + t acceleration,
+        r = observed - p
+
+    position: position after the last update, m; of magnitude at most 1e40, in float32 1e8.
+    velocity: velocity after the last update, m/s; of magnitude at most 1e40, in float32 1e8.
+    acceleration: acceleration after the last update, m/s^2; of magnitude at most 1e40, in float32
+        1e8.
+    interval: t, time since the last update, s; a number at least 1e-10 and at most 1e10, in float32
+        at least 1e-3 and at most 1e4.
+    observed: z, what is observed of the position, m; of magnitude at most 1e40, in float32 1e8.
+    alpha: gain of the position (0 where nothing was observed); of magnitude at most 1e4, in float32
+        1e4.
+    beta: gain of the velocity times t; of magnitude at most 1e4, in float32 1e4.
+    gamma: gain of the acceleration times t^2; of magnitude at most 1e4, in float32 1e4.
+
+    updated_position: position after this one, m. Error over the sum of its terms taken positive at
+        most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and 3e-309
+        (float64) and 8e-37 (float32) beside it where a product underflows.
+    updated_velocity: velocity after this one, m/s. Error over the sum of its terms taken positive
+        at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input, and 3e-299
+        (float64) and 8e-34 (float32) beside it where a product underflows.
+    updated_acceleration: acceleration after this one, m/s^2. Error over the sum of its terms taken
+        positive at most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for every input, and
+        3e-289 (float64) and 8e-31 (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation filter-step
+    """
+    return StepThreeStates(
+        *evaluate(
+            _STEP_THREE_STATES,
+            (position, velocity, acceleration, interval, observed, alpha, beta, gamma),
+            out,
+        )
+    )
+
+
+def _step_three_states_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    position, velocity, acceleration, interval, observed, alpha, beta, gamma = given
+    updated_position, updated_velocity, updated_acceleration = out
+    w0, w1, w2, w3, w4 = work
+    t9 = np.multiply(interval, 0.5, w0)
+    t10 = np.multiply(t9, acceleration, w0)
+    t11 = np.add(velocity, t10, w1)
+    t12 = np.multiply(interval, t11, w2)
+    t13 = np.add(position, t12, w2)
+    t14 = np.add(t11, t10, w1)
+    t15 = np.subtract(observed, t13, w0)
+    t16 = np.multiply(alpha, t15, w3)
+    t18 = np.divide(t15, interval, updated_position)
+    t19 = np.multiply(beta, t18, w0)
+    t21 = np.divide(t18, interval, updated_velocity)
+    t22 = np.multiply(gamma, t21, w4)
+    np.add(t13, t16, updated_position)
+    np.add(t14, t19, updated_velocity)
+    np.add(acceleration, t22, updated_acceleration)
+
+
+_STEP_THREE_STATES = Signature(
+    "step_three_states",
+    (
+        _POSITION_DOMAIN,
+        _VELOCITY_DOMAIN,
+        _ACCELERATION_DOMAIN,
+        _INTERVAL_DOMAIN,
+        _OBSERVED_DOMAIN,
+        _ALPHA_DOMAIN,
+        _BETA_DOMAIN,
+        _GAMMA_DOMAIN,
+    ),
+    ("updated_position", "updated_velocity", "updated_acceleration"),
+    5,
+    _step_three_states_block,
+)
+
+
+class StepInteracting(NamedTuple):
+    """Result of `step_interacting`."""
+
+    updated_x_position: Real
+    """Position along x after this one, m."""
+    updated_y_position: Real
+    """Position along y after this one, m."""
+    updated_z_position: Real
+    """Position along z after this one, m."""
+    updated_x_velocity: Real
+    """Velocity along x after this one, m/s."""
+    updated_y_velocity: Real
+    """Velocity along y after this one, m/s."""
+    updated_z_velocity: Real
+    """Velocity along z after this one, m/s."""
+
+
+def step_interacting(
+    x_position: ArrayLike,
+    y_position: ArrayLike,
+    z_position: ArrayLike,
+    x_velocity: ArrayLike,
+    y_velocity: ArrayLike,
+    z_velocity: ArrayLike,
+    interval: ArrayLike,
+    x_observed: ArrayLike,
+    y_observed: ArrayLike,
+    z_observed: ArrayLike,
+    position_gain_11: ArrayLike,
+    position_gain_12: ArrayLike,
+    position_gain_13: ArrayLike,
+    position_gain_21: ArrayLike,
+    position_gain_22: ArrayLike,
+    position_gain_23: ArrayLike,
+    position_gain_31: ArrayLike,
+    position_gain_32: ArrayLike,
+    position_gain_33: ArrayLike,
+    velocity_gain_11: ArrayLike,
+    velocity_gain_12: ArrayLike,
+    velocity_gain_13: ArrayLike,
+    velocity_gain_21: ArrayLike,
+    velocity_gain_22: ArrayLike,
+    velocity_gain_23: ArrayLike,
+    velocity_gain_31: ArrayLike,
+    velocity_gain_32: ArrayLike,
+    velocity_gain_33: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> StepInteracting:
+    """Prediction and update of tracks in three coordinates that interact.
+
+        updated positions = p + K1 r, updated velocities = velocities + K2 r,
+        p = positions + t velocities, r = observed - p
+
+    x_position: position along x after the last update, m; of magnitude at most 1e40, in float32
+        1e8.
+    y_position: position along y after the last update, m; of magnitude at most 1e40, in float32
+        1e8.
+    z_position: position along z after the last update, m; of magnitude at most 1e40, in float32
+        1e8.
+    x_velocity: velocity along x after the last update, m/s; of magnitude at most 1e40, in float32
+        1e8.
+    y_velocity: velocity along y after the last update, m/s; of magnitude at most 1e40, in float32
+        1e8.
+    z_velocity: velocity along z after the last update, m/s; of magnitude at most 1e40, in float32
+        1e8.
+    interval: t, time since the last update, s; a number at least 1e-10 and at most 1e10, in float32
+        at least 1e-3 and at most 1e4.
+    x_observed: what is observed of the position along x, m; of magnitude at most 1e40, in float32
+        1e8.
+    y_observed: what is observed of the position along y, m; of magnitude at most 1e40, in float32
+        1e8.
+    z_observed: what is observed of the position along z, m; of magnitude at most 1e40, in float32
+        1e8.
+    position_gain_11: entry 11 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    position_gain_12: entry 12 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    position_gain_13: entry 13 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    position_gain_21: entry 21 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    position_gain_22: entry 22 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    position_gain_23: entry 23 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    position_gain_31: entry 31 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    position_gain_32: entry 32 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    position_gain_33: entry 33 of K1, dimensionless; of magnitude at most 1e4, in float32 1e4.
+    velocity_gain_11: entry 11 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+    velocity_gain_12: entry 12 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+    velocity_gain_13: entry 13 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+    velocity_gain_21: entry 21 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+    velocity_gain_22: entry 22 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+    velocity_gain_23: entry 23 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+    velocity_gain_31: entry 31 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+    velocity_gain_32: entry 32 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+    velocity_gain_33: entry 33 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
+
+    updated_x_position: position along x after this one, m. Error over the sum of its terms taken
+        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
+        8e-319 (float64) and 3e-40 (float32) beside it where a product underflows.
+    updated_y_position: position along y after this one, m. Error over the sum of its terms taken
+        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
+        8e-319 (float64) and 3e-40 (float32) beside it where a product underflows.
+    updated_z_position: position along z after this one, m. Error over the sum of its terms taken
+        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
+        8e-319 (float64) and 3e-40 (float32) beside it where a product underflows.
+    updated_x_velocity: velocity along x after this one, m/s. Error over the sum of its terms taken
+        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
+        8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
+    updated_y_velocity: velocity along y after this one, m/s. Error over the sum of its terms taken
+        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
+        8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
+    updated_z_velocity: velocity along z after this one, m/s. Error over the sum of its terms taken
+        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
+        8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation filter-step
+    """
+    return StepInteracting(
+        *evaluate(
+            _STEP_INTERACTING,
+            (
+                x_position,
+                y_position,
+                z_position,
+                x_velocity,
+                y_velocity,
+                z_velocity,
+                interval,
+                x_observed,
+                y_observed,
+                z_observed,
+                position_gain_11,
+                position_gain_12,
+                position_gain_13,
+                position_gain_21,
+                position_gain_22,
+                position_gain_23,
+                position_gain_31,
+                position_gain_32,
+                position_gain_33,
+                velocity_gain_11,
+                velocity_gain_12,
+                velocity_gain_13,
+                velocity_gain_21,
+                velocity_gain_22,
+                velocity_gain_23,
+                velocity_gain_31,
+                velocity_gain_32,
+                velocity_gain_33,
+            ),
+            out,
+        )
+    )
+
+
+def _step_interacting_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (
+        x_position,
+        y_position,
+        z_position,
+        x_velocity,
+        y_velocity,
+        z_velocity,
+        interval,
+        x_observed,
+        y_observed,
+        z_observed,
+        position_gain_11,
+        position_gain_12,
+        position_gain_13,
+        position_gain_21,
+        position_gain_22,
+        position_gain_23,
+        position_gain_31,
+        position_gain_32,
+        position_gain_33,
+        velocity_gain_11,
+        velocity_gain_12,
+        velocity_gain_13,
+        velocity_gain_21,
+        velocity_gain_22,
+        velocity_gain_23,
+        velocity_gain_31,
+        velocity_gain_32,
+        velocity_gain_33,
+    ) = given
+    (
+        updated_x_position,
+        updated_y_position,
+        updated_z_position,
+        updated_x_velocity,
+        updated_y_velocity,
+        updated_z_velocity,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
+    t28 = np.multiply(interval, x_velocity, w0)
+    t29 = np.add(x_position, t28, w0)
+    t30 = np.multiply(interval, y_velocity, w1)
+    t31 = np.add(y_position, t30, w1)
+    t32 = np.multiply(interval, z_velocity, w2)
+    t33 = np.add(z_position, t32, w2)
+    t34 = np.subtract(x_observed, t29, w3)
+    t35 = np.subtract(y_observed, t31, w4)
+    t36 = np.subtract(z_observed, t33, w5)
+    t37 = np.multiply(position_gain_11, t34, w6)
+    t38 = np.multiply(position_gain_12, t35, w7)
+    t39 = np.add(t37, t38, w6)
+    t40 = np.multiply(position_gain_13, t36, w7)
+    t41 = np.add(t39, t40, w6)
+    t43 = np.multiply(position_gain_21, t34, w7)
+    t44 = np.multiply(position_gain_22, t35, w8)
+    t45 = np.add(t43, t44, w7)
+    t46 = np.multiply(position_gain_23, t36, w8)
+    t47 = np.add(t45, t46, w7)
+    t49 = np.multiply(position_gain_31, t34, w8)
+    t50 = np.multiply(position_gain_32, t35, w9)
+    t51 = np.add(t49, t50, w8)
+    t52 = np.multiply(position_gain_33, t36, w9)
+    t53 = np.add(t51, t52, w8)
+    t55 = np.multiply(velocity_gain_11, t34, w9)
+    t56 = np.multiply(velocity_gain_12, t35, w10)
+    t57 = np.add(t55, t56, w9)
+    t58 = np.multiply(velocity_gain_13, t36, w10)
+    t59 = np.add(t57, t58, w9)
+    t61 = np.multiply(velocity_gain_21, t34, w10)
+    t62 = np.multiply(velocity_gain_22, t35, w11)
+    t63 = np.add(t61, t62, w10)
+    t64 = np.multiply(velocity_gain_23, t36, w11)
+    t65 = np.add(t63, t64, w10)
+    t67 = np.multiply(velocity_gain_31, t34, w3)
+    t68 = np.multiply(velocity_gain_32, t35, w4)
+    t69 = np.add(t67, t68, w3)
+    t70 = np.multiply(velocity_gain_33, t36, w5)
+    t71 = np.add(t69, t70, w3)
+    np.add(t29, t41, updated_x_position)
+    np.add(t31, t47, updated_y_position)
+    np.add(t33, t53, updated_z_position)
+    np.add(x_velocity, t59, updated_x_velocity)
+    np.add(y_velocity, t65, updated_y_velocity)
+    np.add(z_velocity, t71, updated_z_velocity)
+
+
+_STEP_INTERACTING = Signature(
+    "step_interacting",
+    (
+        _X_POSITION_DOMAIN,
+        _Y_POSITION_DOMAIN,
+        _Z_POSITION_DOMAIN,
+        _X_VELOCITY_DOMAIN,
+        _Y_VELOCITY_DOMAIN,
+        _Z_VELOCITY_DOMAIN,
+        _INTERVAL_DOMAIN,
+        _X_OBSERVED_DOMAIN,
+        _Y_OBSERVED_DOMAIN,
+        _Z_OBSERVED_DOMAIN,
+        _POSITION_GAIN_11_DOMAIN,
+        _POSITION_GAIN_12_DOMAIN,
+        _POSITION_GAIN_13_DOMAIN,
+        _POSITION_GAIN_21_DOMAIN,
+        _POSITION_GAIN_22_DOMAIN,
+        _POSITION_GAIN_23_DOMAIN,
+        _POSITION_GAIN_31_DOMAIN,
+        _POSITION_GAIN_32_DOMAIN,
+        _POSITION_GAIN_33_DOMAIN,
+        _VELOCITY_GAIN_11_DOMAIN,
+        _VELOCITY_GAIN_12_DOMAIN,
+        _VELOCITY_GAIN_13_DOMAIN,
+        _VELOCITY_GAIN_21_DOMAIN,
+        _VELOCITY_GAIN_22_DOMAIN,
+        _VELOCITY_GAIN_23_DOMAIN,
+        _VELOCITY_GAIN_31_DOMAIN,
+        _VELOCITY_GAIN_32_DOMAIN,
+        _VELOCITY_GAIN_33_DOMAIN,
+    ),
+    (
+        "updated_x_position",
+        "updated_y_position",
+        "updated_z_position",
+        "updated_x_velocity",
+        "updated_y_velocity",
+        "updated_z_velocity",
+    ),
+    12,
+    _step_interacting_block,
+)

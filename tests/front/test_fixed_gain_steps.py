@@ -1,0 +1,204 @@
+"""Steps of many tracks against exact fractions, matrix by matrix; missed detections; in place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from gainproof.fixed_gain import steps
+
+UNIT = 2.0**-52
+BOUNDS = {2: (2.51, 3.01), 3: (3.01, 3.51, 4.51)}
+"""Of `generated/filter_step.py`, in units of 2^-52 over the sum of the terms' magnitudes."""
+
+
+def exact(state: Sequence[Any], t: Any, z: Any, gains: Sequence[Any]) -> list[tuple[Any, Any]]:
+    """F s + K (z - H F s), and the same with every term positive, by rows of F and K."""
+    size = len(state)
+    rows = [[Fraction(0)] * i + [Fraction(1), t, t * t / 2][: size - i] for i in range(size)]
+    ahead = [sum(a * b for a, b in zip(row, state, strict=True)) for row in rows]
+    sizes = [sum(abs(a * b) for a, b in zip(row, state, strict=True)) for row in rows]
+    return [
+        (x + k / t**n * (z - ahead[0]), s + abs(k) / t**n * (abs(z) + sizes[0]))
+        for n, (x, s, k) in enumerate(zip(ahead, sizes, gains, strict=True))
+    ]
+
+
+def step(size: int, *given: Any, **options: Any) -> tuple[Any, ...]:
+    function = steps.step_two_states if size == 2 else steps.step_three_states
+    return function(*given, **options)
+
+
+@pytest.mark.parametrize("size", [2, 3])
+def test_a_step_is_the_filter_within_the_bound_over_its_terms(size: int) -> None:
+    generator = np.random.default_rng(size)
+    state = generator.normal(size=(size, 200)) * 10.0 ** generator.integers(-6, 7, (size, 200))
+    t = generator.uniform(0.1, 20, 200)
+    # half of the observations next to the prediction, where the innovation cancels
+    near = state[0] + t * state[1] + (t * t / 2 * state[2] if size == 3 else 0)
+    z = np.where(generator.random(200) < 0.5, near, generator.normal(size=200) * 1e4)
+    gains = generator.uniform(0, 1.5, (size, 200))
+    found = step(size, *state, t, z, *gains)
+    for k in range(200):
+        given = [[Fraction(float(x)) for x in values[:, k]] for values in (state, gains)]
+        truth = exact(given[0], Fraction(float(t[k])), Fraction(float(z[k])), given[1])
+        for n, (value, scale) in enumerate(truth):
+            assert abs(Fraction(float(found[n][k])) - value) <= scale * BOUNDS[size][n] * UNIT
+
+
+@pytest.mark.parametrize("size", [2, 3])
+def test_a_missed_detection_is_a_prediction_alone(size: int) -> None:
+    """Whatever stands for the observation, NaN too; exactly what gains of 0 leave."""
+    generator = np.random.default_rng(7)
+    state = generator.normal(size=(size, 50))
+    gains = [0.4, 0.1, 0.01][:size]
+    seen = generator.random(50) < 0.5
+    z = np.where(seen, generator.normal(size=50), np.nan)
+    found = step(size, *state, 2.0, z, *gains, seen)
+    alone = step(size, *state, 2.0, 0.0, *[0.0] * size)
+    full = step(size, *state, 2.0, np.where(seen, z, 0), *gains)
+    for x, prediction, update in zip(found, alone, full, strict=True):
+        assert (x[~seen] == prediction[~seen]).all()
+        assert (x[seen] == update[seen]).all()
+    with pytest.raises(TypeError, match="detected must be true or false"):
+        step(size, *state, 2.0, 1.0, *gains, 1)
+    with pytest.raises(ValueError, match=r"observed must be .* got nan at index"):
+        step(size, *state, 2.0, z, *gains)
+
+
+@pytest.mark.parametrize("count", [5, 200_000])
+def test_in_place_gives_what_new_arrays_get(count: int) -> None:
+    """Over several blocks too; with an output in another's place the whole input is kept."""
+    generator = np.random.default_rng(3)
+    state = generator.normal(size=(3, count))
+    z = generator.normal(size=count)
+    wanted = steps.step_three_states(*state, 2.0, z, 0.4, 0.1, 0.01)
+    same = state.copy()
+    steps.step_three_states(*same, 2.0, z, 0.4, 0.1, 0.01, out=(same[0], same[1], same[2]))
+    turned = state.copy()
+    given = turned[0], turned[1], turned[2]
+    steps.step_three_states(*given, 2.0, z, 0.4, 0.1, 0.01, out=given[::-1])
+    shifted = np.concatenate([state, np.zeros((3, 1))], axis=1)
+    parts = [row[:-1] for row in shifted]
+    steps.step_three_states(*parts, 2.0, z, 0.4, 0.1, 0.01, out=tuple(row[1:] for row in shifted))
+    for n in range(3):
+        assert (same[n] == wanted[n]).all()
+        assert (turned[2 - n] == wanted[n]).all()
+        assert (shifted[n, 1:] == wanted[n]).all()
+
+
+def test_bad_input_leaves_the_tracks_as_they_were() -> None:
+    count = 200_000
+    position, velocity = np.ones(count), np.ones(count)
+    observed = np.ones(count)
+    observed[-1] = np.nan
+    with pytest.raises(ValueError, match=r"observed must be .*got nan at index 199999"):
+        steps.step_two_states(position, velocity, 1.0, observed, 0.5, 0.1, out=(position, velocity))
+    assert (position == 1).all()
+    assert (velocity == 1).all()
+
+
+def test_gains_of_each_axis_and_intervals_of_each_track() -> None:
+    generator = np.random.default_rng(4)
+    position, velocity, observed = generator.normal(size=(3, 3, 10))
+    t = generator.uniform(1, 3, 10)
+    alpha, beta = np.array([[0.4], [0.5], [0.6]]), np.array([[0.1], [0.2], [0.3]])
+    found = steps.step_two_states(position, velocity, t, observed, alpha, beta)
+    for axis in range(3):
+        own = steps.step_two_states(
+            position[axis], velocity[axis], t, observed[axis], alpha[axis, 0], beta[axis, 0]
+        )
+        assert (np.asarray(found.position)[axis] == own.position).all()
+        assert (np.asarray(found.velocity)[axis] == own.velocity).all()
+
+
+def interacting_case(count: int) -> tuple[Any, ...]:
+    generator = np.random.default_rng(6)
+    position, velocity, observed = generator.normal(size=(3, 3, count))
+    first, second = generator.normal(size=(2, 3, 3))
+    return position, velocity, generator.uniform(0.5, 3, count), observed, first, second
+
+
+def test_interacting_steps_are_matrix_products() -> None:
+    position, velocity, t, observed, first, second = interacting_case(100)
+    found = steps.step_interacting(position, velocity, t, observed, first, second)
+    ahead = position + t * velocity
+    innovation = observed - ahead
+    assert np.asarray(found.position) == pytest.approx(ahead + first @ innovation, abs=1e-13)
+    assert np.asarray(found.velocity) == pytest.approx(velocity + second @ innovation, abs=1e-13)
+    many = np.repeat(first[:, :, None], 100, axis=2), np.repeat(second[:, :, None], 100, axis=2)
+    again = steps.step_interacting(position, velocity, t, observed, *many)
+    assert (np.asarray(again.position) == found.position).all()
+
+
+def test_diagonal_matrices_are_filters_of_their_own() -> None:
+    position, velocity, t, observed, *_ = interacting_case(20)
+    alpha, beta = np.array([0.4, 0.5, 0.6]), np.array([0.1, 0.2, 0.3])
+    found = steps.step_interacting(
+        position, velocity, 2.0, observed, np.diag(alpha), np.diag(beta / 2)
+    )
+    own = steps.step_two_states(position, velocity, 2.0, observed, alpha[:, None], beta[:, None])
+    assert np.asarray(found.position) == pytest.approx(np.asarray(own.position), rel=1e-14)
+    assert np.asarray(found.velocity) == pytest.approx(np.asarray(own.velocity), rel=1e-14)
+    assert t.shape == (20,)
+
+
+def test_interacting_steps_in_place_and_with_missed_detections() -> None:
+    position, velocity, t, observed, first, second = interacting_case(1000)
+    seen = np.arange(1000) % 3 > 0
+    wanted = steps.step_interacting(position, velocity, t, observed, first, second, seen)
+    blind = np.where(seen, observed, np.nan)
+    x, v = position.copy(), velocity.copy()
+    found = steps.step_interacting(x, v, t, blind, first, second, seen, out=(x, v))
+    assert found.position is x
+    assert (x == wanted.position).all()
+    assert (v == wanted.velocity).all()
+    assert (x[:, ~seen] == (position + t * velocity)[:, ~seen]).all()
+    assert (v[:, ~seen] == velocity[:, ~seen]).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "told"),
+    [
+        ({0: np.zeros((2, 5))}, ValueError, r"position must have axes of three .* got shape \(2, "),
+        ({3: np.zeros(())}, ValueError, "observed must have axes of three"),
+        ({4: np.zeros((3, 2))}, ValueError, r"position_gain must have axes of three"),
+        ({5: np.zeros((2, 3))}, ValueError, r"velocity_gain must have axes of three"),
+        ({2: 0.0}, ValueError, "interval must be a number at least 1e-10"),
+        ({4: np.full((3, 3), np.nan)}, ValueError, "position_gain_11 must be"),
+        ({1: [["a"], ["b"], ["c"]]}, TypeError, "x_velocity must be real numbers"),
+    ],
+)
+def test_what_does_not_fit_is_named(
+    change: dict[int, Any], error: type[Exception], told: str
+) -> None:
+    given = list(interacting_case(5))
+    for place, value in change.items():
+        given[place] = value
+    with pytest.raises(error, match=told):
+        steps.step_interacting(*given)
+
+
+@pytest.mark.parametrize(
+    ("out", "error", "told"),
+    [
+        ([1, 2], ValueError, "out must be a tuple of two arrays"),
+        ((np.zeros((3, 5)), [1]), TypeError, "out velocity must be an array, got list"),
+        ((np.zeros((3, 5)), np.zeros(3)), ValueError, r"out velocity must have shape \(3, ...\)"),
+        ((np.zeros((3, 4)), np.zeros((3, 4))), ValueError, "must have shape"),
+    ],
+)
+def test_outputs_that_do_not_fit_are_named(out: Any, error: type[Exception], told: str) -> None:
+    with pytest.raises(error, match=told):
+        steps.step_interacting(*interacting_case(5), out=out)
+
+
+def test_single_precision_stays() -> None:
+    given = [np.float32(x) for x in (1.5, 2.0, 3.0, 4.0, 0.5, 0.25)]
+    found = steps.step_two_states(*given)
+    assert isinstance(found.position, np.float32)
+    assert (found.position, found.velocity) == (5.75, 1.7083334)
