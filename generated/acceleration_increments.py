@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "ClosedLoopPoles",
     "GainDerivatives",
     "GainSecondDerivatives",
     "Gains",
@@ -34,6 +35,7 @@ __all__ = [
     "UpdatedCovariance",
     "UpdatedCovarianceDerivatives",
     "UpdatedCovarianceSecondDerivatives",
+    "closed_loop_poles",
     "gain_derivatives",
     "gain_second_derivatives",
     "gains",
@@ -108,7 +110,7 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
@@ -249,14 +251,14 @@ def gain_derivatives(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 14.71 * 2^-52 (float64), 14.71 *
+    alpha: derivative of the position gain. Relative error at most 14.71 * 2^-52 (float64), 14.70 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 15.78
-        * 2^-52 (float64), 15.77 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 15.77
+        * 2^-52 (float64), 15.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 13.15 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 13.14 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <=
         3.689349e19 (float32).
 
@@ -430,7 +432,7 @@ def gains_with_derivatives(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
@@ -440,14 +442,14 @@ def gains_with_derivatives(
         * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 14.71 * 2^-52 (float64), 14.71
+    d_alpha: derivative of the position gain. Relative error at most 14.71 * 2^-52 (float64), 14.70
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        15.78 * 2^-52 (float64), 15.77 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        15.77 * 2^-52 (float64), 15.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 13.15 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 13.14 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <=
         3.689349e19 (float32).
 
@@ -618,8 +620,8 @@ def predictor_gains(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.17 * 2^-52
-        (float64), 6.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.18 * 2^-52
+        (float64), 6.19 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -763,14 +765,14 @@ def predictor_gain_derivatives(
         finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 15.73 * 2^-52 (float64), 15.72 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 15.72 * 2^-52 (float64), 15.69 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <= 3.689349e19 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 14.87 * 2^-52 (float64), 14.87 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 14.87 * 2^-52 (float64), 14.84 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 3.2842287997601345e154 (float64) and 1e-45 <= tracking_index <=
         4.5185108e19 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 13.15 * 2^-52 (float64), 13.14 * 2^-23 (float32),
+        interval, gamma. Relative error at most 13.14 * 2^-52 (float64), 13.14 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 2.6815615859885194e154 (float64) and 1e-45 <=
         tracking_index <= 3.689349e19 (float32).
 
@@ -942,7 +944,7 @@ def innovation_deviation(
         finite.
 
     innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
-        4.40 * 2^-52 (float64), 4.40 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        4.40 * 2^-52 (float64), 4.39 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1068,7 +1070,7 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
         finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 10.30 * 2^-52 (float64), 10.29 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 10.29 * 2^-52 (float64), 10.28 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.3407807929942597e154 (float64) and 1e-45 <= tracking_index <=
         1.8446744e19 (float32).
 
@@ -2039,16 +2041,16 @@ def gain_second_derivatives(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 22.93 * 2^-52
-        (float64), 22.93 * 2^-23 (float32), proved for 6.8526910636410875e-186 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 22.92 * 2^-52
+        (float64), 22.92 * 2^-23 (float32), proved for 6.8526910636410875e-186 <= tracking_index <=
         1.8122441335979363e77 (float64) and 4.6731686e-24 <= tracking_index <= 6.721987e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 28.93 * 2^-52 (float64), 28.94 * 2^-23 (float32), proved for
+        error at most 28.95 * 2^-52 (float64), 28.97 * 2^-23 (float32), proved for
         3.506117298415883e-232 <= tracking_index <= 8.958978968711217e102 (float64) and 6.87103e-30
         <= tracking_index <= 1.1082382e13 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 26.44 * 2^-52 (float64), 26.43 * 2^-23 (float32), proved
+        interval. Relative error at most 26.44 * 2^-52 (float64), 26.42 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45 <= tracking_index
         <= 1.3962927e13 (float32).
 
@@ -2287,15 +2289,15 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 24.95 * 2^-52 (float64), 24.95 * 2^-23 (float32), proved for
+        Relative error at most 24.95 * 2^-52 (float64), 24.90 * 2^-23 (float32), proved for
         6.852691063641282e-186 <= tracking_index <= 1.1287606188244725e103 (float64) and
         4.673234e-24 <= tracking_index <= 1.3962927e13 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta + gamma. Relative error at most 29.43 * 2^-52 (float64), 29.44 * 2^-23 (float32),
+        beta + gamma. Relative error at most 29.45 * 2^-52 (float64), 29.47 * 2^-23 (float32),
         proved for 3.5061172984158834e-232 <= tracking_index <= 1.292108356801686e103 (float64) and
         6.8710304e-30 <= tracking_index <= 1.5983561e13 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 26.44 * 2^-52 (float64), 26.43 * 2^-23
+        the sampling interval, gamma. Relative error at most 26.44 * 2^-52 (float64), 26.42 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45
         <= tracking_index <= 1.3962927e13 (float32).
 
@@ -3162,6 +3164,185 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_22", "updated_23", "updated_33"),
     6,
     _updated_covariance_second_derivatives_block,
+)
+
+
+class ClosedLoopPoles(NamedTuple):
+    """Result of `closed_loop_poles`."""
+
+    real_pole: Real
+    """Positive pole, the one that is real for every index."""
+    modulus: Real
+    """Geometric mean of the moduli of the other two, that of each while they are complex."""
+    half_sum: Real
+    """Half the sum of these two, the real part of each while they are complex."""
+    quarter_discriminant: Real
+    """Square of half their difference, negative while they are complex."""
+
+
+def closed_loop_poles(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> ClosedLoopPoles:
+    """Poles: the real one; of the other two modulus, half sum, half the distance squared.
+
+        c(z) = (z - real_pole) (z^2 - 2 half_sum z + modulus^2),
+        quarter_discriminant = half_sum^2 - modulus^2,
+        real_pole = w = 1/sigma, modulus = sqrt(w), half_sum = (xi^2 - 8)/(xi^2 + 2 xi),
+        xi^3 - 4 xi = 64/Lambda
+
+    tracking_index: Lambda, with Lambda^2 =
+        increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
+        finite.
+
+    real_pole: positive pole, the one that is real for every index. Relative error at most 4.90 *
+        2^-52 (float64), 4.89 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        8.98846567431158e307 (float64) and 1e-45 <= tracking_index <= 1.7014118e38 (float32).
+    modulus: geometric mean of the moduli of the other two, that of each while they are complex.
+        Relative error at most 3.20 * 2^-52 (float64), 3.20 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
+        3.4028235e38 (float32).
+    half_sum: half the sum of these two, the real part of each while they are complex. Relative
+        error at most 17.07 * 2^-52 (float64), 16.90 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
+        3.4028235e38 (float32).
+    quarter_discriminant: square of half their difference, negative while they are complex. Relative
+        error at most 26.43 * 2^-52 (float64), 26.33 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
+        3.4028235e38 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation acceleration-increments
+    """
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
+
+
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    real_pole, modulus, half_sum, quarter_discriminant = out
+    w0, w1, w2, w3, w4, w5 = work
+    p = np.sqrt(tracking_index, real_pole)
+    r = np.sqrt(p, modulus)
+    t4 = np.divide(1.0, p, half_sum)
+    t5 = np.multiply(t4, r, w0)
+    t7 = np.multiply(t5, 2.0, w0)
+    t9 = np.multiply(p, 0.5, w1)
+    t11 = np.multiply(tracking_index, 0.0625, w2)
+    t12 = np.multiply(p, r, w3)
+    t13 = np.multiply(t12, 1.0, w3)
+    t15 = np.divide(8.0, r, quarter_discriminant)
+    t16 = np.add(t13, t15, w3)
+    t17 = near_cbrt(t16, w3, single)
+    t20 = np.multiply(t7, t17, quarter_discriminant)
+    t21 = np.add(t20, t11, quarter_discriminant)
+    t22 = np.sqrt(t21, quarter_discriminant)
+    t23 = np.multiply(t22, 2.0, w4)
+    t24 = np.add(t23, t9, w4)
+    t25 = np.sqrt(t24, w4)
+    t26 = np.multiply(t7, 0.5, w5)
+    t27 = np.multiply(t22, t25, quarter_discriminant)
+    t28 = np.multiply(t25, t27, w4)
+    t29 = np.multiply(t26, t17, w3)
+    t30 = np.subtract(t28, t29, w4)
+    t31 = np.subtract(t27, t26, quarter_discriminant)
+    t32 = np.divide(t30, t31, w4)
+    t34 = np.multiply(t7, t32, w3)
+    t35 = np.add(t34, t11, w3)
+    t36 = np.sqrt(t35, w3)
+    t37 = np.multiply(t36, 2.0, quarter_discriminant)
+    t38 = np.add(t37, t9, quarter_discriminant)
+    t39 = np.sqrt(t38, quarter_discriminant)
+    t40 = np.multiply(t36, t39, w3)
+    t41 = np.multiply(t39, t40, quarter_discriminant)
+    t42 = np.multiply(t26, t32, w4)
+    t43 = np.subtract(t41, t42, quarter_discriminant)
+    t44 = np.subtract(t40, t26, w3)
+    t45 = np.divide(t43, t44, quarter_discriminant)
+    t47 = np.multiply(t7, t45, w3)
+    t48 = np.add(t47, t11, w3)
+    t49 = np.sqrt(t48, w3)
+    t50 = np.multiply(t49, 2.0, w4)
+    t51 = np.add(t50, t9, w4)
+    t52 = np.sqrt(t51, w4)
+    t53 = np.multiply(t49, t52, w3)
+    t54 = np.multiply(t52, t53, w4)
+    t55 = np.multiply(t26, t45, quarter_discriminant)
+    t56 = np.subtract(t54, t55, w4)
+    t57 = np.subtract(t53, t26, w3)
+    t58 = np.divide(t56, t57, w4)
+    t60 = np.multiply(t7, t58, w3)
+    t61 = np.add(t60, t11, w3)
+    t62 = np.sqrt(t61, w3)
+    t63 = np.multiply(t62, 2.0, quarter_discriminant)
+    t64 = np.add(t63, t9, quarter_discriminant)
+    t65 = np.sqrt(t64, quarter_discriminant)
+    t66 = np.multiply(t62, t65, w3)
+    t67 = np.multiply(t65, t66, quarter_discriminant)
+    t68 = np.multiply(t26, t58, w4)
+    t69 = np.subtract(t67, t68, quarter_discriminant)
+    t70 = np.subtract(t66, t26, w3)
+    t71 = np.divide(t69, t70, quarter_discriminant)
+    t73 = np.multiply(t7, t71, w0)
+    t74 = np.add(t73, t11, w0)
+    e = np.sqrt(t74, w0)
+    t76 = np.multiply(e, 2.0, w2)
+    t77 = np.add(t76, t9, w2)
+    x = np.sqrt(t77, w2)
+    t79 = np.divide(x, r, w1)
+    t80 = np.multiply(t79, 2.0, w1)
+    t81 = np.multiply(e, 0.5, w0)
+    t82 = np.add(t4, t81, half_sum)
+    t83 = np.multiply(x, r, w2)
+    t85 = np.multiply(t83, 0.25, w2)
+    t86 = np.multiply(p, 0.125, w0)
+    t87 = np.add(t85, t86, w2)
+    t88 = np.add(t82, t87, half_sum)
+    t89 = np.multiply(p, t88, real_pole)
+    modulus_inverse = np.sqrt(t89, w0)
+    t96 = np.add(t80, 2.8284271247461903, w2)
+    t97 = np.multiply(t80, t96, w3)
+    t98 = np.add(t97, 4.0, w3)
+    rest = 9.681293988705875e-08 if single else -3.8669173253811654e-16
+    np.subtract(5.656854249492381, tracking_index, w4)
+    t99 = np.add(w4, rest, w4)
+    t100 = np.divide(t99, t98, w4)
+    t101 = np.divide(t100, tracking_index, w4)
+    t103 = np.multiply(t101, 11.313708498984761, w4)
+    t104 = np.divide(t103, t80, w4)
+    t106 = np.add(t80, 2.309401076758503, w3)
+    t107 = np.multiply(t80, t106, w5)
+    t108 = np.add(t107, 1.3333333333333333, w5)
+    rest_ = 8.498841452819761e-07 if single else -5.721467327834222e-16
+    np.subtract(20.784609690826528, tracking_index, modulus)
+    t109 = np.add(modulus, rest_, modulus)
+    t110 = np.divide(t109, t108, modulus)
+    t111 = np.divide(t110, tracking_index, modulus)
+    t113 = np.multiply(t111, 3.079201435678004, modulus)
+    t114 = np.divide(t113, t80, modulus)
+    t115 = np.add(t80, 2.0, w5)
+    t118 = np.divide(t96, t115, w2)
+    t120 = np.divide(t114, t115, modulus)
+    t121 = np.divide(t106, t80, w3)
+    t122 = np.multiply(t120, t121, modulus)
+    t123 = np.divide(t122, t115, w5)
+    np.divide(1.0, t89, real_pole)
+    np.divide(1.0, modulus_inverse, modulus)
+    np.multiply(t104, t118, half_sum)
+    np.multiply(t123, -12.0, quarter_discriminant)
+
+
+_CLOSED_LOOP_POLES = Signature(
+    "closed_loop_poles",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
+    6,
+    _closed_loop_poles_block,
 )
 
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "ClosedLoopPoles",
     "GainDerivatives",
     "GainSecondDerivatives",
     "Gains",
@@ -27,6 +28,7 @@ __all__ = [
     "PredictorGainDerivatives",
     "PredictorGains",
     "UpdatedCovariance",
+    "closed_loop_poles",
     "gain_derivatives",
     "gain_second_derivatives",
     "gains",
@@ -57,6 +59,12 @@ _TRACKING_INDEX_DOMAIN_3 = Domain(
     "a number above 0 and at most 2^1000, in float32 above 0 and at most 2^120",
     (5e-324, 1.0715086071862673e301),
     (1.401298464324817e-45, 1.329227995784916e36),
+)
+_TRACKING_INDEX_DOMAIN_4 = Domain(
+    "tracking_index",
+    "a number above 0 and at most 2^200, in float32 above 0 and at most 1073741824",
+    (5e-324, 1.6069380442589903e60),
+    (1.401298464324817e-45, 1073741824.0),
 )
 
 
@@ -2178,4 +2186,223 @@ _GAIN_SECOND_DERIVATIVES = Signature(
     ("alpha", "beta", "gamma"),
     22,
     _gain_second_derivatives_block,
+)
+
+
+class ClosedLoopPoles(NamedTuple):
+    """Result of `closed_loop_poles`."""
+
+    real_pole: Real
+    """Positive pole, the one that is real for every index."""
+    modulus: Real
+    """Geometric mean of the moduli of the other two, that of each while they are complex."""
+    half_sum: Real
+    """Half the sum of these two, the real part of each while they are complex."""
+    quarter_discriminant: Real
+    """Square of half their difference, negative while they are complex."""
+
+
+def closed_loop_poles(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> ClosedLoopPoles:
+    """Poles: the real one; of the other two modulus, half sum, half the distance squared.
+
+        c(z) = (z - real_pole) (z^2 - 2 half_sum z + modulus^2),
+        quarter_discriminant = half_sum^2 - modulus^2,
+        G (G^2 + G + 2/15) = 64/Lambda^2, t = sqrt(1 + G), g = sqrt(G^2 + 2/15),
+        a = sqrt(1 + 2 g - G), real_pole = (t - 1)/(t + 1), half_sum = (g - 1)/(1 + a + g)
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
+        2^200, in float32 above 0 and at most 1073741824.
+
+    real_pole: positive pole, the one that is real for every index. Relative error at most 8.60 *
+        2^-52 (float64), 8.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <= 1.0737418e09 (float32).
+    modulus: geometric mean of the moduli of the other two, that of each while they are complex.
+        Relative error at most 6.08 * 2^-52 (float64), 6.15 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
+        1.0737418e09 (float32).
+    half_sum: half the sum of these two, the real part of each while they are complex. Relative
+        error at most 30.39 * 2^-52 (float64), 29.96 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
+        1.0737418e09 (float32).
+    quarter_discriminant: square of half their difference, negative while they are complex. Relative
+        error at most 38.90 * 2^-52 (float64), 38.96 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
+        1.0737418e09 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
+
+
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    real_pole, modulus, half_sum, quarter_discriminant = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    p = np.sqrt(tracking_index, real_pole)
+    r = np.sqrt(p, modulus)
+    t3 = np.multiply(p, r, w0)
+    t5 = np.divide(0.015625, r, half_sum)
+    t6 = np.multiply(p, 0.015625, w1)
+    t7 = np.multiply(tracking_index, r, w2)
+    t9 = np.multiply(t7, 0.0006944444444444445, w2)
+    t10 = np.square(t9, w3)
+    t11 = np.multiply(t10, t9, w4)
+    t12 = np.multiply(t9, t6, w5)
+    t14 = np.multiply(t11, 2.0, w6)
+    t15 = np.add(t12, t14, w5)
+    t16 = np.add(t5, t15, w5)
+    t18 = np.multiply(t10, 3.0, w3)
+    t19 = np.add(t18, t6, w3)
+    t21 = np.multiply(t3, 0.00234374962747097, w0)
+    t22 = np.add(t5, t21, half_sum)
+    t23 = np.multiply(t6, 2.0, w1)
+    t24 = np.multiply(t9, t23, w1)
+    t26 = np.multiply(t11, 8.0, w4)
+    t27 = np.add(t24, t26, w1)
+    t28 = np.add(t22, t27, half_sum)
+    t29 = near_cbrt(t28, half_sum, single)
+    t31 = np.multiply(t19, t29, w0)
+    t32 = np.add(t31, t16, w1)
+    t33 = np.multiply(t29, t32, w4)
+    t34 = np.sqrt(t33, quarter_discriminant)
+    t35 = np.sqrt(t34, w4)
+    t37 = np.multiply(t32, 0.25, w1)
+    t38 = np.multiply(t31, 0.25, w0)
+    t39 = np.add(t37, t38, w1)
+    t40 = np.multiply(t34, t35, quarter_discriminant)
+    t41 = np.multiply(t35, t40, w4)
+    t42 = np.multiply(t39, t29, half_sum)
+    t43 = np.subtract(t41, t42, w4)
+    t44 = np.subtract(t40, t39, quarter_discriminant)
+    t45 = np.divide(t43, t44, w4)
+    t47 = np.multiply(t19, t45, w0)
+    t48 = np.add(t47, t16, w1)
+    t49 = np.multiply(t45, t48, w6)
+    t50 = np.sqrt(t49, w6)
+    t51 = np.sqrt(t50, half_sum)
+    t52 = np.multiply(t48, 0.25, w1)
+    t53 = np.multiply(t47, 0.25, w0)
+    t54 = np.add(t52, t53, w1)
+    t55 = np.multiply(t50, t51, w6)
+    t56 = np.multiply(t51, t55, half_sum)
+    t57 = np.multiply(t54, t45, w4)
+    t58 = np.subtract(t56, t57, half_sum)
+    t59 = np.subtract(t55, t54, w6)
+    t60 = np.divide(t58, t59, half_sum)
+    t62 = np.multiply(t19, t60, w0)
+    t63 = np.add(t62, t16, w1)
+    t64 = np.multiply(t60, t63, w4)
+    t65 = np.sqrt(t64, w4)
+    t66 = np.sqrt(t65, w6)
+    t67 = np.multiply(t63, 0.25, w1)
+    t68 = np.multiply(t62, 0.25, w0)
+    t69 = np.add(t67, t68, w1)
+    t70 = np.multiply(t65, t66, w4)
+    t71 = np.multiply(t66, t70, w6)
+    t72 = np.multiply(t69, t60, half_sum)
+    t73 = np.subtract(t71, t72, w6)
+    t74 = np.subtract(t70, t69, w4)
+    t75 = np.divide(t73, t74, w6)
+    t77 = np.multiply(t19, t75, w0)
+    t78 = np.add(t77, t16, w1)
+    t79 = np.multiply(t75, t78, w4)
+    t80 = np.sqrt(t79, w4)
+    t81 = np.sqrt(t80, half_sum)
+    t82 = np.multiply(t78, 0.25, w1)
+    t83 = np.multiply(t77, 0.25, w0)
+    t84 = np.add(t82, t83, w1)
+    t85 = np.multiply(t80, t81, w4)
+    t86 = np.multiply(t81, t85, half_sum)
+    t87 = np.multiply(t84, t75, w6)
+    t88 = np.subtract(t86, t87, half_sum)
+    t89 = np.subtract(t85, t84, w4)
+    t90 = np.divide(t88, t89, half_sum)
+    t92 = np.multiply(t19, t90, w3)
+    t93 = np.add(t92, t16, w3)
+    t94 = np.multiply(t90, t93, half_sum)
+    inner = np.sqrt(t94, half_sum)
+    z = np.sqrt(inner, half_sum)
+    t97 = np.add(z, t9, half_sum)
+    t98 = np.divide(t97, r, half_sum)
+    t99 = np.multiply(t98, tracking_index, w0)
+    y = np.sqrt(t99, w1)
+    t102 = np.add(t99, 1.0, w0)
+    s = np.sqrt(t102, w0)
+    t104 = np.divide(1.0, t98, w2)
+    t105 = np.divide(t104, tracking_index, w3)
+    t107 = np.divide(2.220446049250313e-16, tracking_index, w4)
+    t109 = np.multiply(tracking_index, 4.625929269271486e-19, w5)
+    t110 = np.add(t107, t109, w4)
+    c_scaled = np.sqrt(t110, w4)
+    t113 = np.multiply(c_scaled, 67108864.0, w4)
+    t114 = np.divide(y, s, w5)
+    t115 = np.multiply(t113, t114, w4)
+    t116 = np.divide(t115, p, w4)
+    t117 = np.multiply(t116, 8.0, w4)
+    t118 = np.add(t105, t117, w5)
+    t120 = np.divide(0.13333333333333333, t118, w5)
+    t121 = np.add(t117, 1.0, w6)
+    t122 = np.add(t121, t120, w5)
+    a = np.sqrt(t122, real_pole)
+    t124 = np.add(a, 1.0, real_pole)
+    t125 = np.add(t124, t117, w4)
+    t126 = np.add(s, y, w0)
+    t129 = np.multiply(tracking_index, 1.9309493362512626, real_pole)
+    t130 = np.add(t104, t129, real_pole)
+    t132 = np.multiply(t130, 0.01454608337892598, real_pole)
+    t133 = np.add(t98, t132, real_pole)
+    rest = -9.738720763152742e-08 if single else 3.740420498507711e-16
+    np.subtract(5.966800592310059, tracking_index, modulus)
+    t134 = np.add(modulus, rest, modulus)
+    t135 = np.divide(t134, t133, modulus)
+    t136 = np.divide(t135, tracking_index, modulus)
+    t137 = np.add(5.966800592310059, tracking_index, real_pole)
+    t138 = np.multiply(t136, t137, modulus)
+    t140 = np.multiply(t138, 0.028087750045592646, modulus)
+    t141 = np.divide(1.0, t126, real_pole)
+    t143 = np.divide(y, tracking_index, w1)
+    t144 = np.multiply(t143, 8.0, w1)
+    t147 = np.add(t105, 0.9309493362512627, quarter_discriminant)
+    t148 = np.divide(t147, t121, quarter_discriminant)
+    t149 = np.multiply(t140, t148, quarter_discriminant)
+    t153 = np.multiply(tracking_index, 1.183064446160989, w6)
+    t154 = np.add(t104, t153, w2)
+    t156 = np.multiply(t154, 0.0028603819712654517, w2)
+    t157 = np.add(t98, t156, half_sum)
+    rest_ = 7.072486027936975e-07 if single else -1.5829239487703273e-15
+    np.subtract(31.608914128879448, tracking_index, w2)
+    t158 = np.add(w2, rest_, w2)
+    t159 = np.divide(t158, t157, w2)
+    t160 = np.divide(t159, tracking_index, w2)
+    t161 = np.add(31.608914128879448, tracking_index, w6)
+    t162 = np.multiply(t160, t161, w2)
+    t164 = np.multiply(t162, 0.001000877316602882, w2)
+    t165 = np.divide(t164, t125, w2)
+    t167 = np.add(t105, 0.8497311128276556, w3)
+    t168 = np.divide(t167, t122, w3)
+    t169 = np.multiply(t165, t168, w2)
+    t170 = np.divide(t169, t125, w2)
+    np.divide(t141, t126, real_pole)
+    np.divide(t144, t125, modulus)
+    np.divide(t149, t125, half_sum)
+    np.multiply(t170, -3.0, quarter_discriminant)
+
+
+_CLOSED_LOOP_POLES = Signature(
+    "closed_loop_poles",
+    (_TRACKING_INDEX_DOMAIN_4,),
+    ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
+    7,
+    _closed_loop_poles_block,
 )

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from gainproof.generated._runtime import Arrays, Real
 
 __all__ = [
+    "ClosedLoopPoles",
     "GainDerivatives",
     "GainSecondDerivatives",
     "Gains",
@@ -32,6 +33,7 @@ __all__ = [
     "UpdatedCovariance",
     "UpdatedCovarianceDerivatives",
     "UpdatedCovarianceSecondDerivatives",
+    "closed_loop_poles",
     "gain_derivatives",
     "gain_second_derivatives",
     "gains",
@@ -79,6 +81,12 @@ _TRACKING_INDEX_DOMAIN_5 = Domain(
     "a number above 0 and at most 2^480, in float32 above 0 and at most 2^56",
     (5e-324, 3.1217485503159922e144),
     (1.401298464324817e-45, 7.205759403792794e16),
+)
+_TRACKING_INDEX_DOMAIN_6 = Domain(
+    "tracking_index",
+    "a number above 0 and at most 2^200, in float32 above 0 and at most 1073741824",
+    (5e-324, 1.6069380442589903e60),
+    (1.401298464324817e-45, 1073741824.0),
 )
 
 
@@ -3753,4 +3761,214 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     ("updated_22", "updated_23", "updated_33"),
     17,
     _updated_covariance_second_derivatives_block,
+)
+
+
+class ClosedLoopPoles(NamedTuple):
+    """Result of `closed_loop_poles`."""
+
+    real_pole: Real
+    """Positive pole, the one that is real for every index."""
+    modulus: Real
+    """Geometric mean of the moduli of the other two, that of each while they are complex."""
+    half_sum: Real
+    """Half the sum of these two, the real part of each while they are complex."""
+    quarter_discriminant: Real
+    """Square of half their difference, negative while they are complex."""
+
+
+def closed_loop_poles(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> ClosedLoopPoles:
+    """Poles: the real one; of the other two modulus, half sum, half the distance squared.
+
+        c(z) = (z - real_pole) (z^2 - 2 half_sum z + modulus^2),
+        quarter_discriminant = half_sum^2 - modulus^2,
+        G (G^2 + 4/3 G + 4/9) = 64/Lambda^2, t = sqrt(1 + G), g = sqrt(G^2 + 1/3 G + 1/9),
+        a = sqrt(2/3 + 2 g - G), real_pole = (t - 1)/(t + 1), half_sum = (g - 1)/(1 + a + g)
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
+        most 2^200, in float32 above 0 and at most 1073741824.
+
+    real_pole: positive pole, the one that is real for every index. Relative error at most 8.67 *
+        2^-52 (float64), 8.47 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <= 1.0737418e09 (float32).
+    modulus: geometric mean of the moduli of the other two, that of each while they are complex.
+        Relative error at most 6.34 * 2^-52 (float64), 6.31 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
+        1.0737418e09 (float32).
+    half_sum: half the sum of these two, the real part of each while they are complex. Relative
+        error at most 30.39 * 2^-52 (float64), 30.11 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
+        1.0737418e09 (float32).
+    quarter_discriminant: square of half their difference, negative while they are complex. Relative
+        error at most 35.64 * 2^-52 (float64), 35.48 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
+        1.0737418e09 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation random-jerk
+    """
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
+
+
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
+    (tracking_index,) = given
+    real_pole, modulus, half_sum, quarter_discriminant = out
+    w0, w1, w2, w3, w4, w5, w6 = work
+    p = np.sqrt(tracking_index, real_pole)
+    r = np.sqrt(p, modulus)
+    t3 = np.multiply(p, r, w0)
+    t5 = np.divide(0.015625, r, half_sum)
+    t7 = np.multiply(p, 0.020833333333333332, w1)
+    t8 = np.multiply(tracking_index, r, w2)
+    t10 = np.multiply(t8, 0.0023148148148148147, w2)
+    t11 = np.square(t10, w3)
+    t12 = np.multiply(t11, t10, w4)
+    t13 = np.multiply(t10, t7, w5)
+    t15 = np.multiply(t12, 2.0, w6)
+    t16 = np.add(t13, t15, w5)
+    t17 = np.add(t5, t16, w5)
+    t19 = np.multiply(t11, 3.0, w3)
+    t20 = np.add(t19, t7, w3)
+    t22 = np.multiply(t3, 0.003608439117670059, w0)
+    t23 = np.add(t5, t22, half_sum)
+    t24 = np.multiply(t7, 2.0, w1)
+    t25 = np.multiply(t10, t24, w1)
+    t27 = np.multiply(t12, 8.0, w4)
+    t28 = np.add(t25, t27, w1)
+    t29 = np.add(t23, t28, half_sum)
+    t30 = near_cbrt(t29, half_sum, single)
+    t32 = np.multiply(t20, t30, w0)
+    t33 = np.add(t32, t17, w1)
+    t34 = np.multiply(t30, t33, w4)
+    t35 = np.sqrt(t34, quarter_discriminant)
+    t36 = np.sqrt(t35, w4)
+    t38 = np.multiply(t33, 0.25, w1)
+    t39 = np.multiply(t32, 0.25, w0)
+    t40 = np.add(t38, t39, w1)
+    t41 = np.multiply(t35, t36, quarter_discriminant)
+    t42 = np.multiply(t36, t41, w4)
+    t43 = np.multiply(t40, t30, half_sum)
+    t44 = np.subtract(t42, t43, w4)
+    t45 = np.subtract(t41, t40, quarter_discriminant)
+    t46 = np.divide(t44, t45, w4)
+    t48 = np.multiply(t20, t46, w0)
+    t49 = np.add(t48, t17, w1)
+    t50 = np.multiply(t46, t49, w6)
+    t51 = np.sqrt(t50, w6)
+    t52 = np.sqrt(t51, half_sum)
+    t53 = np.multiply(t49, 0.25, w1)
+    t54 = np.multiply(t48, 0.25, w0)
+    t55 = np.add(t53, t54, w1)
+    t56 = np.multiply(t51, t52, w6)
+    t57 = np.multiply(t52, t56, half_sum)
+    t58 = np.multiply(t55, t46, w4)
+    t59 = np.subtract(t57, t58, half_sum)
+    t60 = np.subtract(t56, t55, w6)
+    t61 = np.divide(t59, t60, half_sum)
+    t63 = np.multiply(t20, t61, w0)
+    t64 = np.add(t63, t17, w1)
+    t65 = np.multiply(t61, t64, w4)
+    t66 = np.sqrt(t65, w4)
+    t67 = np.sqrt(t66, w6)
+    t68 = np.multiply(t64, 0.25, w1)
+    t69 = np.multiply(t63, 0.25, w0)
+    t70 = np.add(t68, t69, w1)
+    t71 = np.multiply(t66, t67, w4)
+    t72 = np.multiply(t67, t71, w6)
+    t73 = np.multiply(t70, t61, half_sum)
+    t74 = np.subtract(t72, t73, w6)
+    t75 = np.subtract(t71, t70, w4)
+    t76 = np.divide(t74, t75, w6)
+    t78 = np.multiply(t20, t76, w0)
+    t79 = np.add(t78, t17, w1)
+    t80 = np.multiply(t76, t79, w4)
+    t81 = np.sqrt(t80, w4)
+    t82 = np.sqrt(t81, half_sum)
+    t83 = np.multiply(t79, 0.25, w1)
+    t84 = np.multiply(t78, 0.25, w0)
+    t85 = np.add(t83, t84, w1)
+    t86 = np.multiply(t81, t82, w4)
+    t87 = np.multiply(t82, t86, half_sum)
+    t88 = np.multiply(t85, t76, w6)
+    t89 = np.subtract(t87, t88, half_sum)
+    t90 = np.subtract(t86, t85, w4)
+    t91 = np.divide(t89, t90, half_sum)
+    t93 = np.multiply(t20, t91, w3)
+    t94 = np.add(t93, t17, w3)
+    t95 = np.multiply(t91, t94, half_sum)
+    inner = np.sqrt(t95, half_sum)
+    z = np.sqrt(inner, half_sum)
+    t98 = np.add(z, t10, half_sum)
+    t99 = np.divide(t98, r, half_sum)
+    t100 = np.multiply(t99, tracking_index, w0)
+    y = np.sqrt(t100, w1)
+    t103 = np.add(t100, 1.0, w0)
+    s = np.sqrt(t103, w0)
+    t105 = np.divide(1.0, t99, w2)
+    t106 = np.divide(t105, tracking_index, w3)
+    t108 = np.divide(2.220446049250313e-16, tracking_index, w4)
+    t110 = np.multiply(tracking_index, 3.854941057726238e-19, w5)
+    t111 = np.add(t108, t110, w4)
+    c_scaled = np.sqrt(t111, w4)
+    t114 = np.multiply(c_scaled, 67108864.0, w4)
+    t115 = np.divide(y, s, w5)
+    t116 = np.multiply(t114, t115, w4)
+    t117 = np.divide(t116, p, w4)
+    t118 = np.multiply(t117, 8.0, w4)
+    t120 = np.multiply(t106, 0.3333333333333333, w5)
+    t122 = np.add(t120, 0.1111111111111111, w5)
+    t123 = np.add(t106, t118, w6)
+    t124 = np.divide(t122, t123, w5)
+    t126 = np.add(t118, 0.6666666666666666, w6)
+    t127 = np.add(t126, t124, w6)
+    a = np.sqrt(t127, w5)
+    t129 = np.add(a, 1.0, w5)
+    t130 = np.add(t129, t118, w5)
+    t131 = np.add(s, y, w0)
+    t135 = np.multiply(tracking_index, 2.1240937744230046, real_pole)
+    t136 = np.add(t105, t135, w2)
+    t138 = np.multiply(t136, 0.012355631892026117, w2)
+    t139 = np.add(t99, t138, half_sum)
+    rest = 1.3118362574005005e-07 if single else 2.6682135546293653e-16
+    np.subtract(6.172778260761257, tracking_index, w2)
+    t140 = np.add(w2, rest, w2)
+    t141 = np.divide(t140, t139, w2)
+    t142 = np.divide(t141, tracking_index, w2)
+    t143 = np.add(6.172778260761257, tracking_index, real_pole)
+    t144 = np.multiply(t142, t143, w2)
+    t146 = np.multiply(t144, 0.026244520780915007, w2)
+    t147 = np.divide(1.0, t131, real_pole)
+    t149 = np.divide(y, tracking_index, w1)
+    t150 = np.multiply(t149, 8.0, w1)
+    t153 = np.add(t106, 1.1240937744230048, modulus)
+    t154 = np.add(t118, 1.0, w4)
+    t155 = np.divide(t153, t154, modulus)
+    t156 = np.multiply(t146, t155, w2)
+    t158 = np.add(t106, 0.8888888888888888, w4)
+    t159 = np.divide(t158, t127, w4)
+    t160 = np.multiply(t106, t159, w3)
+    t161 = np.divide(t160, t130, w3)
+    t162 = np.divide(t161, t130, w3)
+    np.divide(t147, t131, real_pole)
+    np.divide(t150, t130, modulus)
+    np.divide(t156, t130, half_sum)
+    np.multiply(t162, -3.0, quarter_discriminant)
+
+
+_CLOSED_LOOP_POLES = Signature(
+    "closed_loop_poles",
+    (_TRACKING_INDEX_DOMAIN_6,),
+    ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
+    7,
+    _closed_loop_poles_block,
 )

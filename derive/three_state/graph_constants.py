@@ -23,12 +23,13 @@ class GraphConstants:
 def graph_constants(builder: GraphBuilder, spectrum: Spectrum) -> GraphConstants:
     """The constants as operands of a graph."""
     names: dict[str, Node] = {}
-    c = _root(builder, spectrum.m2, "root_c", names)
+    c = constant_root(builder, spectrum.m2, "root_c", names)
     square = spectrum.m1 + 2 * c if isinstance(c, Fraction) else c * 2 + spectrum.m1
-    return GraphConstants(_root(builder, square, "root_b", names), c, names)
+    return GraphConstants(constant_root(builder, square, "root_b", names), c, names)
 
 
-def _root(builder: GraphBuilder, square: Any, name: str, names: dict[str, Node]) -> Any:
+def constant_root(builder: GraphBuilder, square: Any, name: str, names: dict[str, Node]) -> Any:
+    """The root of a constant: a rational where it is one, else a node, of which `names` is told."""
     if isinstance(square, Fraction):
         top, below = isqrt(square.numerator), isqrt(square.denominator)
         if top * top == square.numerator and below * below == square.denominator:

@@ -62,12 +62,7 @@ def kernel_basis(builder: GraphBuilder, spectrum: Spectrum) -> KernelBasis:
     names: dict[str, Node] = dict(k.names)
     names["p"] = p = builder.sqrt(index)
     names["r"] = r = builder.sqrt(p)
-    if spectrum.e:
-        square = UNIT * UNIT
-        names["c_scaled"] = builder.sqrt(square / index + index * (spectrum.e / 64 * square))
-        c = names["c_scaled"] * (1 / UNIT)
-    else:
-        c = 1 / p
+    c = scaled_delta(builder, spectrum, index, p, names)
     least = 1 + k.b
     cube = least * least * least
     slope = (c * r) * 2
@@ -83,3 +78,14 @@ def kernel_basis(builder: GraphBuilder, spectrum: Spectrum) -> KernelBasis:
     x, e = fixed_point_values(start, step, START_WITHIN)
     names |= {"x": x, "e": e}
     return KernelBasis(index, p, r, x, e, c, k.b, k.c, spectrum, names)
+
+
+def scaled_delta(
+    builder: GraphBuilder, spectrum: Spectrum, index: Node, p: Node, names: dict[str, Node]
+) -> Node:
+    """C = delta p/8; `names` is told of its root where there is one."""
+    if not spectrum.e:
+        return 1 / p
+    square = UNIT * UNIT
+    names["c_scaled"] = builder.sqrt(square / index + index * (spectrum.e / 64 * square))
+    return names["c_scaled"] * (1 / UNIT)

@@ -19,10 +19,12 @@ from gainproof.derive.three_state import (
     kernel_derivatives,
     kernel_forms,
     kernel_updated,
+    pole_tower,
 )
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.kernel_basis import UNIT, KernelBasis, kernel_basis
 from gainproof.derive.three_state.kernel_forms import Noise
+from gainproof.derive.three_state.kernel_poles import POLES, pole_graph
 from gainproof.derive.three_state.names import DELTA, ETA, XI
 
 FormsOf = Callable[[KernelBasis, Noise], Mapping[str, Any]]
@@ -69,6 +71,8 @@ def kernel_graphs(c: Context) -> dict[str, Graph]:
         # a noise without a form that has no subtraction has no such kernel
         with suppress(ArithmeticError):
             graphs[name] = _index_graph(c, (part,))
+    if pole_tower.within_reach(c.spectrum):
+        graphs[POLES] = pole_graph(c.spectrum)
     if c.spectrum.rational_in_root:
         graphs |= {
             "index_from_alpha": _alpha_graph(inverses.index_from_alpha),
@@ -82,6 +86,8 @@ def kernel_roots(c: Context, kernel: str) -> Mapping[str, sp.Expr]:
 
     The roots b and c stand in every start, which proves nothing, and in what holds xi - (1 + b).
     """
+    if kernel == POLES:
+        return pole_tower.kernel_roots(c)
     r, k = real("fourth_root"), c.constants
     held = kernel in ("updated_covariance", "updated_covariance_derivatives")
     return {

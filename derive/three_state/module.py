@@ -9,7 +9,9 @@ import sympy
 
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
+from gainproof.derive.three_state import pole_module
 from gainproof.derive.three_state.context import Context
+from gainproof.derive.three_state.kernel_poles import POLES
 from gainproof.derive.three_state.kernels import SCALE, TURN
 
 SUMMARIES = {
@@ -20,6 +22,7 @@ SUMMARIES = {
     "predictor_gain_derivatives": "First derivatives of the predictor gain.",
     "innovation_deviation": "Standard deviation of an innovation in units of sigma_v.",
     "pole_product": "Product of the three poles of the filter, which is 1 - alpha.",
+    POLES: pole_module.SUMMARY,
     "predicted_covariance": "Predicted covariance in units of sigma_v^2 and T.",
     "predicted_covariance_derivatives": "First derivatives of the predicted covariance.",
     "updated_covariance": "Updated covariance in units of sigma_v^2 and T.",
@@ -46,6 +49,7 @@ MEANINGS = {
     "acceleration": "acceleration entry of F K times the square of the sampling interval, gamma",
     "tracking_index": "tracking index Lambda",
     "innovation_deviation": "standard deviation of an innovation over sigma_v",
+    **pole_module.MEANINGS,
     "pole_product": "product of the poles, and what is left of 1 beside the position gain",
 }
 STEADY = (f"updated_23{TURN}", f"updated_33{TURN}")
@@ -109,6 +113,9 @@ def _input(c: Context, name: str, graph: Graph) -> Input:
         least, small = LEAST_ALPHA
         return Input("alpha", "position gain", least, "1", False, single=(small, "1"))
     meaning = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
+    if name == POLES and not c.spectrum.rational_in_root:
+        double, single = pole_module.UP_TO
+        return Input("tracking_index", meaning, "0", double, upper_open=False, single=("0", single))
     if "predicted_" not in name and "updated_" not in name:
         return Input("tracking_index", meaning)
     turns = any(output.endswith(SCALE) for output in graph["outputs"])
@@ -159,6 +166,8 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
             "beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w),",
             "Lambda = gamma/w, w = sqrt(1 - alpha)",
         )
+    if name == POLES:
+        return pole_module.equations(c)
     own = {
         "gains": ("alpha = 2 (1 + eta)/nu, beta = 4 xi/nu, gamma = 8/nu,",),
         "innovation_deviation": ("sigma = Lambda nu/8,",),

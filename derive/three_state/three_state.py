@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import sympy as sp
+
+from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.model import Model, ScaledModel, scale
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 from gainproof.derive.source import ALGEBRA
 from gainproof.derive.subject import Program, Subject
+from gainproof.derive.three_state import pole_tower
 from gainproof.derive.three_state.bending import bending_tower
 from gainproof.derive.three_state.context import Context, context
 from gainproof.derive.three_state.kernel_meanings import meant
+from gainproof.derive.three_state.kernel_poles import POLES
 from gainproof.derive.three_state.kernels import kernel_graphs, kernel_roots
 from gainproof.derive.three_state.module import kernel_module
 from gainproof.derive.three_state.names import LATEX
@@ -24,6 +29,11 @@ from gainproof.derive.three_state.steps_inverse import inverse_steps, twin_steps
 from gainproof.derive.three_state.steps_model import model_steps
 from gainproof.derive.three_state.steps_poles import pole_steps, turning
 from gainproof.derive.three_state.steps_proof import covariance_steps, proof_steps
+from gainproof.derive.three_state.steps_single_poles import (
+    poles_meant,
+    single_pole_steps,
+    single_pole_towers,
+)
 from gainproof.derive.three_state.steps_spectrum import spectrum_steps
 from gainproof.derive.three_state.textbook import textbook_forms
 from gainproof.derive.three_state.towers import kernel_tower
@@ -48,7 +58,12 @@ def derive_three_state(
     found = turning(c)
     graphs = kernel_graphs(c)
     roots = kernel_tower(c.tower)
-    latex = {**LATEX, **{quantity.name: quantity.latex for quantity in model.quantities}}
+    single = single_pole_towers(c)
+    latex = {
+        **LATEX,
+        **{name: rf"\sqrt{{{name[5:]}}}" for tower in single for name in _roots_of_numbers(tower)},
+        **{quantity.name: quantity.latex for quantity in model.quantities},
+    }
     return Subject(
         name=model.name,
         title=model.title,
@@ -59,7 +74,9 @@ def derive_three_state(
             sources if found.value is None else (*sources, ALGEBRA.key),
             latex,
         ),
-        towers={tower.name: tower for tower in (c.tower, bending_tower(c), found.tower, roots)},
+        towers={
+            tower.name: tower for tower in (c.tower, bending_tower(c), found.tower, roots, *single)
+        },
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
         textbook=lambda: textbook_forms(c),
@@ -77,14 +94,26 @@ def _steps(c: Context, twin: ScaledModel | None) -> tuple[Step, ...]:
         *curvature_steps(c),
         *end_steps(c),
         *pole_steps(c),
+        *single_pole_steps(c),
         *inverse_steps(c),
         *twin_steps(c, twin),
     )
 
 
+def _roots_of_numbers(tower: Tower) -> list[str]:
+    return [entry.symbol for entry in tower.generators if entry.symbol.startswith("root_")]
+
+
 def _inputs(name: str) -> Mapping[str, str]:
     entry = "alpha" if name.endswith("from_alpha") else "tracking_index"
     return {entry: entry}
+
+
+def _tower(name: str) -> str:
+    """The name of the tower in which a kernel is evaluated."""
+    if name == POLES:
+        return pole_tower.NAME
+    return "main" if name.endswith("from_alpha") else "kernels"
 
 
 def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
@@ -93,17 +122,17 @@ def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
         Step(
             f"kernel-{name.replace('_', '-')}",
             f"The kernel {name} computes what it says.",
-            Relation(
-                "program",
-                {
-                    "program": name,
-                    "outputs": {output: meant(name, output) for output in graph["outputs"]},
-                },
-            ),
+            Relation("program", {"program": name, "outputs": _meanings(c, name, graph)}),
             "Evaluate the kernel's graph in the tower.",
-            tower="main" if name.endswith("from_alpha") else "kernels",
+            tower=_tower(name),
             hint={"graph": graph, "roots": kernel_roots(c, name)},
             shown=False,
         )
         for name, graph in graphs.items()
     ]
+
+
+def _meanings(c: Context, name: str, graph: Graph) -> Mapping[str, sp.Expr]:
+    if name == POLES:
+        return poles_meant(c)
+    return {output: meant(name, output) for output in graph["outputs"]}

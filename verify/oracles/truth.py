@@ -6,7 +6,9 @@ bracketing; for growing-memory fits ``sample_number``. Quantities: gains, predic
 (``position``, ...), ``predicted_ij``, ``updated_ij``; their derivatives with respect to the index
 under ``d_`` and the name, the second ones under ``dd_``; ``innovation_deviation``, the square root
 of the innovation variance; ``pole_product``; real and imaginary parts of the poles,
-``first_real`` and so on.
+``first_real`` and so on; of three poles the real and positive one, ``real_pole``, and of the others
+``modulus`` (the geometric mean), ``half_sum`` and ``quarter_discriminant``, half their difference
+squared.
 """
 
 from __future__ import annotations
@@ -123,7 +125,20 @@ def _everything(found: Enclosure) -> dict[str, Truth]:
     for ordinal, pole in zip(ORDINALS, quantities.poles(found), strict=False):
         named[f"{ordinal}_real"] = Truth(pole.real, pole.modulus)
         named[f"{ordinal}_imaginary"] = Truth(pole.imaginary, pole.modulus)
-    return named
+    return named | (_of_three(found) if len(found.poles) == 3 else {})
+
+
+def _of_three(found: Enclosure) -> dict[str, Truth]:
+    """The pole that is real, of several the largest, and what is known of the other two."""
+    listed = sorted(found.poles, key=lambda pole: (pole.imag != 0, -float(pole.real.mid())))
+    real, first, second = listed
+    with flint.ctx.workprec(found.bits):
+        return {
+            "real_pole": _plain(real.real),
+            "modulus": _plain((first * second).real.sqrt()),
+            "half_sum": _plain((first + second).real / 2),
+            "quarter_discriminant": _plain((((first - second) / 2) ** 2).real),
+        }
 
 
 def _plain(ball: flint.arb) -> Truth:

@@ -58,6 +58,7 @@ QUANTITIES: Mapping[str, str] = {
 ABBREVIATIONS = (
     *("kappa", "rho", "psi", "chi"),
     *("xi", "eta", "delta", "nu", "tau", "w", "omega", "mu"),
+    *("level", "t", "a", "g", "real_pole", "modulus", "half_sum", "quarter_discriminant"),
 )
 """Names that derivations give to parts of formulas: no quantities, so each is as defined."""
 
