@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import pytest
 from catalogue_subjects import prepare_all
 
+from gainproof import workers
 from gainproof.cache import FOLDER_VARIABLE
 
 
@@ -19,13 +20,13 @@ def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """
     base = tmp_path_factory.getbasetemp()
     place = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
-    before = os.environ.get(FOLDER_VARIABLE)
-    os.environ[FOLDER_VARIABLE] = str(place / "shared-cache")
-    yield
-    if before is None:
-        del os.environ[FOLDER_VARIABLE]
-    else:
-        os.environ[FOLDER_VARIABLE] = before
+    with pytest.MonkeyPatch.context() as changed:
+        changed.setenv(FOLDER_VARIABLE, str(place / "shared-cache"))
+        # hundreds of interpreters are started, and without bytecode each compiles a hundred files
+        changed.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
+        # the tests themselves take all processors; what asks for several processes names them
+        changed.setattr(workers, "processors", lambda: 1)
+        yield
 
 
 @pytest.fixture(scope="session")

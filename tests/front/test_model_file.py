@@ -40,9 +40,15 @@ MODEL = Model(
 """
 
 
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("models")
+
+
 @pytest.fixture
-def file(tmp_path: Path) -> Path:
-    path = tmp_path / "own_model.py"
+def file(folder: Path) -> Path:
+    # its path is the same in every test, so that the model is derived once for all
+    path = folder / "own_model.py"
     path.write_text(MODEL)
     return path
 

@@ -4,6 +4,8 @@ shown below them.
 
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 import re
 import subprocess
@@ -17,10 +19,15 @@ PAGES = sorted(path for path in DOCS.glob("*.md") if "```console" in path.read_t
 BLOCK = re.compile(r"^```(toml|latex|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
 SECONDS = re.compile(r"\d+\.\d+ s\b")
+PYTHON = re.compile(r"python -c '([^']*)'")
 
 
 def printed(command: str, folder: Path) -> str:
-    """What a command writes, errors included."""
+    """What a command writes, errors included. Python's own lines are run here."""
+    if program := PYTHON.fullmatch(command):
+        with contextlib.redirect_stdout(io.StringIO()) as written:
+            exec(program[1], {})  # noqa: S102 (a line of our own documentation)
+        return written.getvalue()
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     done = subprocess.run(
         command,

@@ -16,7 +16,7 @@ from gainproof.workshop import open_workshop
 
 Capture = pytest.CaptureFixture[str]
 
-SUBJECTS = ["random-velocity", "random-acceleration", "least-squares-mean"]
+SUBJECTS = ["random-velocity", "least-squares-mean", "least-squares-line"]
 CLAIMS = r"""
 format = "gainproof claims 1"
 [source]
@@ -140,7 +140,7 @@ def test_a_forged_certificate_has_status_1(house: House, capsys: Capture) -> Non
 
 
 def test_the_certificate_of_another_family_has_status_1(house: House, capsys: Capture) -> None:
-    other = (house.generated / "random_acceleration.json").read_bytes()
+    other = (house.generated / "least_squares_line.json").read_bytes()
     (house.generated / "random_velocity.json").write_bytes(other)
     assert house.run() == 1
     assert "2 of 3 accepted" in capsys.readouterr().out

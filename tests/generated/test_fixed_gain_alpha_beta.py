@@ -13,6 +13,7 @@ from fixed_gain_truth import AlphaBetaTruth
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_truth import truth_at
+from one_of_each import cases
 from printed_kernels import DTYPES, EPSILON, printed_kernels
 
 from gainproof.generated import alpha_beta
@@ -87,8 +88,8 @@ def test_a_wrong_variance_is_noticed() -> None:
 SLOW = 0.02  # of the largest pole's distance from 1, so that runs end
 
 
-@pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=25, deadline=None)
+@pytest.mark.parametrize("dtype", cases(DTYPES, lambda dtype: dtype == "float64"))
+@settings(max_examples=12, deadline=None)
 @given(st.floats(0.05, 0.95), st.floats(0.02, 1.9))
 def test_lags_are_those_of_a_run(dtype: str, alpha: float, beta: float) -> None:
     given_ = rounded(dtype, alpha, beta)

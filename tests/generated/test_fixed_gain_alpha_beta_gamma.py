@@ -13,6 +13,7 @@ from fixed_gain_triples import AlphaBetaGammaTruth
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_truth import truth_at
+from one_of_each import cases
 from printed_kernels import DTYPES, EPSILON, printed_kernels
 
 from gainproof.generated import alpha_beta_gamma
@@ -94,8 +95,8 @@ def test_all_places_of_the_region_are_stable_and_come_back(x: float, d: float, m
         assert root_moduli(gains)[0] < 1
 
 
-@pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=15, deadline=None)
+@pytest.mark.parametrize("dtype", cases(DTYPES, lambda dtype: dtype == "float64"))
+@settings(max_examples=8, deadline=None)
 @given(st.floats(0.2, 0.95), st.floats(0.05, 1.5), st.floats(0.05, 0.9))
 def test_lags_are_those_of_a_run(dtype: str, alpha: float, beta: float, share: float) -> None:
     given_ = rounded(dtype, alpha, beta, share)

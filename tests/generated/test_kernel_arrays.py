@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from every_kernel import KERNELS, every_kernel
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from kernel_errors import log_uniform
-from printed_kernels import DTYPES, PrintedKernel, printed_kernels
+from printed_kernels import DTYPES, PrintedKernel
 
-KERNELS = printed_kernels()
-EVERY = pytest.mark.parametrize("kernel", KERNELS, ids=lambda kernel: kernel.id)
 BLOCK = 65536  # elements that are computed at a time: sizes round it are tried
 
 
@@ -27,7 +26,7 @@ def sample(kernel: PrintedKernel, count: int, dtype: Any = np.float64) -> Any:
     return (low + (top - low) * (np.arange(count) + 1) / (count + 1)).astype(dtype)
 
 
-@EVERY
+@every_kernel
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_type_and_shape_are_those_of_the_argument(kernel: PrintedKernel, dtype: str) -> None:
     for shape in ((), (0,), (1,), (5,), (2, 3), (3, 0, 2), (2, 1, 2)):
@@ -39,7 +38,7 @@ def test_type_and_shape_are_those_of_the_argument(kernel: PrintedKernel, dtype: 
             assert output.dtype == dtype
 
 
-@EVERY
+@every_kernel
 def test_numbers_give_numbers(kernel: PrintedKernel) -> None:
     x = float(sample(kernel, 3)[1])
     kinds: list[tuple[Any, Any]] = [(float, np.float64), (np.float32, np.float32)]
@@ -48,7 +47,7 @@ def test_numbers_give_numbers(kernel: PrintedKernel) -> None:
             assert type(output) is expected
 
 
-@EVERY
+@every_kernel
 def test_integers_and_lists_become_float64(kernel: PrintedKernel) -> None:
     if kernel.argument in {"alpha", "beta"}:
         assert kernel.function([0.25, 0.375])[0].dtype == np.float64
@@ -61,7 +60,7 @@ def test_integers_and_lists_become_float64(kernel: PrintedKernel) -> None:
     assert kernel.function(3)[0] == expected[0][0]
 
 
-@EVERY
+@every_kernel
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_every_element_is_what_it_would_be_alone(kernel: PrintedKernel, dtype: str) -> None:
     for count in (BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK + 3):
@@ -73,7 +72,7 @@ def test_every_element_is_what_it_would_be_alone(kernel: PrintedKernel, dtype: s
                     np.testing.assert_array_equal(whole[place], alone)
 
 
-@EVERY
+@every_kernel
 def test_any_layout_gives_the_same_numbers(kernel: PrintedKernel) -> None:
     x = sample(kernel, 240).reshape(12, 20)
     expected = kernel.function(x)
@@ -91,7 +90,7 @@ def test_any_layout_gives_the_same_numbers(kernel: PrintedKernel) -> None:
         np.testing.assert_array_equal(found, np.broadcast_to(reference[0], (7, 20)))
 
 
-@EVERY
+@every_kernel
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_given_outputs_are_filled_and_returned(kernel: PrintedKernel, dtype: str) -> None:
     x = sample(kernel, 60, dtype).reshape(3, 20)
@@ -107,7 +106,7 @@ def test_given_outputs_are_filled_and_returned(kernel: PrintedKernel, dtype: str
             np.testing.assert_array_equal(mine, reference)
 
 
-@EVERY
+@every_kernel
 def test_an_output_may_be_the_argument_itself(kernel: PrintedKernel) -> None:
     x = sample(kernel, BLOCK + 100)
     expected = kernel.function(x)
@@ -127,7 +126,7 @@ def test_an_output_may_be_the_argument_itself(kernel: PrintedKernel) -> None:
         np.testing.assert_array_equal(found, reference)
 
 
-@EVERY
+@every_kernel
 def test_the_argument_is_left_alone(kernel: PrintedKernel) -> None:
     x = sample(kernel, 100)
     before = x.copy()
@@ -135,7 +134,7 @@ def test_the_argument_is_left_alone(kernel: PrintedKernel) -> None:
     np.testing.assert_array_equal(x, before)
 
 
-@EVERY
+@every_kernel
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_no_warning_and_no_nan_anywhere_in_the_domain(kernel: PrintedKernel, dtype: str) -> None:
     low, high = kernel.domain[dtype]

@@ -9,10 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from printed_kernels import DTYPES, PrintedKernel, printed_kernels
-
-KERNELS = printed_kernels()
-EVERY = pytest.mark.parametrize("kernel", KERNELS, ids=lambda kernel: kernel.id)
+from every_kernel import every_kernel
+from printed_kernels import DTYPES, PrintedKernel
 
 
 def inside(kernel: PrintedKernel) -> float:
@@ -39,7 +37,7 @@ def outside(kernel: PrintedKernel, dtype: str) -> list[float]:
     return [*bad, 2.5, float(low) + 0.5] if kernel.whole else bad
 
 
-@EVERY
+@every_kernel
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_numbers_outside_the_domain(kernel: PrintedKernel, dtype: str) -> None:
     kind = np.dtype(dtype).type
@@ -50,7 +48,7 @@ def test_numbers_outside_the_domain(kernel: PrintedKernel, dtype: str) -> None:
         assert str(value) in str(error.value), "the message says what came"
 
 
-@EVERY
+@every_kernel
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("count", [40, 40_000])
 def test_one_bad_element_leaves_given_outputs_untouched(
@@ -68,7 +66,7 @@ def test_one_bad_element_leaves_given_outputs_untouched(
                 kernel.function(x)
 
 
-@EVERY
+@every_kernel
 def test_the_place_of_a_bad_element_is_named_in_any_shape(kernel: PrintedKernel) -> None:
     x = np.full((4, 5, 6), inside(kernel))
     x[2, 3, 4] = math.nan
@@ -78,7 +76,7 @@ def test_the_place_of_a_bad_element_is_named_in_any_shape(kernel: PrintedKernel)
         kernel.function(x.T)
 
 
-@EVERY
+@every_kernel
 def test_wrong_types(kernel: PrintedKernel) -> None:
     x = inside(kernel)
     wrong: list[Any] = [
@@ -108,7 +106,7 @@ def test_wrong_types(kernel: PrintedKernel) -> None:
             kernel.function(bad)
 
 
-@EVERY
+@every_kernel
 def test_outputs_that_do_not_fit(kernel: PrintedKernel) -> None:
     x = np.full(4, inside(kernel))
     good = outputs(kernel, (4,), "float64")
@@ -135,7 +133,7 @@ def test_outputs_that_do_not_fit(kernel: PrintedKernel) -> None:
     assert untouched((read_only,))
 
 
-@EVERY
+@every_kernel
 def test_outputs_are_a_keyword_and_ragged_lists_are_refused(kernel: PrintedKernel) -> None:
     x = inside(kernel)
     with pytest.raises(TypeError, match="positional"):

@@ -21,6 +21,8 @@ from gainproof.derived import Derived
 from gainproof.workshop import open_workshop
 
 OTHER_SEED = "4242"
+PROCESSORS = workers.processors
+"""As it is without tests."""
 LONGEST_WAIT = 3600.0  # seconds: only for a process that hangs; one that ends lets others go on
 
 
@@ -80,6 +82,7 @@ def _prepare() -> None:
     assert workers.REPRODUCIBLE["PYTHONHASHSEED"] != OTHER_SEED
     with pytest.MonkeyPatch.context() as changed:
         changed.setitem(workers.REPRODUCIBLE, "PYTHONHASHSEED", OTHER_SEED)
+        changed.setattr(workers, "processors", PROCESSORS)
         with _one_process_at_a_time(default_folder() / "deriving.lock"):
             jobs = [derivations.everything_job(name) for name in derivations.catalogue(shop)]
             shop.ahead(jobs, lambda _: [])

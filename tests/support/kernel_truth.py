@@ -90,7 +90,7 @@ class HandOverTruth:
         low, high = Fraction(1), Fraction(2)
         while self.gain(high) > alpha:
             low, high = high, 2 * high
-        for _ in range(400):
+        for _ in range(150):
             middle = (low + high) / 2
             low, high = (middle, high) if self.gain(middle) > alpha else (low, middle)
         with flint.ctx.workprec(400):

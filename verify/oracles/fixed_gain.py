@@ -27,6 +27,8 @@ def ball(value: float | Fraction | flint.arb) -> flint.arb:
     """A number as a ball of the working precision."""
     if isinstance(value, flint.arb):
         return value
+    if isinstance(value, int):
+        return flint.arb(value)
     exact = Fraction(value)
     return flint.arb(flint.fmpq(exact.numerator, exact.denominator))
 
@@ -105,23 +107,52 @@ def between(
 ) -> tuple[Fraction, Fraction]:
     """Two numbers above zero between which a function passes zero upwards, 2^-bits apart.
 
+    Only signs are believed. Where they are looked at the chord says: on both sides of its zero, at
+    a distance that is squared each time when the crossing was in between (quadratic refinement of
+    intervals, Abbott), else half way.
+
     Raises ValueError unless the ends have opposite signs, ArithmeticError where a sign is not
     decided at the working precision.
     """
-    if not (rising(ball(low)) < 0 and rising(ball(high)) > 0):
+    below, above = rising(ball(low)), rising(ball(high))
+    if not (below < 0 and above > 0):
         raise ValueError(f"no crossing upwards between {float(low)} and {float(high)}")
+    halvings = 1
     while high - low > low * Fraction(1, 2**bits):
-        middle = _middle(low, high)
-        value = rising(ball(middle))
-        if value > 0:
-            high = middle
-        elif value < 0:
-            low = middle
-        elif value == 0:
-            return middle, middle
+        wide, least = high - low, low / (3 * 2**bits)
+        if halvings > 1 and high < 16 * low:
+            at = low + wide * _exact((below / (below - above)).mid())
+            off = max(wide / 2**halvings, least)
+            places = [_short(at - off, 3 * bits), _short(at + off, 3 * bits)]
         else:
-            raise ArithmeticError("the working precision does not decide a sign")
+            places = [_middle(low, high)]
+        for place in places:
+            if not low < place < high:
+                continue
+            value = rising(ball(place))
+            if value > 0:
+                high, above = place, value
+            elif value < 0:
+                low, below = place, value
+            elif value == 0:
+                return place, place
+            else:
+                raise ArithmeticError("the working precision does not decide a sign")
+        near = (high - low) * 2 ** (halvings - 1) <= wide
+        halvings = 2 * halvings if near else max(1, halvings // 2)
     return low, high
+
+
+def _exact(value: flint.arb) -> Fraction:
+    """The number that an exact ball is."""
+    mantissa, exponent = value.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def _short(value: Fraction, bits: int) -> Fraction:
+    """The value to so many bits, more or less."""
+    place = bits - value.numerator.bit_length() + value.denominator.bit_length()
+    return Fraction(round(value * 2**place), 2**place) if place > 0 else value
 
 
 def _middle(low: Fraction, high: Fraction) -> Fraction:

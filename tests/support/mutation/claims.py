@@ -36,20 +36,29 @@ def claimed_relations() -> Iterator[Relation]:
     built = [derived(entry.name).model for entry in CATALOGUE]
     models = [m for m in built if m is not None and len(m["measurement"]) == 1]
     for path in sorted(CLAIMS.glob("*.toml")):
-        claim_file = read_claim_file(path)
-        for claim in claim_file.claims:
-            setting = claim_file.settings[claim.setting]
-            if (
-                claim.kind != "identity"
-                or claim.formula is None
-                or setting.kind == "algebra"
-                or claim.given
-            ):
-                continue
-            quantities = {t: e.quantity for t, e in setting.symbols.items() if e.role == "quantity"}
-            if not all(quantities.get(t) in QUANTITY_NAMES for t in claim.formula.symbols):
-                continue
+        for claim, setting in _about_gains(path):
             yield _claimed(path.stem, claim, setting, models)
+
+
+def claimed_names(source: str) -> list[str]:
+    """The names of those of one source; nothing is derived for it."""
+    return [f"{source} {claim.id}" for claim, _ in _about_gains(CLAIMS / f"{source}.toml")]
+
+
+def _about_gains(path: Path) -> Iterator[tuple[Claim, Setting]]:
+    claim_file = read_claim_file(path)
+    for claim in claim_file.claims:
+        setting = claim_file.settings[claim.setting]
+        if (
+            claim.kind != "identity"
+            or claim.formula is None
+            or setting.kind == "algebra"
+            or claim.given
+        ):
+            continue
+        quantities = {t: e.quantity for t, e in setting.symbols.items() if e.role == "quantity"}
+        if all(quantities.get(t) in QUANTITY_NAMES for t in claim.formula.symbols):
+            yield claim, setting
 
 
 def _claimed(

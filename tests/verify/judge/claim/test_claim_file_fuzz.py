@@ -9,7 +9,7 @@ from pathlib import Path
 import gainproof.verify
 from gainproof.verify.judge.claim.file import ClaimFile, ClaimFileError, read_claim_text
 
-INPUTS = 400
+INPUTS = 150
 SECONDS_EACH = 10.0
 LECTURE = Path(gainproof.verify.__file__).parent / "claims" / "kosuge-slides.toml"
 PIECES = ("", "", "'", '"', "'''", "[", "]", "{", "}", "=", "\n", ",", "#", "\\", "id", "1", "true")

@@ -2,37 +2,28 @@
 
 from __future__ import annotations
 
-import json
 import re
 from fractions import Fraction
-from pathlib import Path
-from typing import Any
 
 import pytest
-from catalogue_subjects import models
+from lecture_judged import lecture_claims
 
-from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.exact.expression import add, mul, neg, number, power, sqrt, symbol
 from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.explain import sections
-from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.readable import readable
-
-LECTURE = Path(__file__).parents[4] / "verify" / "claims" / "kosuge-slides.toml"
 
 
 @pytest.fixture(scope="module")
 def texts() -> dict[str, str]:
     """Title and lines of all sections of each claim."""
-    verdicts = judge_file(read_claim_file(LECTURE), models())
-    claims: list[dict[str, Any]] = json.loads(json.dumps([v.to_json() for v in verdicts]))
     return {
         claim["id"]: "\n".join(
             line
             for section in sections(claim["evidence"]["certificate"] or {})
             for line in (f"[{section.title}]", *section.lines)
         )
-        for claim in claims
+        for claim in lecture_claims()
     }
 
 

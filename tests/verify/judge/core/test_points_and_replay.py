@@ -5,26 +5,22 @@ from __future__ import annotations
 import copy
 import json
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import pytest
-from catalogue_subjects import models
+from lecture_judged import lecture_claims
 
-from gainproof.verify.judge.claim.file import read_claim_file
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import power, sqrt, symbol
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.hypothesis import settle
-from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.replay import replay, replay_json
 
 x, y = symbol("x"), symbol("y")
 POSITIVE = Box(lower=Fraction(0))
 BOTH = {"x": POSITIVE, "y": POSITIVE}
-LECTURE = Path(__file__).parents[4] / "verify" / "claims" / "kosuge-slides.toml"
 
 
 def test_roots_it_does_not_cover_are_held_or_refuted() -> None:
@@ -91,8 +87,7 @@ def test_a_certificate_is_replayed_and_an_altered_one_is_not() -> None:
 
 
 def test_verdicts_of_the_lecture_are_replayed() -> None:
-    verdicts = judge_file(read_claim_file(LECTURE), models())
-    claims = [json.loads(json.dumps(v.to_json())) for v in verdicts]
+    claims = lecture_claims()
     replayed = [c for c in claims if (c["evidence"]["certificate"] or {}).get("statement")]
     assert len(replayed) > 20
     assert all(replay_json(c) is None for c in claims)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import flint
 import pytest
+from one_of_each import cases
 from small_claims import check, judged
 
 from gainproof.verify.judge.exact.calculus import roots_made_prime, substituted
@@ -15,7 +17,7 @@ from gainproof.verify.judge.exact.local import Local
 from gainproof.verify.judge.exact.place import Place
 from gainproof.verify.judge.exact.tower_building import build_tower
 from gainproof.verify.judge.exact.witness import value_ball
-from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL
+from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
 from gainproof.verify.judge.setting.quantities import steady_state
 from gainproof.verify.judge.setting.three_states import EXCESS, SHARE
 from gainproof.verify.oracles import doubling
@@ -64,10 +66,17 @@ def at(expr: Expr, **values: Fraction) -> Any:
     return value_ball(Local(tower, Place()), tower.element(plain), None, 600, ())
 
 
+@cache
+def solved_for(name: str) -> Environment:
+    return steady_state(model(name))
+
+
 @pytest.mark.parametrize("name", NOISES)
-@pytest.mark.parametrize("place", [Fraction(1, 20), Fraction(3, 4), Fraction(40)])
+@pytest.mark.parametrize(
+    "place", cases([Fraction(1, 20), Fraction(3, 4), Fraction(40)], lambda place: place < 1)
+)
 def test_agrees_with_doubling(name: str, place: Fraction) -> None:
-    solved = steady_state(model(name))
+    solved = solved_for(name)
     assert solved.parameter in (SHARE, EXCESS)
     value = place / (1 + place) if solved.parameter == SHARE else place
     point = {solved.parameter: value, INTERVAL: Fraction(1), DEVIATION: Fraction(1)}

@@ -12,6 +12,7 @@ import judged_statements
 import pytest
 from catalogue_subjects import certificate, derived
 from judged_statements import DEGREES, OF_ONE_INDEX, SAMPLED, judged, sample
+from one_of_each import cases
 
 from gainproof.verify.judge.derivations.relation import judge_relation, judge_statement
 
@@ -24,11 +25,10 @@ def symbol_graph(*names: str, kind: str = "add") -> dict[str, Any]:
 
 
 TWO_STATES, THREE_STATES = "random-acceleration", "acceleration-increments"
-WHOLE = [
-    pytest.param(name, marks=[] if name in kept else pytest.mark.thorough)
-    for kept in [{TWO_STATES, THREE_STATES, *DEGREES}]
-    for name in (entry.name for entry in OF_ONE_INDEX if entry.name not in SAMPLED)
-]
+WHOLE = cases(
+    [entry.name for entry in OF_ONE_INDEX if entry.name not in SAMPLED],
+    lambda name: name in {TWO_STATES, *DEGREES},
+)
 
 
 @pytest.mark.parametrize("name", WHOLE)
@@ -37,8 +37,7 @@ def test_every_statement_is_proved(name: str) -> None:
     assert [entry for entry in judged(name) if entry[1]] == []
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("name", SAMPLED)
+@pytest.mark.parametrize("name", cases([THREE_STATES, *SAMPLED], lambda name: name == THREE_STATES))
 def test_sampled_statements_are_proved(name: str) -> None:
     """Two statements of each kind, by seed; of kinds with two or less all.
 

@@ -168,7 +168,7 @@ def trees() -> st.SearchStrategy[Tree]:
 
 
 MANY_EXAMPLES = settings(
-    max_examples=400,
+    max_examples=150,
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )

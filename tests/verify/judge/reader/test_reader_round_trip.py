@@ -194,7 +194,7 @@ def _root(square: Fraction) -> Fraction:
     return root
 
 
-COMMON = settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+COMMON = settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
 
 @COMMON
@@ -250,7 +250,7 @@ def _few_slashes(text: str) -> bool:
     return text.count("1/k T") <= 6
 
 
-@settings(COMMON, max_examples=100)
+@settings(COMMON, max_examples=40)
 @given(_statements().filter(_few_slashes))
 def test_statements_printed_and_read_again(text: str) -> None:
     for reading in read_formula(text, SYMBOLS).readings[:8]:

@@ -12,8 +12,8 @@ from random import Random
 import pytest
 from claim_texts import MODELS
 from mutation.campaign import Relation, is_false
+from mutation.claims import claimed_names, claimed_relations
 from mutation.mutants import misprints
-from mutation.relations import claimed_relations
 from mutation.tree import Tree, symbols, to_graph, to_tree
 
 from gainproof.verify.judge.claim.file import read_claim_file
@@ -27,8 +27,14 @@ from gainproof.verify.judge.verdict import ClaimVerdict
 
 LECTURE = Path(__file__).parents[4] / "verify" / "claims" / "kosuge-slides.toml"
 SEED, EACH = 5, 8
-RELATIONS = [r for r in claimed_relations() if r.name.startswith("kosuge-slides ")]
+SOURCE = "kosuge-slides"
 Sides = tuple[Tree, Tree]
+
+
+@cache
+def relations() -> dict[str, Relation]:
+    """By name; with the models of the catalogue, which are not derived to collect the tests."""
+    return {r.name: r for r in claimed_relations() if r.name.startswith(f"{SOURCE} ")}
 
 
 @cache
@@ -74,8 +80,9 @@ def offered(verdict: ClaimVerdict, relation: Relation) -> list[Sides]:
     return [(to_tree(r.left), to_tree(r.right)) for r in found]
 
 
-@pytest.mark.parametrize("relation", RELATIONS, ids=[r.name for r in RELATIONS])
-def test_offers_are_true_and_say_something(relation: Relation) -> None:
+@pytest.mark.parametrize("name", claimed_names(SOURCE))
+def test_offers_are_true_and_say_something(name: str) -> None:
+    relation = relations()[name]
     mutants = misprinted(relation)
     assert len(mutants) >= EACH / 2
     repaired = 0
