@@ -1,6 +1,6 @@
 """Tracks of alpha-beta filters, each coordinate by itself, with gains of their own at each sample.
 
-A run of the filter equations, no formula under test: the gains come from kernels or from the
+The steps are a kernel's, with the interval as unit of time; the gains come from kernels or from the
 lecture.
 """
 
@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from gainproof.figures.table import Reals
-from gainproof.generated import least_squares_line
+from gainproof.generated import filter_step, least_squares_line
 
 
 def followed(measured: Reals, alpha: Reals, beta: Reals) -> tuple[Reals, Reals]:
@@ -26,10 +26,9 @@ def followed(measured: Reals, alpha: Reals, beta: Reals) -> tuple[Reals, Reals]:
     position, velocity = np.empty_like(measured), np.zeros_like(measured)
     position[0] = measured[0]
     for k in range(1, len(measured)):
-        ahead = position[k - 1] + velocity[k - 1]
-        innovation = measured[k] - ahead
-        position[k] = ahead + alpha[k] * innovation
-        velocity[k] = velocity[k - 1] + beta[k] * innovation
+        position[k], velocity[k] = filter_step.step_two_states(
+            position[k - 1], velocity[k - 1], 1.0, measured[k], alpha[k], beta[k]
+        )
     return position, velocity
 
 
