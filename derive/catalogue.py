@@ -11,6 +11,7 @@ from gainproof.derive.families import (
     continuous_white_jerk,
     fixed_gain_alpha_beta,
     fixed_gain_alpha_beta_gamma,
+    interacting_gains,
     least_squares,
     position_velocity,
     position_velocity_random_acceleration,
@@ -74,6 +75,7 @@ CATALOGUE: tuple[Entry, ...] = (
         fixed_gain_alpha_beta_gamma.TITLE,
         fixed_gain_alpha_beta_gamma.build,
     ),
+    Entry(interacting_gains.NAME, interacting_gains.TITLE, interacting_gains.build),
     Entry(polar_coordinates.NAME, polar_coordinates.TITLE, polar_coordinates.build),
     Entry(filter_step.NAME, filter_step.TITLE, filter_step.build),
 )

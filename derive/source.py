@@ -84,6 +84,13 @@ SUZUKI = Source(
     "Bulletin of a university",
     "the closed form of the steady state with position and velocity measured",
 )
+MATRICES = Source(
+    "lancaster-tismenetsky-1985",
+    "P. Lancaster, M. Tismenetsky",
+    "The Theory of Matrices",
+    "Academic Press, 1985",
+    "the linear equation of a covariance has one solution if the filter is stable",
+)
 
 SOURCES: tuple[Source, ...] = (
     KALATA,
@@ -95,4 +102,5 @@ SOURCES: tuple[Source, ...] = (
     ALGEBRA,
     PROBABILITY,
     SUZUKI,
+    MATRICES,
 )

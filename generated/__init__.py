@@ -8,6 +8,7 @@
   position.
 - `continuous_white_jerk`: Continuous white jerk: steady state with measured position.
 - `filter_step`: One step of filters with fixed gains.
+- `interacting_gains`: Filters with matrix gains: the gain of one coordinate.
 - `least_squares_line`: Least-squares line (growing memory): gains by sample number.
 - `least_squares_mean`: Least-squares mean (growing memory): gains by sample number.
 - `least_squares_parabola`: Least-squares parabola (growing memory): gains by sample number.

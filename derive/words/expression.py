@@ -31,6 +31,9 @@ class Expression:
     def __sub__(self, other: Expression | Number) -> Expression:
         return self + -_wrapped(other)
 
+    def __rsub__(self, other: Number) -> Expression:
+        return number(other) - self
+
     def __matmul__(self, other: Expression) -> Expression:
         return Expression("mul", "", (*self._parts("mul"), *other._parts("mul")))
 
@@ -42,6 +45,10 @@ class Expression:
 
     def __truediv__(self, other: Expression | Number) -> Expression:
         return Expression("div", "", (self, _wrapped(other)))
+
+    def __pow__(self, exponent: int) -> Expression:
+        """Of a number or a parameter."""
+        return Expression("pow", str(exponent), (self,))
 
     @property
     def T(self) -> Expression:
@@ -77,6 +84,11 @@ def symbol(name: str) -> Expression:
     return Expression("symbol", name)
 
 
+def unit(size: str) -> Expression:
+    """The unit matrix of a size without a name for it, for proofs: claims name theirs."""
+    return Expression("unit", size)
+
+
 def symbols(names: str) -> tuple[Expression, ...]:
     """Several, their names apart by spaces."""
     return tuple(symbol(name) for name in names.split())
@@ -91,7 +103,8 @@ def _wrapped(value: Expression | Number) -> Expression:
 
 def _write(value: Expression, nodes: list[list[Any]], known: dict[tuple[Any, ...], int]) -> int:
     places = [_write(part, nodes, known) for part in value.arguments]
-    node = (value.kind, *([value.value] if value.value else []), *places)
+    text = [value.value] if value.value else []
+    node = (value.kind, *(places + text if value.kind == "pow" else text + places))
     if node not in known:
         known[node] = len(nodes)
         nodes.append(list(node))

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from operator import add
 
 Letter = tuple[str, bool]
 """A matrix by its name, and whether it is transposed."""
 Word = tuple[Letter, ...]
 Powers = tuple[int, ...]
 Key = tuple[Word, Powers]
+Term = tuple[Powers, Fraction]
 Shape = tuple[str, str]
 
 
@@ -48,9 +50,18 @@ class Polynomial:
         terms: dict[Key, Fraction] = {}
         for (word, powers), value in self.terms.items():
             for (after, more), factor in other.terms.items():
-                key = (word + after, tuple(a + b for a, b in zip(powers, more, strict=True)))
+                key = (word + after, tuple(map(add, powers, more)))
                 terms[key] = terms.get(key, Fraction(0)) + value * factor
         return Polynomial({key: value for key, value in terms.items() if value}, shape)
+
+    def between(self, before: Word, after: Word, shape: Shape, by: Term) -> Polynomial:
+        """before * self * after, times a number and powers of parameters; it has this shape."""
+        powers, coefficient = by
+        terms = {
+            (before + word + after, tuple(map(add, powers, more))): value * coefficient
+            for (word, more), value in self.terms.items()
+        }
+        return Polynomial(terms, shape)
 
     @property
     def T(self) -> Polynomial:

@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gainproof.derive.words.polynomial import Key, Polynomial, Shape, Word
+from gainproof.derive.words.polynomial import Key, Polynomial, Shape, Term, Word
 from gainproof.derive.words.setting import Setting
 
 MAXIMUM_STEPS = 20_000
+ZERO, ONE = Fraction(0), Fraction(1)
 
 Source = tuple[Any, ...]
 
@@ -39,9 +40,14 @@ class Cofactor:
         """The transposed equation between the transposed factors."""
         return Cofactor(self.source, not self.flipped, self.right.T, self.left.T)
 
-    def inside(self, left: Polynomial, right: Polynomial) -> Cofactor:
-        """With more factors on both sides."""
-        return Cofactor(self.source, self.flipped, left @ self.left, self.right @ right)
+    def inside(self, before: Word, after: Word, ends: Shape, by: Term) -> Cofactor:
+        """With more letters on both sides, between these sizes, and times a number."""
+        assert self.left.shape is not None
+        assert self.right.shape is not None
+        none = tuple(0 for _ in by[0])
+        left = self.left.between(before, (), (ends[0], self.left.shape[1]), by)
+        right = self.right.between((), after, (self.right.shape[0], ends[1]), (none, ONE))
+        return Cofactor(self.source, self.flipped, left, right)
 
 
 @dataclass(frozen=True)
@@ -105,35 +111,31 @@ def rule_of(value: Polynomial, proof: Sequence[Cofactor], order: Order) -> Rule 
     return Rule(lead, tail, scaled)
 
 
-def reduced(
-    value: Polynomial, rules: Sequence[Rule], words: Words
-) -> tuple[Polynomial, list[Cofactor]]:
+def reduced(value: Polynomial, rules: Sequence[Rule]) -> tuple[Polynomial, list[Cofactor]]:
     """What is left, and the cofactors of what was taken away: value = left + their sum."""
     cofactors: list[Cofactor] = []
+    assert value.shape is not None
+    shape = value.shape
     finished: dict[Key, Fraction] = {}
+    terms = dict(value.terms)
     for _ in range(MAXIMUM_STEPS):
-        if not value.terms:
-            return Polynomial(finished, value.shape), cofactors
-        key, coefficient = next(iter(value.terms.items()))
+        if not terms:
+            return Polynomial(finished, shape), cofactors
+        key, coefficient = next(iter(terms.items()))
         found = _first_match(key[0], rules)
         if found is None:
-            finished[key] = coefficient
-            value = Polynomial({k: c for k, c in value.terms.items() if k != key}, value.shape)
+            finished[key] = terms.pop(key)
             continue
         rule, start = found
         before, after = key[0][:start], key[0][start + len(rule.word) :]
-        assert value.shape is not None
-        assert rule.tail.shape is not None
-        left = Polynomial({(before, key[1]): coefficient}, (value.shape[0], rule.tail.shape[0]))
-        right = words(after, (rule.tail.shape[1], value.shape[1]))
-        word = Polynomial({(rule.word, words.powers): Fraction(1)}, rule.tail.shape)
-        value = value - left @ (word - rule.tail) @ right
-        cofactors += [c.inside(left, right) for c in rule.proof]
-        # a word that was finished may come again, with another coefficient
-        for again in [k for k in finished if k in value.terms]:
-            total = value.terms[again] + finished.pop(again)
-            terms = {**value.terms, again: total}
-            value = Polynomial({k: c for k, c in terms.items() if c}, value.shape)
+        by = (key[1], coefficient)
+        del terms[key]
+        for other, number in rule.tail.between(before, after, shape, by).terms.items():
+            # a word that was finished may come again, with another coefficient
+            total = terms.pop(other, ZERO) + finished.pop(other, ZERO) + number
+            if total:
+                terms[other] = total
+        cofactors += [c.inside(before, after, shape, by) for c in rule.proof]
     raise UnprovedError("the rules do not come to an end")
 
 
@@ -145,7 +147,7 @@ def completed(rules: Sequence[Rule], rounds: int, order: Order, words: Words) ->
         for one in known:
             for other in known:
                 for value, proof in _overlaps(one, other, words):
-                    rest, used = reduced(value, [*known, *fresh], words)
+                    rest, used = reduced(value, [*known, *fresh])
                     rule = rule_of(rest, [*proof, *_negative(used)], order)
                     if rule is not None:
                         fresh.append(rule)
@@ -180,13 +182,14 @@ def _overlaps(one: Rule, other: Rule, words: Words) -> Iterator[tuple[Polynomial
         right = words(other.word[size:], (end, other.tail.shape[1]))
         left = words(one.word[:-size], (one.tail.shape[0], middle))
         value = one.tail @ right - left @ other.tail
-        unit_left = words((), (one.tail.shape[0],) * 2)
-        unit_right = words((), (other.tail.shape[1],) * 2)
+        ends = (one.tail.shape[0], other.tail.shape[1])
+        before, after = one.word[:-size], other.word[size:]
+        plus, minus = (words.powers, ONE), (words.powers, -ONE)
         # a b c = tail c + proof c = a tail + a proof
         yield (
             value,
             [
-                *(c.inside(left, unit_right) for c in other.proof),
-                *_negative([c.inside(unit_left, right) for c in one.proof]),
+                *(c.inside(before, (), ends, plus) for c in other.proof),
+                *(c.inside((), after, ends, minus) for c in one.proof),
             ],
         )

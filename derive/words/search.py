@@ -38,7 +38,9 @@ class Search:
 
     `given`: hypotheses that may be used. `using`: earlier statements. `heavy`: letters to be
     replaced first. `rounds`: of completing the rules by their overlaps. `multiples`: equations
-    (hypotheses or statements) between two factors, which make rules of their own.
+    (hypotheses or statements) between two factors, which make rules of their own; `taken`: such
+    products that are taken away at once. `numbers`: matrices of one row and column, which are their
+    own transposes.
     """
 
     setting: Setting
@@ -47,6 +49,8 @@ class Search:
     heavy: tuple[str, ...] = ()
     rounds: int = 0
     multiples: Sequence[tuple[Expression, Any, Expression]] = ()
+    taken: Sequence[tuple[Expression, Any, Expression]] = ()
+    numbers: Sequence[Expression] = ()
     used: set[int] = field(default_factory=set)
 
     @cached_property
@@ -90,12 +94,18 @@ class Search:
 
     def vanishing(self, residual: Polynomial, name: str) -> list[dict[str, Any]]:
         """Cofactors whose sum the residual is. Raises UnprovedError where none are found."""
-        rest, cofactors = reduced(residual, self.rules, self.words)
+        first = [self._product(*entry) for entry in self.taken]
+        for value, _ in first:
+            residual = residual - value
+        rest, cofactors = reduced(residual, self.rules)
         if rest.terms:
             left = rest.data()
             more = f" and {len(left) - SHOWN_TERMS} more" if len(left) > SHOWN_TERMS else ""
             raise UnprovedError(f"{name}: left over {left[:SHOWN_TERMS]}{more}")
-        return [self._data(cofactor) for cofactor in gathered(cofactors, self.words)]
+        return [
+            self._data(cofactor)
+            for cofactor in gathered([*(c for _, c in first), *cofactors], self.words)
+        ]
 
     def numbered(self, evidence: Any) -> Any:
         """With the hypotheses numbered as in `needed`."""
@@ -122,7 +132,7 @@ class Search:
             for flag in (False, True):
                 turned = value.T if flag else value
                 proof = [whole.transposed() if flag else whole]
-                rest, used = reduced(turned, found, self.words)
+                rest, used = reduced(turned, found)
                 negative = [Cofactor(c.source, c.flipped, -c.left, c.right) for c in used]
                 rule = rule_of(rest, [*proof, *negative], order)
                 if rule is not None:
@@ -146,14 +156,16 @@ class Search:
             (value, Cofactor(source, False, *self._units(value)))
             for value, source in self._sources()
         ]
-        for before, known, after in self.multiples:
-            source = tuple(self.reference(known))
-            (value,) = (value for value, other in self._sources() if other == source)
-            cofactor = Cofactor(
-                source, False, self.setting.expand(before), self.setting.expand(after)
-            )
-            whole.append((cofactor.left @ value @ cofactor.right, cofactor))
-        return whole
+        return [*whole, *(self._product(*entry) for entry in self.multiples)]
+
+    def _product(
+        self, before: Expression, known: Any, after: Expression
+    ) -> tuple[Polynomial, Cofactor]:
+        """An equation between two factors."""
+        source = tuple(self.reference(known))
+        (value,) = (value for value, other in self._sources() if other == source)
+        cofactor = Cofactor(source, False, self.setting.expand(before), self.setting.expand(after))
+        return cofactor.left @ value @ cofactor.right, cofactor
 
     def _sources(self) -> list[tuple[Polynomial, Source]]:
         setting = self.setting
@@ -171,6 +183,9 @@ class Search:
                 total = total + letter @ letter.T
             found.append((total, ("blocks", size)))
         last: list[tuple[Polynomial, Source]] = []
+        for entry in self.numbers:
+            value = setting.expand(entry)
+            last.append((value - value.T, ("number", Exact(value))))
         for number, hypothesis in enumerate(self.pool):
             if hypothesis["kind"] in SYMMETRIC:
                 letter = setting.letter(hypothesis["matrix"])
@@ -201,14 +216,25 @@ class Search:
         if source[0] in ("statement", "inverse"):
             (statement,) = (s for s in self.using if s.id == source[1])
             self.used |= {self.pool.index(hypothesis) for hypothesis in statement.given}
+        if source[0] == "number":
+            return ["number", source[1].value.data()]
         return list(source)
+
+
+@dataclass(frozen=True, eq=False)
+class Exact:
+    """A polynomial as part of a source, told from others by which object it is."""
+
+    value: Polynomial
 
 
 def _read(graph: Mapping[str, Any]) -> Expression:
     """The formula of a graph."""
     made: list[Expression] = []
     for kind, *rest in graph["nodes"]:
-        if kind in ("number", "symbol"):
+        if kind == "pow":
+            made.append(made[rest[0]] ** int(rest[1]))
+        elif kind in ("number", "symbol"):
             made.append(Expression(kind, rest[0]) if kind == "number" else symbol(rest[0]))
         else:
             made.append(Expression(kind, "", tuple(made[number] for number in rest)))

@@ -63,10 +63,17 @@ class Setting:
                 return self.number(Fraction(value.value))
             case "symbol":
                 return self._symbol(value.value)
+            case "unit":
+                return self.unit(value.value)
             case "add":
                 return sum(parts[1:], start=parts[0])
             case "neg":
                 return -parts[0]
+            case "pow":
+                product = parts[0]
+                for _ in range(int(value.value) - 1):
+                    product = product @ parts[0]
+                return product
             case "transpose":
                 return parts[0].T
             case "inverse":

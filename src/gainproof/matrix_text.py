@@ -32,7 +32,7 @@ def _matrix_trace(claim: Claim, w: Writer) -> list[str]:
 def _given(claim: Claim, w: Writer) -> list[str]:
     """The hypotheses of an implication on a line below it."""
     said = [_hypothesis(entry, w) for entry in claim["given"]]
-    return [f"{w.words('if ')}{', '.join(said)}"] if said else []
+    return [f"{w.words('    if ')}{', '.join(said)}"] if said else []
 
 
 def _hypothesis(entry: Claim, w: Writer) -> str:

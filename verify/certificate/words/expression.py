@@ -2,8 +2,9 @@
 
 The graph is {"nodes": [...], "outputs": {"value": number}} with nodes ["number", q],
 ["symbol", name], ["add", i, j, ...], ["mul", i, j, ...], ["neg", i], ["div", i, j] (by one term
-of a number and positive parameters), ["transpose", i] and ["inverse", i] (of one letter that has
-an inverse in the setting). Every node serves the value.
+of a number and positive parameters), ["pow", i, n] (of a number, n from 2 on, as text),
+["transpose", i] and ["inverse", i] (of one letter that has an inverse in the setting). Every node
+serves the value.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from gainproof.verify.certificate.words.polynomial import Polynomial, Powers, Wo
 from gainproof.verify.certificate.words.setting import Setting
 
 MAXIMUM_WORD_NODES = 400
+MAXIMUM_EXPONENT = 12
 
 
 def expand(value: Plain, setting: Setting, place: str) -> Polynomial:
@@ -38,9 +40,15 @@ def expand(value: Plain, setting: Setting, place: str) -> Polynomial:
         if node[0] in ("number", "symbol") and len(node) == 2:
             values.append(_leaf(node, setting, here))
             continue
-        arguments = [schema.integer(n, 0, number - 1, here) for n in node[1:]]
+        power = _exponent(node[2], here) if node[0] == "pow" and len(node) == 3 else 1
+        before = node[1:2] if power > 1 else node[1:]
+        arguments = [schema.integer(n, 0, number - 1, here) for n in before]
         idle -= set(arguments)
-        values.append(_operation(node[0], [values[n] for n in arguments], setting, here))
+        found = [values[n] for n in arguments]
+        if power > 1:
+            values.append(_power(found, power, setting, here))
+        else:
+            values.append(_operation(node[0], found, setting, here))
     if idle:
         raise MalformedError(f"{place}: nodes {sorted(idle)[:5]} serve no output")
     return values[-1]
@@ -93,6 +101,22 @@ def _operation(kind: str, values: list[Polynomial], setting: Setting, place: str
     if kind == "inverse" and len(values) == 1:
         return _inverse(values[0], setting, place)
     raise MalformedError(f"{place}: {kind[:20]!r} of {len(values)} is not a node here")
+
+
+def _exponent(value: Plain, place: str) -> int:
+    exponent = schema.number(value, place)
+    if exponent.denominator != 1 or not 2 <= exponent <= MAXIMUM_EXPONENT:
+        raise MalformedError(f"{place}: an exponent from 2 to {MAXIMUM_EXPONENT} is wanted")
+    return exponent.numerator
+
+
+def _power(values: list[Polynomial], exponent: int, setting: Setting, place: str) -> Polynomial:
+    if len(values) != 1 or values[0].shape is not None:
+        raise RejectedError(f"{place}: powers are of numbers only")
+    product = values[0]
+    for _ in range(exponent - 1):
+        product = product.times(values[0], setting.meter, place)
+    return product
 
 
 def _reciprocal(value: Polynomial, setting: Setting, place: str) -> Polynomial:

@@ -4,7 +4,8 @@ A source is a list: ["given", n], the hypothesis of that number in the claim; ["
 the letter is its polynomial; ["blocks", size, i, j], E_i' E_j is the unit matrix if i = j and else
 zero; ["blocks", size], the sum of E_i E_i' is the unit matrix; ["statement", id], an earlier
 equation of the same setting; ["inverse", id, "right" | "left"], A B = I or B A = I of an earlier
-statement that A is invertible, B being its inverse in the setting.
+statement that A is invertible, B being its inverse in the setting; ["number", polynomial], a
+matrix of one row and one column is its own transpose.
 
 Hypotheses, with what they say of a letter:
 
@@ -105,6 +106,9 @@ class Ground:
             return self._blocks(entries[1], entries[2:], place)
         if kind == "statement" and len(entries) == 2:
             return self.earlier(entries[1], "matrix_equal", place).difference
+        if kind == "number" and len(entries) == 2:
+            value = self.setting.polynomial(entries[1], ("1", "1"), place)
+            return value.plus(value.transposed().negative(), self.setting.meter, place)
         if kind == "inverse" and len(entries) == 3 and entries[2] in ("left", "right"):
             found = self.earlier(entries[1], "matrix_invertible", place)
             return self._inverse(found.letter, str(entries[2]), place)

@@ -1,0 +1,49 @@
+"""The printed module of filters with matrix gains: the gain of one coordinate."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
+
+LARGEST = "1e300"
+
+
+def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
+    """The module with its one kernel."""
+    return Module(
+        name=name.replace("-", "_"),
+        title=f"{title}: the gain of one coordinate.",
+        command=f"gainproof generate {name}",
+        derivation=f"gainproof derive {name}, SymPy {sp.__version__}",
+        kernels=tuple(_kernel(name, kernel, graph) for kernel, graph in made.items()),
+    )
+
+
+def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
+    return Kernel(
+        name=kernel,
+        result="".join(word.capitalize() for word in kernel.split("_")),
+        summary="Kalman's gain of the position from the variances of prediction and measurement.",
+        equations=("gain = P/(P + B)", "rest = B/(P + B), the share left of P after the update"),
+        inputs=(
+            Input(
+                "variance_ratio",
+                "variance P of the predicted position over that of its measurement, B",
+                "1e-300",
+                LARGEST,
+                lower_open=False,
+                upper_open=False,
+                single=("1e-30", "1e30"),
+            ),
+        ),
+        outputs=(
+            Output("gain", "gain of the position"),
+            Output("rest", "1 - gain: the updated variance over the predicted one"),
+        ),
+        graph=graph,
+        source=f"derivation {name}",
+    )

@@ -1,0 +1,126 @@
+"""Steps on the best gain of the position in the steady state, that of the velocity being given."""
+
+from __future__ import annotations
+
+from gainproof.derive.derivation import Step
+from gainproof.derive.fixed_gain.interacting_setting import (
+    ADJOINT,
+    CHANGE,
+    CHANGED,
+    E1,
+    MISFIT,
+    OTHER,
+    PHI,
+    SETTING,
+    STEADY,
+    SYMMETRIC,
+    W11,
+    WEIGHT,
+    B,
+    F,
+    H,
+    K,
+    W,
+    closed,
+    noisy,
+)
+from gainproof.derive.fixed_gain.interacting_steps_filter import meaning
+from gainproof.derive.words.expression import ZERO, symbol, unit
+from gainproof.derive.words.hypotheses import equation, symmetric
+from gainproof.derive.words.search import Search
+from gainproof.derive.words.statement import Statement, prove_equal, prove_traces_equal
+
+LOOP = closed(CHANGED)
+STATE = symbol("state")
+UNHEARD = equation(STATE.T @ PHI @ K, ZERO)
+OTHER_STEADY = equation(OTHER, noisy(CHANGED, OTHER))
+ADJOINT_STEADY = equation(ADJOINT, LOOP.T @ ADJOINT @ LOOP + WEIGHT)
+LINEAR = E1 @ CHANGE @ MISFIT.T
+SQUARE = E1 @ CHANGE @ (W11 + B) @ CHANGE.T @ E1.T
+
+
+def difference() -> Statement:
+    """What a change of K1 makes of the steady covariance, exactly."""
+    added = LINEAR + LINEAR.T + SQUARE
+    return prove_equal(
+        "steady-change",
+        Search(SETTING, [SYMMETRIC, STEADY, symmetric("B"), OTHER_STEADY]),
+        OTHER - W,
+        LOOP @ (OTHER - W) @ LOOP.T + added,
+    )
+
+
+def stationary_steps() -> list[Step]:
+    """The exact change of the steady covariance, and when it has no part of first order."""
+    change = difference()
+    return [
+        prove_equal(
+            "misfit-zero",
+            Search(SETTING),
+            MISFIT,
+            PHI @ (K @ (H @ W @ H.T + B) - W @ H.T),
+        ).step(
+            "Second reading: in the steady state, here of the predicted position (NP-P). There "
+            "`K1` also changes the `W` that it is to fit. Let `N` say by how much the gain is not "
+            "Kalman's own for the steady `W`:",
+            "`H = E1'`.",
+            heading="A given velocity gain: NP-S and NP-P in the steady state",
+        ),
+        meaning("misfit"),
+        change.step(
+            "Let `V` be the steady covariance for `K_D`, which has `K1 + D` in the place of `K1`. "
+            "It is known exactly, for changes of any size:",
+            "Subtract the two equations; `Phi E1 = E1`.",
+        ),
+        meaning("changed"),
+        prove_traces_equal(
+            "trace-change",
+            Search(
+                SETTING, [SYMMETRIC, STEADY, symmetric("B"), OTHER_STEADY, ADJOINT_STEADY], [change]
+            ),
+            WEIGHT @ (OTHER - W),
+            ADJOINT @ (LINEAR + LINEAR.T + SQUARE),
+            [
+                (-unit("s"), ADJOINT_STEADY, OTHER - W),
+                (ADJOINT, change, unit("s")),
+            ],
+        ).step(
+            "In a trace with any symmetric weight `C`, `C = E1 E1'` for the predicted position, "
+            "the sum over all intervals is one matrix `Lambda`, the solution of the transposed "
+            "equation:",
+            "`tr(A B) = tr(B A)`, and the equation of `Lambda` between the two.",
+        ),
+        prove_traces_equal(
+            "first-order",
+            Search(SETTING, [symmetric("adjoint")]),
+            ADJOINT @ (LINEAR + LINEAR.T),
+            2 * (CHANGE.T @ E1.T @ ADJOINT @ MISFIT),
+            [
+                (
+                    MISFIT @ CHANGE.T @ E1.T,
+                    symmetric("adjoint"),
+                    unit("s"),
+                )
+            ],
+        ).step(
+            "For small `D` the square is of second order and `Lambda` is that of `F`. So a gain "
+            "whose trace is stationary obeys the equation of size `d`",
+            "The trace of `D' M` vanishes for every `D` only if `M = E1' Lambda N` is zero: `E1' "
+            "Lambda Phi (K (W11 + B) - W E1) = 0` with `Lambda = F' Lambda F + C`.",
+        ),
+        prove_equal(
+            "unheard",
+            Search(SETTING, [UNHEARD]),
+            STATE.T @ F,
+            STATE.T @ PHI,
+        ).step(
+            "And there is a best gain of every trace with a positive definite weight of the "
+            "position if `B > 0`, `K2` is invertible and some `K1` is stable. Along a sequence "
+            "towards the infimum `W11` is bounded, hence `K1` (step @position-floor) and, by step "
+            "@steady-21 and `W >= 0`, all of `W`: so there is a limit. It is stable, since a left "
+            "eigenvector `y'` of `F` with `|z| >= 1` would have `y' Phi K B K' Phi' y = 0`, so "
+            "`y' Phi K = 0`, and",
+            "`y' Phi K H = 0`. Thus `y'` is a left eigenvector of `Phi`, that is `z = 1` and `y' "
+            "= y2' E2'`, and `y' Phi K = y2' K2`, which is not 0.",
+        ),
+    ]

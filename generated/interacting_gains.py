@@ -1,0 +1,83 @@
+# Made by: gainproof generate interacting-gains
+# From: gainproof derive interacting-gains, SymPy 1.14.0
+"""Filters with matrix gains: the gain of one coordinate."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import Domain, Signature, evaluate
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._runtime import Arrays, Real
+
+__all__ = ["PositionGain", "position_gain"]
+
+_VARIANCE_RATIO_DOMAIN = Domain(
+    "variance_ratio",
+    "a number at least 1e-300 and at most 1e300, in float32 at least 1e-30 and at most 1e30",
+    (1e-300, 1e300),
+    (1.0000000031710769e-30, 1.0000000150474662e30),
+)
+
+
+class PositionGain(NamedTuple):
+    """Result of `position_gain`."""
+
+    gain: Real
+    """Gain of the position."""
+    rest: Real
+    """1 - gain: the updated variance over the predicted one."""
+
+
+def position_gain(
+    variance_ratio: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> PositionGain:
+    """Kalman's gain of the position from the variances of prediction and measurement.
+
+        gain = P/(P + B)
+        rest = B/(P + B), the share left of P after the update
+
+    variance_ratio: variance P of the predicted position over that of its measurement, B; a number
+        at least 1e-300 and at most 1e300, in float32 at least 1e-30 and at most 1e30.
+
+    gain: gain of the position. Relative error at most 1.01 * 2^-52 (float64), 1.01 * 2^-23
+        (float32), proved for 1e-300 <= variance_ratio <= 1e300 (float64) and 1e-30 <=
+        variance_ratio <= 1e30 (float32).
+    rest: 1 - gain: the updated variance over the predicted one. Relative error at most 1.01 * 2^-52
+        (float64), 1.01 * 2^-23 (float32), proved for 1e-300 <= variance_ratio <= 1e300 (float64)
+        and 1e-30 <= variance_ratio <= 1e30 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation interacting-gains
+    """
+    return PositionGain(*evaluate(_POSITION_GAIN, (variance_ratio,), out))
+
+
+def _position_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (variance_ratio,) = given
+    gain, rest = out
+    (w0,) = work
+    t2 = np.add(1.0, variance_ratio, w0)
+    np.divide(variance_ratio, t2, gain)
+    np.divide(1.0, t2, rest)
+
+
+_POSITION_GAIN = Signature(
+    "position_gain",
+    (_VARIANCE_RATIO_DOMAIN,),
+    ("gain", "rest"),
+    1,
+    _position_gain_block,
+)
