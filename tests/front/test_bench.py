@@ -12,14 +12,17 @@ import sympy as sp
 from graph_kernels import module_of, several_of
 
 from gainproof.bench import measure
+from gainproof.bench.accuracy import terms
 from gainproof.bench.compiler import compiled, compiler
 from gainproof.bench.solver import matrix, solver_seconds
 from gainproof.bench.subjects import Measured
+from gainproof.derive.filter_step import subject
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.c_source import c_source
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
+from gainproof.generated import filter_step
 
 NAMES = ("tracking_index", "velocity_ratio")
 SQUARE = {"nodes": [["symbol", "velocity_ratio"], ["mul", 0, 0]], "outputs": {"value": 1}}
@@ -96,3 +99,33 @@ def test_the_solver_gets_the_model_at_the_point() -> None:
     seconds = solver_seconds(MODEL, NAMES)
     assert seconds is not None
     assert seconds > 0
+
+
+def test_a_kernel_of_signed_inputs_is_measured_over_its_terms(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A filter step: arguments of either sign inside the domain, errors over what may cancel."""
+    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(measure, "ERROR_POINTS", 20)
+    step = subject.build().module.kernels[0]
+    measured = Measured(
+        "filter-step",
+        step,
+        filter_step.step_two_states,
+        filter_step._STEP_TWO_STATES,
+        prove(step, FLOAT64),
+        None,
+        None,
+    )
+    given = measure.sample(measured)
+    assert {bool((x < 0).any()) for x in given} == {True, False}
+    found = measure.figures(measured, tmp_path)
+    assert 0 < found.worst <= found.proved
+    assert (found.over_c is None) == (compiler() is None)
+
+
+def test_terms_are_taken_positive() -> None:
+    builder = GraphBuilder()
+    x, y = builder.symbol("x"), builder.symbol("y")
+    graph = builder.graph({"z": x * y - x})
+    assert float(terms(graph, {"x": -2.0, "y": 3.0})["z"]) == 8.0

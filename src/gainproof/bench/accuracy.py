@@ -121,3 +121,17 @@ def log_uniform(lowest: float, highest: float, count: int, generator: Any) -> li
     exponents = low + (high - low) * generator.random(count)
     points = [2.0 ** float(entry) for entry in exponents]
     return [lowest, highest, *(min(max(point, lowest), highest) for point in points)]
+
+
+def signed_points(highest: float, count: int, generator: Any) -> list[float]:
+    """As many points as `log_uniform` gives, of either sign and sizes up to 1e6, or `highest`."""
+    sizes = log_uniform(1e-6, min(highest, 1e6), count, generator)
+    return [float(generator.choice([-1.0, 1.0])) * size for size in sizes]
+
+
+def terms(graph: Graph, point: Mapping[str, float]) -> dict[str, Ball]:
+    """The outputs of a graph with every term of its sums taken positive."""
+    nodes = [
+        ["call", "abs", node[1]] if node[0] == "neg" else list(node) for node in graph["nodes"]
+    ]
+    return ball_outputs({**graph, "nodes": nodes}, {name: abs(x) for name, x in point.items()})

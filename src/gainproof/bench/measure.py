@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from gainproof.bench.accuracy import ball_outputs, error, log_uniform
+from gainproof.bench.accuracy import ball_outputs, error, log_uniform, signed_points, terms
 from gainproof.bench.compiler import Arrays, compiled, compiler
 from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
@@ -78,10 +78,14 @@ def figures(item: Measured, folder: Path) -> Figures:
 
 
 def sample(item: Measured) -> Arrays:
-    """A million arguments inside the domain: parameters from 1e-6 to 1e6, gains, sample numbers."""
+    """A million arguments inside the domain: parameters from 1e-6 to 1e6, gains, sample numbers;
+    states and gains of either sign up to 1e3.
+    """
     generator = np.random.default_rng(20)
     return [
-        _arguments(given.integer, low, high, generator)
+        generator.choice([-1.0, 1.0], SIZE) * 10.0 ** generator.uniform(-6, 3, SIZE)
+        if given.signed
+        else _arguments(given.integer, low, high, generator)
         for given, (low, high) in zip(item.kernel.inputs, item.bound.inputs, strict=True)
     ]
 
@@ -133,13 +137,19 @@ def worst_error(item: Measured) -> tuple[float, float]:
         bound = item.bound.outputs[number]
         columns = []
         for given, (low, high) in zip(item.kernel.inputs, bound.domain, strict=True):
+            if given.signed:
+                columns.append(signed_points(high, ERROR_POINTS, generator))
+                continue
             lowest = max(low, 1.0) if given.integer else low
             points = log_uniform(lowest, high, ERROR_POINTS, generator)
             columns.append([float(round(x)) for x in points] if given.integer else points)
         values = item.function(*(np.array(column) for column in columns))[number]
         for place, value in zip(zip(*columns, strict=True), values, strict=True):
-            exact = ball_outputs(item.kernel.graph, dict(zip(names, place, strict=True)))
+            point = dict(zip(names, place, strict=True))
+            exact = ball_outputs(item.kernel.graph, point)
             scale = exact[output.relative_to or output.name]
+            if output.by_terms:
+                scale = terms(item.kernel.graph, point)[output.name]
             found = error(float(value), exact[output.name], scale, EPSILON)
             if found > worst:
                 worst, proved = found, float(bound.bound)
