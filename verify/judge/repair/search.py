@@ -17,6 +17,7 @@ from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.closings import closings
 from gainproof.verify.judge.repair.conditions import changed_conditions
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
+from gainproof.verify.judge.repair.further_bound import with_further_bound
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
 from gainproof.verify.judge.repair.printed import MOST_NODES, Printed, printed
@@ -113,6 +114,8 @@ class Search:
             turned = [c for c in slight if all(s.what.startswith("sign of") for s in c.steps)]
             return self._first([*turned, *rounded(self.claim, self.formula, self._judged)])
         if stage == 0:
+            if further := with_further_bound(self):
+                return further
             # a bound with something put in is true of many formulas
             most = LARGE if self.is_equation else PLAIN
             edited = changes(self.formula, self.table, self.numbers, most)
