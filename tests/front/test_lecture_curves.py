@@ -6,10 +6,12 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from itertools import pairwise
 from math import sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from gainproof import generated
 from gainproof.figures.lecture import coordinates, curves, fits, kalman_track, relations
 from gainproof.figures.lecture.curves_drawing import CURVES as LABELS
 from gainproof.figures.lecture.relations_drawing import GENERAL, SPECIAL, WORDS
@@ -162,8 +164,13 @@ def test_arrows_from_np_filters(beta: float, which: str, special: str) -> None:
 
 
 def test_every_derived_line_is_an_arrow_and_every_arrow_a_line() -> None:
-    derived = {line.special for line in relations.LINES if line.derivation != "definition"}
-    assert derived == set(SPECIAL) == set(WORDS)
+    lines = [line for line in relations.LINES if line.general in GENERAL]
+    assert {line.special for line in lines} == set(SPECIAL) == set(WORDS)
+    # each derivation has its certificate
+    certificates = Path(generated.__file__).parent.glob("*.json")
+    subjects = {path.stem.replace("_", "-") for path in certificates}
+    assert {line.derivation for line in lines} < subjects
+    assert {line.derivation for line in relations.LINES} - subjects == {"definition"}
     generals = {line.general for line in relations.LINES}
     assert generals == {*GENERAL, "linear filter", "alpha-beta filter"}
     contained = {line.special for line in relations.LINES if line.general == "alpha-beta filter"}
