@@ -30,6 +30,12 @@ FORGOTTEN = 1e-7
 TWO = ((0.4571, 0.5), (0.8, 1.9), (0.3, 0.05))
 THREE = ((0.5, 0.3, 0.4), (0.9, 1.2, 0.2), (0.4, 0.9, 0.9))
 """alpha, beta, share of the largest gamma."""
+FURTHER = pytest.mark.thorough
+GAINS = [
+    *TWO[:2],
+    THREE[0],
+    *(pytest.param(gains, marks=FURTHER) for gains in (TWO[2], *THREE[1:])),
+]
 
 
 def covariance(result: Any, kind: str) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
@@ -67,7 +73,7 @@ def lags(gains: tuple[float, ...]) -> dict[str, list[float]]:
     }
 
 
-@pytest.mark.parametrize("gains", [*TWO, *THREE])
+@pytest.mark.parametrize("gains", GAINS)
 def test_variances_and_lags(gains: tuple[float, ...]) -> None:
     """Behind a target that is pushed: the spread about the lag, and the lag."""
     used = gammas(gains)
@@ -109,7 +115,15 @@ NOISES: tuple[tuple[ModuleType, Sequence[Sequence[float]]], ...] = (
 
 
 @pytest.mark.parametrize(
-    ("family", "noise"), NOISES, ids=[module.__name__.split(".")[-1] for module, _ in NOISES]
+    ("family", "noise"),
+    [
+        pytest.param(
+            *pair,
+            id=pair[0].__name__.split(".")[-1],
+            marks=() if pair[0] in (random_velocity, random_jerk) else FURTHER,
+        )
+        for pair in NOISES
+    ],
 )
 def test_steady_covariances_with_process_noise(
     family: ModuleType, noise: Sequence[Sequence[float]]

@@ -53,14 +53,14 @@ def test_the_interval_leaves_out_the_stated_probability(degrees: int, rate: floa
 
 
 def test_false_alarms_come_at_most_as_often_as_stated() -> None:
-    """4000 sets of a true covariance at the rate 0.1: at most 10 %, and not far below."""
+    """1000 sets of a true covariance at the rate 0.1: at most 10 %, and not far below."""
     generator = np.random.default_rng(3)
     root = np.array([[1.0, 0.0], [0.7, 0.5]])
-    draws = generator.standard_normal((4000, 50, 2)) @ root.T
+    draws = generator.standard_normal((1000, 50, 2)) @ root.T
     covariance, mean = root @ root.T, np.zeros(2)
     alarms = sum(bool(monte_carlo.contradictions(d, mean, covariance, 0.1)) for d in draws)
-    # 6 deviations of a count of 4000 at a tenth
-    assert 120 < alarms < 400 + 6 * np.sqrt(360)
+    # 6 deviations of a count of 1000 at a tenth
+    assert 20 < alarms < 100 + 6 * np.sqrt(90)
 
 
 def wrong_entries() -> list[tuple[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]]]:
