@@ -37,8 +37,9 @@ class Setting:
 
     def shape(self, name: str) -> Shape:
         """Rows and columns of a letter. Raises KeyError for an unknown one."""
-        base = name.removesuffix("_inverse") if name not in self.matrices else name
-        rows, columns = self.matrices[base].split()
+        base = name.removesuffix("_inverse")
+        known = self.matrices[name if name in self.matrices or base not in self.inverses else base]
+        rows, columns = known.split()
         return rows, columns
 
     def letter(self, name: str, transposed: bool = False) -> Polynomial:

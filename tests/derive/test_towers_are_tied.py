@@ -22,7 +22,8 @@ from gainproof.verify.certificate import check
 NAMES = [entry.name for entry in CATALOGUE]
 MODEL_QUANTITY = re.compile(r"(predicted|updated|gain)_\d+|alpha|beta|gamma")
 NOISE = re.compile(r"\w+_noise_\d+")
-SILENT = {"equal", "positive", "positive_definite", "definition", "cited", "sum"}
+MATRIX = {"matrix_equal", "matrix_order", "matrix_invertible", "matrix_trace"}
+SILENT = {"equal", "positive", "positive_definite", "definition", "cited", "sum", *MATRIX}
 """Kinds that claim no limit, trend, sign or program."""
 
 ANOTHER_ROOT = {

@@ -16,6 +16,7 @@ import flint
 from both_measured import BothMeasuredTruth, both_measured
 from fixed_gain_triples import AlphaBetaGammaTruth
 from fixed_gain_truth import AlphaBetaTruth
+from shared_variances import PositionGainTruth
 
 from gainproof.verify.oracles.truth import FitTruth, SteadyStateTruth, Truth, steady_state_truth
 
@@ -104,7 +105,7 @@ class HandOverTruth:
         return 1 / n + (k / 2) ** 2 / (n * (n * n - 1) / 12)
 
 
-FixedGainTruth = AlphaBetaTruth | AlphaBetaGammaTruth
+FixedGainTruth = AlphaBetaTruth | AlphaBetaGammaTruth | PositionGainTruth
 
 
 @cache
@@ -126,6 +127,8 @@ def truth_of(
         return AlphaBetaTruth()
     if family == "alpha_beta_gamma":
         return AlphaBetaGammaTruth()
+    if family == "interacting_gains":
+        return PositionGainTruth()
     raise LookupError(f"no oracle knows the family {family}: add its model to kernel_truth")
 
 

@@ -31,6 +31,8 @@ def combination(value: Plain, shape: Shape, ground: Ground, place: str) -> Polyn
         schema.record(fields, ("source", "left", "right"), here)
         equation = ground.equation(fields["source"], here)
         if transposed == "yes":
+            if equation.transposed() == equation:
+                raise RejectedError(f"{here}: the equation is its own transpose")
             equation = equation.transposed()
         elif "transposed" in schema.table(entry, here):
             raise MalformedError(f'{here}: "transposed" is "yes" or not there')
