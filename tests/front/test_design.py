@@ -211,3 +211,17 @@ def test_a_picture_and_its_numbers_come_out_the_same(capsys: Capture, tmp_path: 
         made.append([path.read_bytes(), path.with_suffix(".csv").read_bytes()])
     assert made[0] == made[1]
     assert b"chosen_given" in made[0][1]
+
+
+def test_numbers_next_to_their_limits_are_told_apart(capsys: Capture) -> None:
+    """0.5000001 is not 0.5, where RA does not exist; a modulus below 1 is not printed as 1."""
+    text = answer(capsys, "--lag", "0.5000001")
+    assert text.startswith("alpha-beta filters at lag 0.5000001\n")
+    assert "1 - 4e-07" in text
+    most = answer(capsys, "--tracking-index", "1e300")
+    assert "RA, random acceleration, not computed, gains as rounded: not a stable filter" in most
+    assert "MV of lag 1: has no tracking index: at the lag of RV" in most
+    least = " ".join(answer(capsys, "--tracking-index", "1e-300", status=1).split())
+    assert "too close to the border of stability for the kernels: alpha = 1.41421" in least
+    assert "has no tracking index, and no filter before it has a lag to be shown at" in least
+    assert "not computed: random_velocity_by_lag" in answer(capsys, "--lag", "1e31", status=1)

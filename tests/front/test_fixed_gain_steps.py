@@ -66,6 +66,8 @@ def test_a_missed_detection_is_a_prediction_alone(size: int) -> None:
         assert (x[seen] == update[seen]).all()
     with pytest.raises(TypeError, match="detected must be true or false"):
         step(size, *state, 2.0, 1.0, *gains, 1)
+    with pytest.raises(ValueError, match=r"detected of shape \(3,\) does not broadcast with"):
+        step(size, *state, 2.0, z, *gains, np.array([True, False, True]))
     with pytest.raises(ValueError, match=r"observed must be .* got nan at index"):
         step(size, *state, 2.0, z, *gains)
 
@@ -74,17 +76,17 @@ def test_a_missed_detection_is_a_prediction_alone(size: int) -> None:
 def test_in_place_gives_what_new_arrays_get(count: int) -> None:
     """Over several blocks too; with an output in another's place the whole input is kept."""
     generator = np.random.default_rng(3)
-    state = generator.normal(size=(3, count))
+    state: Any = generator.normal(size=(3, count))
     z = generator.normal(size=count)
-    wanted = steps.step_three_states(*state, 2.0, z, 0.4, 0.1, 0.01)
-    same = state.copy()
-    steps.step_three_states(*same, 2.0, z, 0.4, 0.1, 0.01, out=(same[0], same[1], same[2]))
+    wanted: Any = step(3, *state, 2.0, z, 0.4, 0.1, 0.01)
+    same: Any = state.copy()
+    step(3, *same, 2.0, z, 0.4, 0.1, 0.01, out=(same[0], same[1], same[2]))
     turned = state.copy()
     given = turned[0], turned[1], turned[2]
-    steps.step_three_states(*given, 2.0, z, 0.4, 0.1, 0.01, out=given[::-1])
+    step(3, *given, 2.0, z, 0.4, 0.1, 0.01, out=given[::-1])
     shifted = np.concatenate([state, np.zeros((3, 1))], axis=1)
     parts = [row[:-1] for row in shifted]
-    steps.step_three_states(*parts, 2.0, z, 0.4, 0.1, 0.01, out=tuple(row[1:] for row in shifted))
+    step(3, *parts, 2.0, z, 0.4, 0.1, 0.01, out=tuple(row[1:] for row in shifted))
     for n in range(3):
         assert (same[n] == wanted[n]).all()
         assert (turned[2 - n] == wanted[n]).all()
@@ -107,9 +109,9 @@ def test_gains_of_each_axis_and_intervals_of_each_track() -> None:
     position, velocity, observed = generator.normal(size=(3, 3, 10))
     t = generator.uniform(1, 3, 10)
     alpha, beta = np.array([[0.4], [0.5], [0.6]]), np.array([[0.1], [0.2], [0.3]])
-    found = steps.step_two_states(position, velocity, t, observed, alpha, beta)
+    found: Any = steps.step_two_states(position, velocity, t, observed, alpha, beta)
     for axis in range(3):
-        own = steps.step_two_states(
+        own: Any = steps.step_two_states(
             position[axis], velocity[axis], t, observed[axis], alpha[axis, 0], beta[axis, 0]
         )
         assert (np.asarray(found.position)[axis] == own.position).all()
@@ -125,23 +127,25 @@ def interacting_case(count: int) -> tuple[Any, ...]:
 
 def test_interacting_steps_are_matrix_products() -> None:
     position, velocity, t, observed, first, second = interacting_case(100)
-    found = steps.step_interacting(position, velocity, t, observed, first, second)
+    found: Any = steps.step_interacting(position, velocity, t, observed, first, second)
     ahead = position + t * velocity
     innovation = observed - ahead
     assert np.asarray(found.position) == pytest.approx(ahead + first @ innovation, abs=1e-13)
     assert np.asarray(found.velocity) == pytest.approx(velocity + second @ innovation, abs=1e-13)
     many = np.repeat(first[:, :, None], 100, axis=2), np.repeat(second[:, :, None], 100, axis=2)
-    again = steps.step_interacting(position, velocity, t, observed, *many)
+    again: Any = steps.step_interacting(position, velocity, t, observed, *many)
     assert (np.asarray(again.position) == found.position).all()
 
 
 def test_diagonal_matrices_are_filters_of_their_own() -> None:
     position, velocity, t, observed, *_ = interacting_case(20)
     alpha, beta = np.array([0.4, 0.5, 0.6]), np.array([0.1, 0.2, 0.3])
-    found = steps.step_interacting(
+    found: Any = steps.step_interacting(
         position, velocity, 2.0, observed, np.diag(alpha), np.diag(beta / 2)
     )
-    own = steps.step_two_states(position, velocity, 2.0, observed, alpha[:, None], beta[:, None])
+    own: Any = steps.step_two_states(
+        position, velocity, 2.0, observed, alpha[:, None], beta[:, None]
+    )
     assert np.asarray(found.position) == pytest.approx(np.asarray(own.position), rel=1e-14)
     assert np.asarray(found.velocity) == pytest.approx(np.asarray(own.velocity), rel=1e-14)
     assert t.shape == (20,)
@@ -150,10 +154,10 @@ def test_diagonal_matrices_are_filters_of_their_own() -> None:
 def test_interacting_steps_in_place_and_with_missed_detections() -> None:
     position, velocity, t, observed, first, second = interacting_case(1000)
     seen = np.arange(1000) % 3 > 0
-    wanted = steps.step_interacting(position, velocity, t, observed, first, second, seen)
+    wanted: Any = steps.step_interacting(position, velocity, t, observed, first, second, seen)
     blind = np.where(seen, observed, np.nan)
     x, v = position.copy(), velocity.copy()
-    found = steps.step_interacting(x, v, t, blind, first, second, seen, out=(x, v))
+    found: Any = steps.step_interacting(x, v, t, blind, first, second, seen, out=(x, v))
     assert found.position is x
     assert (x == wanted.position).all()
     assert (v == wanted.velocity).all()
@@ -198,7 +202,7 @@ def test_outputs_that_do_not_fit_are_named(out: Any, error: type[Exception], tol
 
 
 def test_single_precision_stays() -> None:
-    given = [np.float32(x) for x in (1.5, 2.0, 3.0, 4.0, 0.5, 0.25)]
-    found = steps.step_two_states(*given)
+    given: list[Any] = [np.float32(x) for x in (1.5, 2.0, 3.0, 4.0, 0.5, 0.25)]
+    found: Any = steps.step_two_states(*given)
     assert isinstance(found.position, np.float32)
-    assert (found.position, found.velocity) == (5.75, 1.7083334)
+    assert [float(x) for x in found] == [5.75, float(np.float32(1.7083334))]

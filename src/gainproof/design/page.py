@@ -43,7 +43,7 @@ def _title(sheet: Sheet) -> str:
             f"{name} = {gain!r}" for name, gain in zip(GAINS, sheet.value, strict=False)
         )
         return f"{TITLES[sheet.states]}: {value}, and the named ones of the same lag"
-    return f"{TITLES[sheet.states]} at {sheet.kind} {number(sheet.value)}"
+    return f"{TITLES[sheet.states]} at {sheet.kind} {sheet.value!r}".removesuffix(".0")
 
 
 def _meaning(sheet: Sheet) -> list[str]:
@@ -71,7 +71,7 @@ def _cells(row: Row) -> list[str]:
         number(row.smoothed),
         number(row.lag),
         poles(row.poles),
-        f"{max(map(abs, row.poles)):.4g}",
+        modulus(max(map(abs, row.poles))),
         f"{row.samples:.0f}" if row.samples < 1e6 else f"{row.samples:.3g}",
     ]
 
@@ -133,7 +133,8 @@ def _belonging(belongs: Sequence[Belonging]) -> Iterator[str]:
         parts = zip(GAINS, others, each.off, strict=False)
         shown = ", ".join(f"{n} = {g:.10g} (off by {d:.2g})" for n, g, d in parts)
         word = "fits" if each.fits else "does not fit"
-        yield f"  {each.name}: with {GAINS[len(others)]} = {number(last)} has {shown}: {word}"
+        told = f"  {each.name}: with {GAINS[len(others)]} = {number(last)} has {shown}: {word}"
+        yield from textwrap.wrap(told, WIDTH, subsequent_indent="    ", break_on_hyphens=False)
 
 
 def number(value: float) -> str:
@@ -141,6 +142,11 @@ def number(value: float) -> str:
     if not math.isfinite(value):
         return str(value)
     return f"{value:.6g}"
+
+
+def modulus(value: float) -> str:
+    """Four digits; next to 1 of the distance to it."""
+    return f"{value:.4g}" if value < 0.9999 else f"1 - {1 - value:.2g}"
 
 
 def poles(values: Sequence[complex]) -> str:

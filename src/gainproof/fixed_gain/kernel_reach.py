@@ -16,6 +16,14 @@ PLAIN = 0.25
 """A difference that is at least this share of its terms loses no more than two bits."""
 
 
+class UnreachedError(ValueError):
+    """Gains that are stable and yet beyond what the kernels compute; `first`: which of them."""
+
+    def __init__(self, text: str, first: int) -> None:
+        super().__init__(text)
+        self.first = first
+
+
 def within(signature: Any, given: Sequence[Reals]) -> NDArray[np.bool_]:
     """Where every input lies in the domain that a kernel's bounds are proved for."""
     fine = np.ones(given[0].shape, np.bool_)
@@ -31,12 +39,20 @@ def put_together(
     inside: Callable[..., Sequence[Any]],
     beyond: Callable[..., Sequence[Any]],
 ) -> list[Real]:
-    """The outputs of `inside` where `fine`, else those of `beyond`; numbers for numbers."""
+    """The outputs of `inside` where `fine`, else those of `beyond`; numbers for numbers.
+
+    ValueError with the place where `beyond` does not reach.
+    """
     if fine.all():
         return [np.asarray(y)[()] for y in inside(*given)]
     flat = [values.reshape(-1) for values in given]
     mask = fine.reshape(-1)
-    others = beyond(*(values[~mask] for values in flat))
+    try:
+        with np.errstate(all="ignore"):
+            others = beyond(*(values[~mask] for values in flat))
+    except UnreachedError as error:
+        first = int(np.flatnonzero(~mask)[error.first])
+        raise ValueError(f"{error}{place_of(first, fine.shape)}") from None
     results = [np.empty(mask.shape) for _ in others]
     for y, part in zip(results, others, strict=True):
         y[~mask] = part
@@ -47,7 +63,7 @@ def put_together(
 
 
 def require_reach(signature: Any, given: Sequence[Reals], gains: Sequence[Reals]) -> None:
-    """ValueError with the first gains that are stable and yet beyond what the kernels compute."""
+    """UnreachedError with the first gains whose coordinates no kernel takes."""
     fine = within(signature, given)
     if fine.all():
         return
@@ -55,10 +71,8 @@ def require_reach(signature: Any, given: Sequence[Reals], gains: Sequence[Reals]
     came = ", ".join(
         f"{name} = {gain.flat[first]!s}" for name, gain in zip(GAINS, gains, strict=False)
     )
-    raise ValueError(
-        f"stable gains too close to the border of stability for the kernels: {came}"
-        f"{place_of(first, gains[0].shape)}"
-    )
+    text = f"stable gains too close to the border of stability for the kernels: {came}"
+    raise UnreachedError(text, first)
 
 
 def gap(condition: Condition, gains: Sequence[Reals]) -> Reals:

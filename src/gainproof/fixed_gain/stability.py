@@ -36,6 +36,8 @@ class Condition:
 
     def holds(self, gains: Sequence[Reals]) -> NDArray[np.bool_]:
         """Where it holds: by floats where they differ clearly, else by exact fractions."""
+        if self.less is _zero:
+            return np.asarray(self.greater(*gains) > 0)
         with np.errstate(over="ignore", under="ignore"):
             left, right = (np.asarray(side(*gains), float) for side in (self.less, self.greater))
             gap, size = right - left, sum(np.abs(gain) for gain in gains)

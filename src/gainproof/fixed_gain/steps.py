@@ -141,7 +141,13 @@ def _kept(seen: NDArray[np.bool_], value: ArrayLike) -> ArrayLike:
     array = np.asarray(value)
     if array.dtype.kind not in "iuf":
         return value  # the kernel says what is wrong
-    return np.where(seen, array, array.dtype.type(0))
+    try:
+        return np.where(seen, array, array.dtype.type(0))
+    except ValueError:
+        raise ValueError(
+            f"detected of shape {seen.shape} does not broadcast with gains or observations of "
+            f"shape {array.shape}"
+        ) from None
 
 
 def _axes(name: str, value: ArrayLike) -> list[Any]:

@@ -39,6 +39,7 @@ def lags(alpha: ArrayLike, beta: ArrayLike) -> Lags:
     """Steady errors behind a constant acceleration a, over a T^2 (positions) and a T (velocities).
 
     Arguments and errors as `variances`; beyond the kernel's domain each is two roundings off.
+    A lag beyond float64 comes as infinity.
     """
     gains = stable_gains(alpha, beta)
     fine = within(alpha_beta._LAGS, gains)
