@@ -24,6 +24,8 @@ __all__ = [
     "MinimumSmoothedVarianceByLag",
     "MinimumVarianceByGain",
     "MinimumVarianceByLag",
+    "ProcessNoiseVariances",
+    "ProcessNoiseVariancesOfCoordinates",
     "RandomAccelerationByGain",
     "RandomAccelerationByLag",
     "RandomVelocityByGain",
@@ -38,6 +40,8 @@ __all__ = [
     "minimum_smoothed_variance_by_lag",
     "minimum_variance_by_gain",
     "minimum_variance_by_lag",
+    "process_noise_variances",
+    "process_noise_variances_of_coordinates",
     "random_acceleration_by_gain",
     "random_acceleration_by_lag",
     "random_velocity_by_gain",
@@ -424,6 +428,288 @@ _VARIANCES_OF_COORDINATES = Signature(
     ("predicted_11", "predicted_12", "predicted_22", "updated_11", "updated_12", "updated_22"),
     5,
     _variances_of_coordinates_block,
+)
+
+
+class ProcessNoiseVariances(NamedTuple):
+    """Result of `process_noise_variances`."""
+
+    predicted_11_by_q_11: Real
+    """What q11 adds to predicted_11, over q11."""
+    predicted_11_by_q_22: Real
+    """What q22 adds to predicted_11, over q22."""
+    predicted_12_by_q_11: Real
+    """What q11 adds to predicted_12, over q11."""
+    predicted_12_by_q_22: Real
+    """What q22 adds to predicted_12, over q22."""
+    predicted_22_by_q_11: Real
+    """What q11 adds to predicted_22, over q11."""
+    predicted_22_by_q_12: Real
+    """What q12 adds to predicted_22, over q12."""
+    updated_11_by_q_11: Real
+    """What q11 adds to updated_11, over q11."""
+    updated_11_by_q_22: Real
+    """What q22 adds to updated_11, over q22."""
+    updated_12_by_q_11: Real
+    """What q11 adds to updated_12, over q11."""
+    updated_12_by_q_22: Real
+    """What q22 adds to updated_12, over q22."""
+    updated_22_by_q_22: Real
+    """What q22 adds to updated_22, over q22."""
+
+
+def process_noise_variances(
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> ProcessNoiseVariances:
+    """What each entry of a process noise adds to covariances.
+
+        with T = 1 (q12 is T times, q22 T^2 times what it is with units), added to the variances:
+        predicted_11 = (q11 - q12) predicted_11_by_q_11 + q22 predicted_11_by_q_22,
+        predicted_12 = (q11 - q12) predicted_12_by_q_11 + q22 predicted_12_by_q_22,
+        predicted_22 = updated_22 + q22,
+        updated_11 = (q11 - q12) updated_11_by_q_11 + q22 updated_11_by_q_22,
+        updated_12 = (q11 - q12) updated_12_by_q_11 + q22 updated_12_by_q_22,
+        updated_22 = q11 predicted_22_by_q_11 + q12 predicted_22_by_q_12
+        + q22 updated_22_by_q_22; updated_12_by_q_22_scale is the sum of its terms' sizes
+
+    alpha: gain of the position; a number at least 1e-30 and at most 0.9999999, in float32 at least
+        1e-12 and at most 0.999999.
+    beta: gain of the velocity times T; a number at least 1e-30 and at most 1.9999999, in float32 at
+        least 1e-12 and at most 1.999999.
+
+    predicted_11_by_q_11: what q11 adds to predicted_11, over q11. Relative error at most 2.01 *
+        2^-52 (float64), 2.01 * 2^-23 (float32), proved for every input.
+    predicted_11_by_q_22: what q22 adds to predicted_11, over q22. Relative error at most 3.01 *
+        2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
+    predicted_12_by_q_11: what q11 adds to predicted_12, over q11. Relative error at most 2.01 *
+        2^-52 (float64), 2.01 * 2^-23 (float32), proved for every input.
+    predicted_12_by_q_22: what q22 adds to predicted_12, over q22. Relative error at most 3.68 *
+        2^-52 (float64), 3.52 * 2^-23 (float32), proved for every input.
+    predicted_22_by_q_11: what q11 adds to predicted_22, over q11. Relative error at most 3.01 *
+        2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
+    predicted_22_by_q_12: what q12 adds to predicted_22, over q12. Relative error at most 3.18 *
+        2^-52 (float64), 3.02 * 2^-23 (float32), proved for every input.
+    updated_11_by_q_11: what q11 adds to updated_11, over q11. Relative error at most 4.01 * 2^-52
+        (float64), 4.01 * 2^-23 (float32), proved for every input.
+    updated_11_by_q_22: what q22 adds to updated_11, over q22. Relative error at most 5.01 * 2^-52
+        (float64), 5.01 * 2^-23 (float32), proved for every input.
+    updated_12_by_q_11: what q11 adds to updated_12, over q11. Relative error at most 3.01 * 2^-52
+        (float64), 3.01 * 2^-23 (float32), proved for every input.
+    updated_12_by_q_22: what q22 adds to updated_12, over q22. Error over updated_12_by_q_22_scale
+        at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input. Cancellation
+        in updated_12_by_q_22_difference, condition number 1: changes its sign at beta = alpha (2 -
+        alpha); error over the sum of its terms.
+    updated_22_by_q_22: what q22 adds to updated_22, over q22. Relative error at most 4.00 * 2^-52
+        (float64), 3.92 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return ProcessNoiseVariances(*evaluate(_PROCESS_NOISE_VARIANCES, (alpha, beta), out))
+
+
+def _process_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    alpha, beta = given
+    (
+        predicted_11_by_q_11,
+        predicted_11_by_q_22,
+        predicted_12_by_q_11,
+        predicted_12_by_q_22,
+        predicted_22_by_q_11,
+        predicted_22_by_q_12,
+        updated_11_by_q_11,
+        updated_11_by_q_22,
+        updated_12_by_q_11,
+        updated_12_by_q_22,
+        updated_22_by_q_22,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    t3 = np.subtract(1.0, alpha, w0)
+    t5 = np.subtract(2.0, alpha, w1)
+    t6 = np.multiply(t3, 2.0, w2)
+    t7 = np.subtract(2.0, beta, w3)
+    t8 = np.add(t6, t7, w2)
+    t9 = np.divide(beta, alpha, predicted_12_by_q_11)
+    t10 = np.multiply(alpha, t8, w3)
+    t11 = np.multiply(beta, t8, w4)
+    np.divide(2.0, t10, predicted_11_by_q_11)
+    t13 = np.divide(t5, alpha, predicted_11_by_q_22)
+    np.divide(t13, t11, predicted_11_by_q_22)
+    t15 = np.multiply(t9, t3, w5)
+    t16 = np.add(t5, t15, w6)
+    t18 = np.multiply(t16, 2.0, w7)
+    t19 = np.divide(t18, t8, predicted_22_by_q_12)
+    t20 = np.multiply(alpha, t5, w7)
+    t21 = np.multiply(t15, 2.0, w8)
+    t22 = np.add(t20, t21, w7)
+    t24 = np.multiply(t3, t5, w8)
+    t25 = np.divide(t24, t11, updated_12_by_q_22)
+    t26 = np.divide(t3, t10, predicted_22_by_q_11)
+    t28 = np.square(t3, w0)
+    t30 = np.multiply(t9, t5, w1)
+    t35 = np.divide(t15, t8, updated_12_by_q_11)
+    np.divide(t16, t11, predicted_12_by_q_22)
+    np.divide(t22, t11, updated_22_by_q_22)
+    np.subtract(t25, t26, updated_12_by_q_22)
+    np.divide(t9, t8, predicted_12_by_q_11)
+    np.divide(t30, t8, predicted_22_by_q_11)
+    np.negative(t19, predicted_22_by_q_12)
+    np.multiply(t28, predicted_11_by_q_11, updated_11_by_q_11)
+    np.multiply(t28, predicted_11_by_q_22, updated_11_by_q_22)
+    np.negative(t35, updated_12_by_q_11)
+
+
+_PROCESS_NOISE_VARIANCES = Signature(
+    "process_noise_variances",
+    (_ALPHA_DOMAIN, _BETA_DOMAIN),
+    (
+        "predicted_11_by_q_11",
+        "predicted_11_by_q_22",
+        "predicted_12_by_q_11",
+        "predicted_12_by_q_22",
+        "predicted_22_by_q_11",
+        "predicted_22_by_q_12",
+        "updated_11_by_q_11",
+        "updated_11_by_q_22",
+        "updated_12_by_q_11",
+        "updated_12_by_q_22",
+        "updated_22_by_q_22",
+    ),
+    9,
+    _process_noise_variances_block,
+)
+
+
+class ProcessNoiseVariancesOfCoordinates(NamedTuple):
+    """Result of `process_noise_variances_of_coordinates`."""
+
+    predicted_11_by_q_11: Real
+    """What q11 adds to predicted_11, over q11."""
+    predicted_11_by_q_22: Real
+    """What q22 adds to predicted_11, over q22."""
+    predicted_12_by_q_11: Real
+    """What q11 adds to predicted_12, over q11."""
+    predicted_12_by_q_22: Real
+    """What q22 adds to predicted_12, over q22."""
+    predicted_22_by_q_11: Real
+    """What q11 adds to predicted_22, over q11."""
+    predicted_22_by_q_12: Real
+    """What q12 adds to predicted_22, over q12."""
+    predicted_22_by_q_22: Real
+    """What q22 adds to predicted_22, over q22."""
+
+
+def process_noise_variances_of_coordinates(
+    linear_coefficient: ArrayLike,
+    quadratic_coefficient: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> ProcessNoiseVariancesOfCoordinates:
+    """The same of the prediction, any stable filter.
+
+        with T = 1 (q12 is T times, q22 T^2 times what it is with units), added to the variances:
+        predicted_11 = (q11 - q12) predicted_11_by_q_11 + q22 predicted_11_by_q_22,
+        predicted_12 = (q11 - q12) predicted_12_by_q_11 + q22 predicted_12_by_q_22,
+        predicted_22 = q11 predicted_22_by_q_11 + q12 predicted_22_by_q_12
+        + q22 predicted_22_by_q_22
+
+    linear_coefficient: x, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the
+        constant one; a number at least 1e-60 and at most 1e60, in float32 at least 1e-9 and at most
+        1e9.
+    quadratic_coefficient: y, that of s^2; a number at least 1e-60 and at most 1e60, in float32 at
+        least 1e-9 and at most 1e9.
+
+    predicted_11_by_q_11: what q11 adds to predicted_11, over q11. Relative error at most 3.51 *
+        2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input.
+    predicted_11_by_q_22: what q22 adds to predicted_11, over q22. Relative error at most 4.51 *
+        2^-52 (float64), 4.51 * 2^-23 (float32), proved for every input.
+    predicted_12_by_q_11: what q11 adds to predicted_12, over q11. Relative error at most 2.01 *
+        2^-52 (float64), 2.01 * 2^-23 (float32), proved for every input.
+    predicted_12_by_q_22: what q22 adds to predicted_12, over q22. Relative error at most 3.51 *
+        2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input.
+    predicted_22_by_q_11: what q11 adds to predicted_22, over q11. Relative error at most 1.51 *
+        2^-52 (float64), 1.51 * 2^-23 (float32), proved for every input.
+    predicted_22_by_q_12: what q12 adds to predicted_22, over q12. Relative error at most 2.01 *
+        2^-52 (float64), 2.01 * 2^-23 (float32), proved for every input.
+    predicted_22_by_q_22: what q22 adds to predicted_22, over q22. Relative error at most 3.01 *
+        2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta
+    """
+    return ProcessNoiseVariancesOfCoordinates(
+        *evaluate(
+            _PROCESS_NOISE_VARIANCES_OF_COORDINATES,
+            (linear_coefficient, quadratic_coefficient),
+            out,
+        )
+    )
+
+
+def _process_noise_variances_of_coordinates_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    linear_coefficient, quadratic_coefficient = given
+    (
+        predicted_11_by_q_11,
+        predicted_11_by_q_22,
+        predicted_12_by_q_11,
+        predicted_12_by_q_22,
+        predicted_22_by_q_11,
+        predicted_22_by_q_12,
+        predicted_22_by_q_22,
+    ) = out
+    w0, w1, w2, w3, w4, w5 = work
+    t3 = np.add(quadratic_coefficient, 1.0, w0)
+    t4 = np.add(linear_coefficient, t3, w1)
+    t5 = np.multiply(linear_coefficient, quadratic_coefficient, w2)
+    t6 = np.divide(t4, t5, predicted_12_by_q_11)
+    np.divide(t3, t5, predicted_22_by_q_11)
+    t8 = np.add(predicted_22_by_q_11, 1.0, w3)
+    t9 = np.multiply(t6, t4, w4)
+    t12 = np.multiply(t9, t3, w5)
+    t17 = np.multiply(t4, t8, w1)
+    t21 = np.square(t3, w0)
+    t22 = np.divide(t21, t5, predicted_11_by_q_11)
+    t23 = np.add(linear_coefficient, 4.0, w0)
+    t24 = np.add(t22, t23, w0)
+    np.multiply(t9, 0.25, predicted_11_by_q_11)
+    np.multiply(t12, 0.0625, predicted_11_by_q_22)
+    np.multiply(t6, 0.5, predicted_12_by_q_11)
+    np.multiply(t17, 0.125, predicted_12_by_q_22)
+    np.negative(t8, predicted_22_by_q_12)
+    np.multiply(t24, 0.25, predicted_22_by_q_22)
+
+
+_PROCESS_NOISE_VARIANCES_OF_COORDINATES = Signature(
+    "process_noise_variances_of_coordinates",
+    (_LINEAR_COEFFICIENT_DOMAIN, _QUADRATIC_COEFFICIENT_DOMAIN),
+    (
+        "predicted_11_by_q_11",
+        "predicted_11_by_q_22",
+        "predicted_12_by_q_11",
+        "predicted_12_by_q_22",
+        "predicted_22_by_q_11",
+        "predicted_22_by_q_12",
+        "predicted_22_by_q_22",
+    ),
+    6,
+    _process_noise_variances_of_coordinates_block,
 )
 
 

@@ -89,6 +89,12 @@ def _entry(kind: str, ij: str) -> str:
 
 
 MEANINGS: dict[str, str] = {
+    **{
+        f"{kind}_{ij}_by_q_{kl}": f"what q{kl} adds to {kind}_{ij}, over q{kl}"
+        for kind in ("predicted", "updated")
+        for ij in pairs(3)
+        for kl in pairs(3)
+    },
     "alpha": "gain of the position",
     "beta": "gain of the velocity times T",
     "gamma": "gain of the acceleration times T^2",

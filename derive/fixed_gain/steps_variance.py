@@ -123,6 +123,24 @@ def _inverse(loop: Loop) -> tuple[sp.ImmutableDenseMatrix, sp.Expr]:
     return above.as_immutable(), 1 / tidy(1 / (sign * common))
 
 
+Shares = dict[str, dict[tuple[str, str], sp.Expr]]
+
+
+def noise_shares(loop: Loop) -> Shares:
+    """What each entry of Q counts in each entry of D, after prediction and update, in the gains."""
+    above, below = _inverse(loop)
+    names = pairs(loop.size)
+    found: Shares = {"predicted": {}, "updated": {}}
+    for j, kl in enumerate(names):
+        matrix = _matrix(loop.size, [above[i, j] / below for i in range(len(names))])
+        after = loop.rest * matrix * loop.rest.T
+        for i, ij in enumerate(names):
+            row_, column = int(ij[0]) - 1, int(ij[1]) - 1
+            found["predicted"][ij, kl] = above[i, j] / below
+            found["updated"][ij, kl] = sp.factor(after[row_, column])
+    return found
+
+
 def _with_noise(loop: Loop, above: sp.MatrixBase, below: sp.Expr) -> list[Step]:
     """Any process noise of covariance Q beside."""
     size = loop.size

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from gainproof.derive.fixed_gain.two_noise_kernels import AFTER as NOISE_AFTER
+from gainproof.derive.fixed_gain.two_noise_kernels import AHEAD as NOISE_AHEAD
+
 SUMMARIES = {
     "coordinates": "How far gains are inside the region of stability.",
     "gains_of_coordinates": "Gains of any stable alpha-beta filter from its coordinates.",
     "variances": "Covariances under measurement noise alone, from the gains.",
     "variances_of_coordinates": "Covariances under measurement noise alone, any stable filter.",
+    "process_noise_variances": "What each entry of a process noise adds to covariances.",
+    "process_noise_variances_of_coordinates": "The same of the prediction, any stable filter.",
     "lags": "Steady errors behind a constant acceleration a, over a T^2 (positions) and a T.",
     "closed_loop_poles": "Closed-loop poles, half_sum +- sqrt(quarter_discriminant).",
     "minimum_variance_by_lag": "The stable filter of least position variance at a lag (MV).",
@@ -42,6 +47,8 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
         "predicted_22 = updated_22 = 4/(x y),",
         "updated_11 = ((x - 1)^2 + y)/(x y), updated_12 = 2 (x - 1)/(x y)",
     ),
+    "process_noise_variances": NOISE_AFTER,
+    "process_noise_variances_of_coordinates": NOISE_AHEAD,
     "lags": (
         "predicted_position_lag = 1/beta, predicted_velocity_lag = alpha/beta + 1/2,",
         "updated_position_lag = (1 - alpha)/beta, updated_velocity_lag = alpha/beta - 1/2;",

@@ -14,12 +14,14 @@ from gainproof.derive.fixed_gain.two_kernels import (
     SCALE,
     difference,
 )
+from gainproof.derive.fixed_gain.two_noise_kernels import TURNING
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 
 SCALES = {
     "updated_12": "predicted_12",
     "updated_velocity_lag": "predicted_velocity_lag",
+    TURNING: TURNING + SCALE,
     HALF_SUM: HALF_SUM + SCALE,
     DISCRIMINANT: DISCRIMINANT + SCALE,
 }
@@ -27,6 +29,7 @@ SCALES = {
 REASONS = {
     "updated_12": "changes its sign at beta = 2 alpha; error over the sum of its terms",
     "updated_velocity_lag": "changes its sign at beta = 2 alpha; error over the sum of its terms",
+    TURNING: "changes its sign at beta = alpha (2 - alpha); error over the sum of its terms",
     HALF_SUM: "changes its sign; error over the sum of its terms",
     DISCRIMINANT: "changes its sign where poles turn real; error over the sum of its terms",
 }

@@ -11,8 +11,13 @@ from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain import two_kernels as region
 from gainproof.derive.fixed_gain import two_named_kernels as named
 from gainproof.derive.fixed_gain.two_kernels import DISCRIMINANT, HALF_SUM, SCALE
+from gainproof.derive.fixed_gain.two_noise_kernels import (
+    noise_meanings,
+    noise_variances,
+    noise_variances_of_coordinates,
+)
 from gainproof.derive.fixed_gain.two_steps_stability import ALPHA, BETA, MARGIN
-from gainproof.derive.fixed_gain.two_towers import E
+from gainproof.derive.fixed_gain.two_towers import LOOP, E
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
 
@@ -37,6 +42,8 @@ def graphs() -> dict[str, Graph]:
         "gains_of_coordinates": region.gains(),
         "variances": region.variances(),
         "variances_of_coordinates": region.region_variances(),
+        "process_noise_variances": noise_variances(),
+        "process_noise_variances_of_coordinates": noise_variances_of_coordinates(),
         "lags": region.lags(),
         "closed_loop_poles": region.poles(),
         "minimum_variance_by_lag": named.minimum_variance_by_lag(),
@@ -52,11 +59,12 @@ def graphs() -> dict[str, Graph]:
 
 def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
     """The kernels compute what they say."""
+    noises = noise_meanings(LOOP)
     return [
         Step(
             f"kernel-{name.replace('_', '-')}",
             f"The kernel {name} computes what it says.",
-            Relation("program", {"program": name, "outputs": _meant(graph)}),
+            Relation("program", {"program": name, "outputs": _meant(graph, noises)}),
             "Evaluate the kernel's graph as a rational function.",
             tower=TOWERS.get(name, "main"),
             hint={"graph": graph, "roots": _roots(name)},
@@ -80,10 +88,11 @@ def _roots(name: str) -> dict[str, sp.Expr]:
     }.get(name, {})
 
 
-def _meant(graph: Graph) -> dict[str, sp.Expr]:
+def _meant(graph: Graph, noises: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
     """What each output stands for, over the names of its tower."""
     half = (ALPHA + BETA) / 2
     known: dict[str, sp.Expr] = {
+        **noises,
         "margin": MARGIN,
         "linear_coefficient": real("x"),
         "quadratic_coefficient": real("y"),
