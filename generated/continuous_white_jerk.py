@@ -25,9 +25,14 @@ __all__ = [
     "PoleProduct",
     "PredictedCovariance",
     "PredictedCovarianceDerivatives",
+    "PredictedCovarianceSecondDerivatives",
+    "PredictedPositionSecondDerivatives",
     "PredictorGainDerivatives",
+    "PredictorGainSecondDerivatives",
     "PredictorGains",
     "UpdatedCovariance",
+    "UpdatedCovarianceDerivatives",
+    "UpdatedCovarianceSecondDerivatives",
     "closed_loop_poles",
     "gain_derivatives",
     "gain_second_derivatives",
@@ -37,9 +42,14 @@ __all__ = [
     "pole_product",
     "predicted_covariance",
     "predicted_covariance_derivatives",
+    "predicted_covariance_second_derivatives",
+    "predicted_position_second_derivatives",
     "predictor_gain_derivatives",
+    "predictor_gain_second_derivatives",
     "predictor_gains",
     "updated_covariance",
+    "updated_covariance_derivatives",
+    "updated_covariance_second_derivatives",
 ]
 
 _TRACKING_INDEX_DOMAIN = Domain(
@@ -61,6 +71,18 @@ _TRACKING_INDEX_DOMAIN_3 = Domain(
     (1.401298464324817e-45, 1.329227995784916e36),
 )
 _TRACKING_INDEX_DOMAIN_4 = Domain(
+    "tracking_index",
+    "a number at least 2^-750 and at most 2^480, in float32 at least 2^-80 and at most 2^56",
+    (1.688508503057271e-226, 3.1217485503159922e144),
+    (8.271806125530277e-25, 7.205759403792794e16),
+)
+_TRACKING_INDEX_DOMAIN_5 = Domain(
+    "tracking_index",
+    "a number above 0 and at most 2^480, in float32 above 0 and at most 2^56",
+    (5e-324, 3.1217485503159922e144),
+    (1.401298464324817e-45, 7.205759403792794e16),
+)
+_TRACKING_INDEX_DOMAIN_6 = Domain(
     "tracking_index",
     "a number above 0 and at most 2^200, in float32 above 0 and at most 1073741824",
     (5e-324, 1.6069380442589903e60),
@@ -96,7 +118,7 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
         6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.55
-        * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -233,14 +255,14 @@ def gain_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: derivative of the position gain. Relative error at most 16.96 * 2^-52 (float64), 16.98 *
+    alpha: derivative of the position gain. Relative error at most 16.92 * 2^-52 (float64), 16.94 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64) and
         1e-45 <= tracking_index <= 7.235911e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.74
-        * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.72
+        * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.84 * 2^-52 (float64), 16.85 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.82 * 2^-52 (float64), 16.83 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -430,17 +452,17 @@ def gains_with_derivatives(
         6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.55
-        * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 16.96 * 2^-52 (float64), 16.98
+    d_alpha: derivative of the position gain. Relative error at most 16.92 * 2^-52 (float64), 16.94
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64)
         and 1e-45 <= tracking_index <= 7.235911e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        17.74 * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        17.72 * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.84 * 2^-52 (float64), 16.85 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.82 * 2^-52 (float64), 16.83 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -627,7 +649,7 @@ def predictor_gains(
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     acceleration: acceleration entry of F K times the square of the sampling interval, gamma.
-        Relative error at most 4.55 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for
+        Relative error at most 4.55 * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.1754945e-38 <= tracking_index <= 3.4028235e38 (float32).
 
@@ -768,14 +790,14 @@ def predictor_gain_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.26 * 2^-52 (float64), 18.29 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 18.22 * 2^-52 (float64), 18.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 1.990641374279621e103 (float64) and 1e-45 <= tracking_index <= 2.4624511e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 17.77 * 2^-52 (float64), 17.80 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 17.75 * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.235446903786528e103 (float64) and 1e-45 <= tracking_index <=
         2.765279e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 16.84 * 2^-52 (float64), 16.85 * 2^-23 (float32),
+        interval, gamma. Relative error at most 16.82 * 2^-52 (float64), 16.83 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
 
@@ -1085,7 +1107,7 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 11.36 * 2^-52 (float64), 11.36 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 11.35 * 2^-52 (float64), 11.35 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0003752096714334e154 (float64) and 1e-45 <= tracking_index <=
         1.3763372e19 (float32).
 
@@ -1434,7 +1456,7 @@ def predicted_covariance_derivatives(
         <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
         1.329228e36 (float32).
     predicted_13: derivative of the covariance of predicted position and acceleration times
-        T^2/sigma_v^2. Relative error at most 7.72 * 2^-52 (float64), 7.76 * 2^-23 (float32), proved
+        T^2/sigma_v^2. Relative error at most 7.71 * 2^-52 (float64), 7.75 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
         <= 1.329228e36 (float32).
     predicted_22: derivative of the variance of the predicted velocity times T^2/sigma_v^2. Relative
@@ -1871,6 +1893,348 @@ _UPDATED_COVARIANCE = Signature(
 )
 
 
+class UpdatedCovarianceDerivatives(NamedTuple):
+    """Result of `updated_covariance_derivatives`."""
+
+    updated_11: Real
+    """Derivative of the variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Derivative of the covariance of updated position and velocity times T/sigma_v^2."""
+    updated_13: Real
+    """Derivative of the covariance of updated position and acceleration times T^2/sigma_v^2."""
+    updated_22: Real
+    """Derivative of the variance of the updated velocity times T^2/sigma_v^2."""
+    updated_23: Real
+    """Derivative of the covariance of updated velocity and acceleration times T^3/sigma_v^2."""
+    updated_33: Real
+    """Derivative of the variance of the updated acceleration times T^4/sigma_v^2."""
+
+
+def updated_covariance_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+) -> UpdatedCovarianceDerivatives:
+    """First derivatives of the updated covariance.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
+        2^1000, in float32 above 0 and at most 2^120.
+
+    updated_11: derivative of the variance of the updated position over sigma_v^2. Relative error at
+        most 16.92 * 2^-52 (float64), 16.92 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        <= 5.849498211276313e102 (float64) and 1e-45 <= tracking_index <= 7.235911e12 (float32).
+    updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
+        Relative error at most 17.75 * 2^-52 (float64), 17.75 * 2^-23 (float32), proved for 5e-324
+        <= tracking_index <= 1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <=
+        1.9966437e13 (float32).
+    updated_13: derivative of the covariance of updated position and acceleration times
+        T^2/sigma_v^2. Relative error at most 16.83 * 2^-52 (float64), 16.84 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
+        tracking_index <= 2.362475e13 (float32).
+    updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
+        error at most 30.00 * 2^-52 (float64), 29.90 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+    updated_23: derivative of the covariance of updated velocity and acceleration times
+        T^3/sigma_v^2. Relative error at most 25.50 * 2^-52 (float64), 25.39 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
+        tracking_index <= 1.329228e36 (float32).
+    updated_33: derivative of the variance of the updated acceleration times T^4/sigma_v^2. Relative
+        error at most 20.45 * 2^-52 (float64), 20.44 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index <=
+        1.329228e36 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return UpdatedCovarianceDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_11, updated_12, updated_13, updated_22, updated_23, updated_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
+    p = np.sqrt(tracking_index, updated_11)
+    r = np.sqrt(p, updated_12)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, updated_13)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, updated_13)
+    c_scaled = np.sqrt(t9, updated_22)
+    t12 = np.multiply(c_scaled, 67108864.0, updated_22)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, updated_13)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w1)
+    t19 = np.multiply(p, r, w2)
+    t22 = np.multiply(t19, 1.5516447222296765, w3)
+    t24 = np.divide(8.0, r, updated_23)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, updated_23)
+    t29 = np.add(t28, t18, updated_23)
+    t30 = np.sqrt(t29, updated_33)
+    t31 = np.multiply(t30, 2.0, updated_23)
+    t32 = np.add(t31, t16, updated_23)
+    t33 = np.sqrt(t32, updated_23)
+    t34 = np.multiply(t14, 0.5, w4)
+    t35 = np.multiply(t30, t33, updated_33)
+    t36 = np.multiply(t33, t35, updated_23)
+    t37 = np.multiply(t34, t26, w3)
+    t38 = np.subtract(t36, t37, updated_23)
+    t39 = np.subtract(t35, t34, updated_33)
+    t40 = np.divide(t38, t39, updated_23)
+    t42 = np.multiply(t14, t40, w3)
+    t43 = np.add(t42, t18, w3)
+    t44 = np.sqrt(t43, w3)
+    t45 = np.multiply(t44, 2.0, updated_33)
+    t46 = np.add(t45, t16, updated_33)
+    t47 = np.sqrt(t46, updated_33)
+    t48 = np.multiply(t44, t47, w3)
+    t49 = np.multiply(t47, t48, updated_33)
+    t50 = np.multiply(t34, t40, updated_23)
+    t51 = np.subtract(t49, t50, updated_33)
+    t52 = np.subtract(t48, t34, w3)
+    t53 = np.divide(t51, t52, updated_33)
+    t55 = np.multiply(t14, t53, w3)
+    t56 = np.add(t55, t18, w3)
+    t57 = np.sqrt(t56, w3)
+    t58 = np.multiply(t57, 2.0, updated_23)
+    t59 = np.add(t58, t16, updated_23)
+    t60 = np.sqrt(t59, updated_23)
+    t61 = np.multiply(t57, t60, w3)
+    t62 = np.multiply(t60, t61, updated_23)
+    t63 = np.multiply(t34, t53, updated_33)
+    t64 = np.subtract(t62, t63, updated_23)
+    t65 = np.subtract(t61, t34, w3)
+    t66 = np.divide(t64, t65, updated_23)
+    t68 = np.multiply(t14, t66, w3)
+    t69 = np.add(t68, t18, w3)
+    t70 = np.sqrt(t69, w3)
+    t71 = np.multiply(t70, 2.0, updated_33)
+    t72 = np.add(t71, t16, updated_33)
+    t73 = np.sqrt(t72, updated_33)
+    t74 = np.multiply(t70, t73, w3)
+    t75 = np.multiply(t73, t74, updated_33)
+    t76 = np.multiply(t34, t66, updated_23)
+    t77 = np.subtract(t75, t76, updated_33)
+    t78 = np.subtract(t74, t34, w3)
+    t79 = np.divide(t77, t78, updated_33)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w1)
+    t85 = np.add(t84, t16, w1)
+    x = np.sqrt(t85, w1)
+    t87 = np.square(e, w3)
+    t89 = np.multiply(t87, 0.75, w4)
+    t90 = np.multiply(p, e, updated_13)
+    t92 = np.multiply(t90, 0.25, updated_23)
+    t94 = np.multiply(tracking_index, 0.017708333333333333, updated_33)
+    t95 = np.add(t89, t92, w4)
+    t96 = np.add(t95, t94, w4)
+    t97 = np.multiply(t87, 0.25, w3)
+    t98 = np.multiply(t90, 0.125, updated_13)
+    t99 = np.add(t97, t98, w3)
+    t100 = np.add(t99, t94, w3)
+    t101 = np.multiply(x, r, updated_13)
+    t102 = np.divide(t101, t12, updated_23)
+    t103 = np.multiply(t102, p, updated_23)
+    t105 = np.multiply(t103, 0.008333333333333333, updated_23)
+    t106 = np.multiply(p, 0.25, updated_33)
+    t107 = np.add(e, t106, w5)
+    t108 = np.add(t107, t105, updated_23)
+    t109 = np.divide(t108, t96, updated_23)
+    t110 = np.multiply(t101, 0.25, w6)
+    t111 = np.multiply(t109, t110, updated_23)
+    t112 = np.divide(x, t19, w7)
+    t113 = np.multiply(t107, 0.125, w5)
+    t114 = np.multiply(t101, t113, w5)
+    t115 = np.add(t100, t114, w3)
+    t116 = np.divide(t101, t96, updated_13)
+    t117 = np.multiply(x, 0.25, w5)
+    t118 = np.multiply(r, 0.5, w8)
+    t119 = np.add(x, t118, w8)
+    t120 = np.multiply(t117, t119, w5)
+    t121 = np.multiply(t116, t120, updated_13)
+    t122 = np.add(t121, 1.0, updated_13)
+    t123 = np.divide(t111, tracking_index, updated_23)
+    t124 = np.multiply(t123, 2.0, updated_23)
+    t125 = np.divide(t115, t96, w3)
+    t126 = np.divide(t112, t12, w7)
+    t127 = np.multiply(t125, t126, w3)
+    t128 = np.multiply(t127, 2.0, w3)
+    t129 = np.multiply(t12, p, w4)
+    t130 = np.divide(t122, t129, updated_13)
+    t131 = np.multiply(e, 0.5, w4)
+    t132 = np.add(t12, t131, w4)
+    t133 = np.multiply(p, 0.125, w5)
+    t134 = np.add(t110, t133, w6)
+    t135 = np.add(t132, t134, w4)
+    t136 = np.multiply(p, t135, w4)
+    t137 = np.divide(t124, t136, updated_23)
+    t139 = np.divide(t128, t136, w3)
+    t141 = np.divide(t130, t136, updated_13)
+    t143 = np.divide(t106, e, updated_33)
+    t144 = np.multiply(t143, 2.0, w5)
+    t145 = np.add(t144, 2.0, w5)
+    t146 = np.square(t145, w5)
+    t148 = np.multiply(t143, 1.1333333333333333, w6)
+    t150 = np.add(t148, 4.0, w6)
+    t151 = np.multiply(t143, t150, updated_33)
+    t153 = np.add(t151, 3.0, updated_33)
+    t154 = np.divide(t146, t153, w5)
+    t155 = np.multiply(t154, 2.0, w5)
+    t156 = np.multiply(t155, 0.5, w5)
+    t157 = np.square(x, w6)
+    t158 = np.divide(x, r, w7)
+    t159 = np.multiply(t157, t158, w6)
+    t160 = np.divide(t159, t12, w6)
+    t161 = np.multiply(t156, t160, w5)
+    t163 = np.divide(r, x, w6)
+    t164 = np.multiply(t163, 0.5, w6)
+    t169 = np.multiply(t164, 0.002147434972563894, w8)
+    t170 = np.add(t169, 0.0004207522200028469, w8)
+    t175 = np.multiply(t164, 0.0006806106112531079, updated_33)
+    t176 = np.add(t175, 4.770195232300711e-05, updated_33)
+    t177 = np.multiply(t164, t176, updated_33)
+    t178 = np.add(t177, 0.0005939932302701088, updated_33)
+    t179 = np.multiply(t164, t178, updated_33)
+    t180 = np.add(t179, 0.0012011996131270541, updated_33)
+    t181 = np.multiply(t164, t180, updated_33)
+    t186 = np.multiply(t164, 1.1130869873173935e-06, w9)
+    t187 = np.add(t186, 2.40365251971767e-06, w9)
+    t188 = np.multiply(t164, t187, w9)
+    t189 = np.add(t188, 4.485509837081989e-05, w9)
+    t190 = np.multiply(t164, t189, w9)
+    t191 = np.add(t190, 2.6490197795575033e-05, w9)
+    t192 = np.multiply(t164, t191, w9)
+    t193 = np.multiply(t164, t192, w9)
+    t194 = np.multiply(t164, t193, w9)
+    t195 = np.multiply(t164, t194, w9)
+    t196 = np.multiply(e, x, w10)
+    t197 = np.multiply(x, p, w11)
+    t199 = np.multiply(t197, 0.4201389538804297, w11)
+    t200 = np.multiply(e, r, w0)
+    t202 = np.multiply(t200, 1.157703721925804, w0)
+    t204 = np.multiply(t19, 0.3038222447983318, w2)
+    t205 = np.add(t196, t199, w10)
+    t206 = np.add(t205, t202, w10)
+    t207 = np.add(t206, t204, w10)
+    t209 = np.multiply(p, 0.04564354645876384, updated_11)
+    t210 = np.add(t12, t209, updated_22)
+    t211 = np.multiply(x, 8.0, w1)
+    t212 = np.divide(t211, t210, w1)
+    t213 = np.divide(t212, t207, w1)
+    t214 = np.divide(t213, tracking_index, w1)
+    t215 = np.multiply(t214, t164, w1)
+    t216 = np.multiply(t215, t195, w9)
+    t217 = np.add(t216, t181, w9)
+    t218 = np.multiply(t215, t217, w9)
+    t219 = np.add(t218, t170, w9)
+    t220 = np.multiply(t215, t219, w9)
+    t221 = np.add(t220, 0.003120138308007913, w9)
+    t222 = np.multiply(t215, t221, w9)
+    t223 = np.add(t222, 0.0006919789408530644, w9)
+    t224 = np.multiply(t215, t223, w9)
+    t225 = np.add(t224, 0.00016166178113617547, w9)
+    t226 = np.multiply(t225, t161, w9)
+    t227 = np.multiply(t158, 2.0, w7)
+    t228 = np.multiply(tracking_index, t227, w0)
+    t229 = np.multiply(t228, t227, w2)
+    t230 = np.multiply(t229, t227, w7)
+    t236 = np.multiply(t164, 0.003867012806359654, w8)
+    t237 = np.add(t236, 0.008787800541239142, w8)
+    t239 = np.multiply(t164, 0.010629383447761992, w10)
+    t242 = np.multiply(t164, 0.0014572444000597266, w11)
+    t243 = np.add(t242, 0.00044600464693861374, w11)
+    t244 = np.multiply(t164, t243, w11)
+    t246 = np.multiply(t164, 0.0003819760675104699, updated_11)
+    t247 = np.multiply(t164, t246, updated_11)
+    t250 = np.multiply(t164, 1.4198606121686811e-05, updated_12)
+    t251 = np.add(t250, 4.5610907691950606e-05, updated_12)
+    t252 = np.multiply(t164, t251, updated_12)
+    t253 = np.multiply(t164, t252, updated_12)
+    t255 = np.multiply(t164, 4.152448461890179e-06, updated_22)
+    t256 = np.multiply(t164, t255, updated_22)
+    t257 = np.multiply(t164, t256, updated_22)
+    t258 = np.multiply(t215, t257, updated_22)
+    t259 = np.add(t258, t253, updated_22)
+    t260 = np.multiply(t215, t259, updated_22)
+    t261 = np.add(t260, t247, updated_22)
+    t262 = np.multiply(t215, t261, updated_22)
+    t263 = np.add(t262, t244, updated_22)
+    t264 = np.multiply(t215, t263, updated_22)
+    t265 = np.add(t264, t239, updated_22)
+    t266 = np.multiply(t215, t265, updated_22)
+    t267 = np.add(t266, t237, updated_22)
+    t268 = np.multiply(t215, t267, updated_22)
+    t269 = np.add(t268, 0.005748544758231629, updated_22)
+    t270 = np.multiply(t215, t269, updated_22)
+    t271 = np.add(t270, 0.0010886547005292285, updated_22)
+    t272 = np.multiply(t271, t161, w8)
+    t278 = np.multiply(t164, 0.0617702296423904, w10)
+    t279 = np.add(t278, 0.009004199764000792, w10)
+    t282 = np.multiply(t164, 0.029175032653922572, w11)
+    t283 = np.add(t282, 0.024236707302347834, w11)
+    t284 = np.multiply(t164, t283, w11)
+    t287 = np.multiply(t164, 2.8882077876638812e-05, updated_11)
+    t288 = np.multiply(t164, t287, updated_11)
+    t289 = np.multiply(t164, t288, updated_11)
+    t290 = np.multiply(t164, t289, updated_11)
+    t291 = np.add(t290, 0.0018925618323447572, updated_11)
+    t292 = np.multiply(t164, t291, updated_11)
+    t293 = np.multiply(t164, t292, updated_11)
+    t296 = np.multiply(t164, 5.070746774703352e-05, updated_12)
+    t297 = np.add(t296, 5.994198246385098e-05, updated_12)
+    t298 = np.multiply(t164, t297, updated_12)
+    t299 = np.multiply(t164, t298, updated_12)
+    t301 = np.multiply(t164, 2.3267309087301856e-06, updated_22)
+    t302 = np.multiply(t164, t301, updated_22)
+    t303 = np.multiply(t164, t302, w6)
+    t304 = np.multiply(t215, t303, w6)
+    t305 = np.add(t304, t299, w6)
+    t306 = np.multiply(t215, t305, w6)
+    t307 = np.multiply(t215, t306, w6)
+    t308 = np.add(t307, t293, w6)
+    t309 = np.multiply(t215, t308, w6)
+    t310 = np.add(t309, t284, w6)
+    t311 = np.multiply(t215, t310, w6)
+    t312 = np.add(t311, t279, w6)
+    t313 = np.multiply(t215, t312, w6)
+    t314 = np.add(t313, 0.05962672141888376, w6)
+    t315 = np.multiply(t215, t314, w1)
+    t316 = np.add(t315, 0.009494078817115444, w1)
+    t317 = np.multiply(t316, t161, w1)
+    np.divide(t137, t136, updated_11)
+    np.divide(t139, t136, updated_12)
+    np.divide(t141, t136, updated_13)
+    np.multiply(t230, t226, updated_22)
+    np.multiply(t229, t272, updated_23)
+    np.multiply(t228, t317, updated_33)
+
+
+_UPDATED_COVARIANCE_DERIVATIVES = Signature(
+    "updated_covariance_derivatives",
+    (_TRACKING_INDEX_DOMAIN_3,),
+    ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
+    12,
+    _updated_covariance_derivatives_block,
+)
+
+
 class GainSecondDerivatives(NamedTuple):
     """Result of `gain_second_derivatives`."""
 
@@ -1894,7 +2258,7 @@ def gain_second_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 26.57 * 2^-52
+    alpha: second derivative by Lambda of the position gain. Relative error at most 26.53 * 2^-52
         (float64), 27.28 * 2^-23 (float32), proved for 6.852691063641298e-186 <= tracking_index <=
         1.565378169971955e77 (float64) and 4.6732775e-24 <= tracking_index <= 5.80631e09 (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
@@ -1902,7 +2266,7 @@ def gain_second_derivatives(
         3.506117298415984e-232 <= tracking_index <= 3.351388711764904e77 (float64) and 6.871206e-30
         <= tracking_index <= 1.2430991e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 32.62 * 2^-52 (float64), 32.63 * 2^-23 (float32), proved
+        interval. Relative error at most 32.52 * 2^-52 (float64), 32.57 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45 <= tracking_index
         <= 1.4102813e10 (float32).
 
@@ -2189,6 +2553,1191 @@ _GAIN_SECOND_DERIVATIVES = Signature(
 )
 
 
+class PredictorGainSecondDerivatives(NamedTuple):
+    """Result of `predictor_gain_second_derivatives`."""
+
+    position: Real
+    """Second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2."""
+    velocity: Real
+    """Second derivative by Lambda of the velocity entry of F K times the sampling interval, beta +
+    gamma."""
+    acceleration: Real
+    """Second derivative by Lambda of the acceleration entry of F K times the square of the sampling
+    interval, gamma."""
+
+
+def predictor_gain_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> PredictorGainSecondDerivatives:
+    """Second derivatives of the predictor gain.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
+
+    position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
+        Relative error at most 30.08 * 2^-52 (float64), 30.10 * 2^-23 (float32), proved for
+        6.852691063641441e-186 <= tracking_index <= 3.922157988100115e77 (float64) and 4.67333e-24
+        <= tracking_index <= 1.4548092e10 (float32).
+    velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
+        beta + gamma. Relative error at most 36.76 * 2^-52 (float64), 36.77 * 2^-23 (float32),
+        proved for 3.506117298415985e-232 <= tracking_index <= 4.2786186800086156e77 (float64) and
+        6.8712065e-30 <= tracking_index <= 1.5870279e10 (float32).
+    acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
+        the sampling interval, gamma. Relative error at most 32.52 * 2^-52 (float64), 32.57 * 2^-23
+        (float32), proved for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45
+        <= tracking_index <= 1.4102813e10 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return PredictorGainSecondDerivatives(
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predictor_gain_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    position, velocity, acceleration = out
+    (
+        w0,
+        w1,
+        w2,
+        w3,
+        w4,
+        w5,
+        w6,
+        w7,
+        w8,
+        w9,
+        w10,
+        w11,
+        w12,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        w18,
+        w19,
+        w20,
+        w21,
+    ) = work
+    p = np.sqrt(tracking_index, position)
+    r = np.sqrt(p, velocity)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, acceleration)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, acceleration)
+    c_scaled = np.sqrt(t9, acceleration)
+    t12 = np.multiply(c_scaled, 67108864.0, acceleration)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, w1)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w2)
+    t19 = np.multiply(p, r, w3)
+    t22 = np.multiply(t19, 1.5516447222296765, w3)
+    t24 = np.divide(8.0, r, w4)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, w4)
+    t29 = np.add(t28, t18, w4)
+    t30 = np.sqrt(t29, w4)
+    t31 = np.multiply(t30, 2.0, w5)
+    t32 = np.add(t31, t16, w5)
+    t33 = np.sqrt(t32, w5)
+    t34 = np.multiply(t14, 0.5, w6)
+    t35 = np.multiply(t30, t33, w4)
+    t36 = np.multiply(t33, t35, w5)
+    t37 = np.multiply(t34, t26, w3)
+    t38 = np.subtract(t36, t37, w5)
+    t39 = np.subtract(t35, t34, w4)
+    t40 = np.divide(t38, t39, w5)
+    t42 = np.multiply(t14, t40, w3)
+    t43 = np.add(t42, t18, w3)
+    t44 = np.sqrt(t43, w3)
+    t45 = np.multiply(t44, 2.0, w4)
+    t46 = np.add(t45, t16, w4)
+    t47 = np.sqrt(t46, w4)
+    t48 = np.multiply(t44, t47, w3)
+    t49 = np.multiply(t47, t48, w4)
+    t50 = np.multiply(t34, t40, w5)
+    t51 = np.subtract(t49, t50, w4)
+    t52 = np.subtract(t48, t34, w3)
+    t53 = np.divide(t51, t52, w4)
+    t55 = np.multiply(t14, t53, w3)
+    t56 = np.add(t55, t18, w3)
+    t57 = np.sqrt(t56, w3)
+    t58 = np.multiply(t57, 2.0, w5)
+    t59 = np.add(t58, t16, w5)
+    t60 = np.sqrt(t59, w5)
+    t61 = np.multiply(t57, t60, w3)
+    t62 = np.multiply(t60, t61, w5)
+    t63 = np.multiply(t34, t53, w4)
+    t64 = np.subtract(t62, t63, w5)
+    t65 = np.subtract(t61, t34, w3)
+    t66 = np.divide(t64, t65, w5)
+    t68 = np.multiply(t14, t66, w3)
+    t69 = np.add(t68, t18, w3)
+    t70 = np.sqrt(t69, w3)
+    t71 = np.multiply(t70, 2.0, w4)
+    t72 = np.add(t71, t16, w4)
+    t73 = np.sqrt(t72, w4)
+    t74 = np.multiply(t70, t73, w3)
+    t75 = np.multiply(t73, t74, w4)
+    t76 = np.multiply(t34, t66, w5)
+    t77 = np.subtract(t75, t76, w4)
+    t78 = np.subtract(t74, t34, w3)
+    t79 = np.divide(t77, t78, w4)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w2)
+    t85 = np.add(t84, t16, w2)
+    x = np.sqrt(t85, w2)
+    t87 = np.multiply(e, 0.5, w1)
+    t88 = np.add(t12, t87, w1)
+    t89 = np.multiply(x, r, w3)
+    t91 = np.multiply(t89, 0.25, w4)
+    t92 = np.multiply(p, 0.125, w5)
+    t93 = np.add(t91, t92, w4)
+    t94 = np.add(t88, t93, w1)
+    t95 = np.multiply(p, t94, w4)
+    t96 = np.divide(x, r, w5)
+    t97 = np.multiply(t96, 2.0, w6)
+    t98 = np.multiply(p, 0.25, w7)
+    t99 = np.divide(t98, e, w7)
+    t100 = np.multiply(t99, 1.0, w8)
+    t101 = np.add(t100, 1.0, w8)
+    t102 = np.multiply(t101, t99, w9)
+    t104 = np.multiply(t99, 1.1333333333333333, w10)
+    t106 = np.add(t104, 4.0, w11)
+    t107 = np.multiply(t99, t106, w11)
+    t109 = np.add(t107, 3.0, w11)
+    t110 = np.divide(t102, t109, w9)
+    t111 = np.multiply(t110, 2.0, w9)
+    t112 = np.divide(p, e, w12)
+    t113 = np.divide(t112, t109, w13)
+    t114 = np.multiply(t113, t112, w13)
+    t115 = np.divide(p, t12, w12)
+    t116 = np.multiply(t96, t115, w5)
+    t117 = np.multiply(t114, t116, w13)
+    t119 = np.multiply(t117, 0.004166666666666667, w13)
+    t120 = np.add(t111, t119, w9)
+    t121 = np.multiply(t120, t97, w5)
+    t122 = np.multiply(t120, t121, w12)
+    t123 = np.multiply(t122, 2.0, w12)
+    t124 = np.divide(t99, t109, w14)
+    t125 = np.multiply(t99, 2.0, w15)
+    t126 = np.add(t125, 2.0, w15)
+    t127 = np.divide(t126, t109, w16)
+    t128 = np.multiply(t124, t127, w14)
+    t129 = np.divide(t128, t109, w14)
+    t131 = np.multiply(t99, 0.7544444444444445, w16)
+    t133 = np.add(t131, 1.6, w16)
+    t134 = np.multiply(t99, t133, w16)
+    t136 = np.add(t134, 2.1, w16)
+    t137 = np.multiply(t99, t136, w16)
+    t138 = np.add(t137, 2.0, w16)
+    t139 = np.multiply(t99, t138, w16)
+    t141 = np.add(t139, 0.75, w16)
+    t142 = np.multiply(t141, 8.0, w16)
+    t143 = np.multiply(t129, t142, w14)
+    t144 = np.multiply(t126, t99, w16)
+    t145 = np.divide(t144, t109, w16)
+    t146 = np.divide(tracking_index, t12, w17)
+    t147 = np.divide(t146, t12, w17)
+    t149 = np.multiply(t147, 0.0020833333333333333, w17)
+    t150 = np.divide(x, e, w2)
+    t151 = np.multiply(e, t109, w18)
+    t152 = np.divide(t150, t151, w2)
+    t153 = np.divide(t152, r, w2)
+    t154 = np.divide(t153, t12, w2)
+    t155 = np.divide(t154, p, w2)
+    t156 = np.multiply(t155, 2.0, w2)
+    t157 = np.add(t149, t156, w18)
+    t158 = np.square(t145, velocity)
+    t159 = np.multiply(t158, 4.0, velocity)
+    t160 = np.add(t156, t119, w19)
+    t161 = np.square(t126, w20)
+    t162 = np.divide(t161, t109, w20)
+    t163 = np.multiply(t162, 2.0, w20)
+    t164 = np.add(t160, t163, w20)
+    t165 = np.multiply(t119, t164, w20)
+    t166 = np.add(t157, t159, w18)
+    t167 = np.add(t166, t165, w18)
+    t168 = np.multiply(t119, t167, w18)
+    t169 = np.add(t143, t168, w14)
+    t170 = np.add(t123, t169, w12)
+    t171 = np.multiply(t97, t170, w12)
+    t172 = np.divide(t89, t94, w3)
+    t173 = np.divide(t172, tracking_index, w14)
+    t174 = np.multiply(t173, 0.5, w14)
+    t175 = np.divide(e, t94, w1)
+    t176 = np.multiply(t156, t175, w1)
+    t178 = np.multiply(t99, 2.908888888888889, w18)
+    t180 = np.add(t178, 10.2, w18)
+    t181 = np.multiply(t99, t180, w18)
+    t183 = np.add(t181, 12.8, w18)
+    t184 = np.multiply(t99, t183, w18)
+    t186 = np.add(t184, 7.0, w18)
+    t187 = np.multiply(t99, t186, w18)
+    t189 = np.add(t187, 1.5, w18)
+    t191 = np.multiply(t99, 2.8666666666666667, velocity)
+    t193 = np.add(t191, 6.0, velocity)
+    t194 = np.multiply(t99, t193, velocity)
+    t195 = np.add(t194, 3.0, velocity)
+    t196 = np.divide(t195, t109, velocity)
+    t197 = np.multiply(t196, 2.0, velocity)
+    t198 = np.divide(t12, e, acceleration)
+    t199 = np.multiply(t198, 2.0, acceleration)
+    t200 = np.multiply(t199, t197, acceleration)
+    t201 = np.multiply(t121, t101, w5)
+    t202 = np.multiply(t201, 2.0, w5)
+    t203 = np.divide(t101, t109, w21)
+    t204 = np.divide(t189, t109, w18)
+    t205 = np.multiply(t203, t204, w21)
+    t206 = np.multiply(t205, 4.0, w21)
+    t207 = np.add(t202, t206, w5)
+    t208 = np.add(t126, t200, acceleration)
+    t209 = np.multiply(t156, t208, acceleration)
+    t210 = np.add(t207, t209, w5)
+    t211 = np.add(t104, 2.0, w10)
+    t212 = np.multiply(t99, t211, w10)
+    t213 = np.add(t212, 1.0, w10)
+    t214 = np.divide(t213, t109, w10)
+    t215 = np.multiply(t214, 2.0, w10)
+    t216 = np.multiply(t215, t109, w18)
+    t217 = np.multiply(t216, 0.5, w21)
+    t218 = np.divide(e, p, w0)
+    t219 = np.multiply(t218, 4.0, w0)
+    t220 = np.multiply(t216, t219, w18)
+    t221 = np.multiply(t101, t197, velocity)
+    t222 = np.add(t220, t221, w18)
+    t223 = np.multiply(t119, t222, w13)
+    t224 = np.divide(t219, t97, w18)
+    t225 = np.multiply(t224, t217, w18)
+    t226 = np.add(t225, t101, w18)
+    t227 = np.multiply(t149, t226, w18)
+    t228 = np.add(t210, t223, w5)
+    t229 = np.add(t228, t227, w5)
+    t230 = np.multiply(t176, t229, w1)
+    t231 = np.multiply(t174, t230, w14)
+    t232 = np.multiply(t109, 0.5, w1)
+    t233 = np.multiply(t219, t232, w0)
+    t234 = np.divide(t233, t126, w0)
+    t235 = np.multiply(t172, 0.25, w3)
+    t236 = np.add(t234, 1.0, w0)
+    t237 = np.add(t236, t97, w0)
+    t238 = np.multiply(t235, t237, w3)
+    t239 = np.multiply(t120, t238, w9)
+    t240 = np.multiply(t160, t99, w19)
+    t241 = np.add(t101, t126, w8)
+    t242 = np.multiply(t240, t241, w19)
+    t243 = np.divide(t242, t109, w19)
+    t244 = np.multiply(t243, 2.0, w19)
+    t245 = np.multiply(t145, 2.0, w16)
+    t246 = np.square(t245, w16)
+    t247 = np.multiply(t149, t215, w17)
+    t248 = np.add(t244, t246, w19)
+    t249 = np.add(t248, t165, w19)
+    t250 = np.add(t249, t247, w19)
+    t251 = np.add(t239, t250, w9)
+    t252 = np.multiply(t97, t251, w6)
+    t253 = np.multiply(t156, t252, w2)
+    t254 = np.multiply(t171, 2.0, w12)
+    t255 = np.divide(t254, tracking_index, w12)
+    t256 = np.divide(t255, t95, w12)
+    t257 = np.divide(t256, t95, w12)
+    t258 = np.divide(t257, tracking_index, w12)
+    t259 = np.divide(t231, tracking_index, w14)
+    t260 = np.divide(t253, t95, w2)
+    t261 = np.divide(t260, tracking_index, w2)
+    t262 = np.multiply(t261, 0.5, w0)
+    t263 = np.add(t259, t262, w0)
+    t264 = np.add(t258, t263, w12)
+    t266 = np.add(t259, t261, w14)
+    np.negative(t264, position)
+    np.negative(t266, velocity)
+    np.negative(t261, acceleration)
+
+
+_PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
+    "predictor_gain_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN,),
+    ("position", "velocity", "acceleration"),
+    22,
+    _predictor_gain_second_derivatives_block,
+)
+
+
+class PredictedCovarianceSecondDerivatives(NamedTuple):
+    """Result of `predicted_covariance_second_derivatives`."""
+
+    predicted_13: Real
+    """Second derivative by Lambda of the covariance of predicted position and acceleration times
+    T^2/sigma_v^2."""
+    predicted_22: Real
+    """Second derivative by Lambda of the variance of the predicted velocity times T^2/sigma_v^2."""
+    predicted_23: Real
+    """Second derivative by Lambda of the covariance of predicted velocity and acceleration times
+    T^3/sigma_v^2."""
+    predicted_33: Real
+    """Second derivative by Lambda of the variance of the predicted acceleration times
+    T^4/sigma_v^2."""
+
+
+def predicted_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+) -> PredictedCovarianceSecondDerivatives:
+    """Second derivatives of the predicted covariance but for M11 and M12.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
+        2^1000, in float32 above 0 and at most 2^120.
+
+    predicted_13: second derivative by Lambda of the covariance of predicted position and
+        acceleration times T^2/sigma_v^2. Relative error at most 17.24 * 2^-52 (float64), 17.32 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
+        1e-45 <= tracking_index <= 1.329228e36 (float32).
+    predicted_22: second derivative by Lambda of the variance of the predicted velocity times
+        T^2/sigma_v^2. Relative error at most 12.64 * 2^-52 (float64), 12.86 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
+        tracking_index <= 1.329228e36 (float32).
+    predicted_23: second derivative by Lambda of the covariance of predicted velocity and
+        acceleration times T^3/sigma_v^2. Relative error at most 10.21 * 2^-52 (float64), 10.19 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and
+        1e-45 <= tracking_index <= 1.329228e36 (float32).
+    predicted_33: second derivative by Lambda of the variance of the predicted acceleration times
+        T^4/sigma_v^2. Relative error at most 9.06 * 2^-52 (float64), 9.06 * 2^-23 (float32), proved
+        for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <= tracking_index
+        <= 1.329228e36 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return PredictedCovarianceSecondDerivatives(
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    p = np.sqrt(tracking_index, predicted_13)
+    r = np.sqrt(p, predicted_22)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, predicted_23)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, predicted_23)
+    c_scaled = np.sqrt(t9, predicted_33)
+    t12 = np.multiply(c_scaled, 67108864.0, predicted_33)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, predicted_23)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w1)
+    t19 = np.multiply(p, r, w2)
+    t22 = np.multiply(t19, 1.5516447222296765, w2)
+    t24 = np.divide(8.0, r, w3)
+    t25 = np.add(t22, t24, w2)
+    t26 = near_cbrt(t25, w2, single)
+    t28 = np.multiply(t14, t26, w3)
+    t29 = np.add(t28, t18, w3)
+    t30 = np.sqrt(t29, w3)
+    t31 = np.multiply(t30, 2.0, w4)
+    t32 = np.add(t31, t16, w4)
+    t33 = np.sqrt(t32, w4)
+    t34 = np.multiply(t14, 0.5, w5)
+    t35 = np.multiply(t30, t33, w3)
+    t36 = np.multiply(t33, t35, w4)
+    t37 = np.multiply(t34, t26, w2)
+    t38 = np.subtract(t36, t37, w4)
+    t39 = np.subtract(t35, t34, w3)
+    t40 = np.divide(t38, t39, w4)
+    t42 = np.multiply(t14, t40, w2)
+    t43 = np.add(t42, t18, w2)
+    t44 = np.sqrt(t43, w2)
+    t45 = np.multiply(t44, 2.0, w3)
+    t46 = np.add(t45, t16, w3)
+    t47 = np.sqrt(t46, w3)
+    t48 = np.multiply(t44, t47, w2)
+    t49 = np.multiply(t47, t48, w3)
+    t50 = np.multiply(t34, t40, w4)
+    t51 = np.subtract(t49, t50, w3)
+    t52 = np.subtract(t48, t34, w2)
+    t53 = np.divide(t51, t52, w3)
+    t55 = np.multiply(t14, t53, w2)
+    t56 = np.add(t55, t18, w2)
+    t57 = np.sqrt(t56, w2)
+    t58 = np.multiply(t57, 2.0, w4)
+    t59 = np.add(t58, t16, w4)
+    t60 = np.sqrt(t59, w4)
+    t61 = np.multiply(t57, t60, w2)
+    t62 = np.multiply(t60, t61, w4)
+    t63 = np.multiply(t34, t53, w3)
+    t64 = np.subtract(t62, t63, w4)
+    t65 = np.subtract(t61, t34, w2)
+    t66 = np.divide(t64, t65, w4)
+    t68 = np.multiply(t14, t66, w2)
+    t69 = np.add(t68, t18, w2)
+    t70 = np.sqrt(t69, w2)
+    t71 = np.multiply(t70, 2.0, w3)
+    t72 = np.add(t71, t16, w3)
+    t73 = np.sqrt(t72, w3)
+    t74 = np.multiply(t70, t73, w2)
+    t75 = np.multiply(t73, t74, w3)
+    t76 = np.multiply(t34, t66, w4)
+    t77 = np.subtract(t75, t76, w3)
+    t78 = np.subtract(t74, t34, w2)
+    t79 = np.divide(t77, t78, w3)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w1)
+    t85 = np.add(t84, t16, w1)
+    x = np.sqrt(t85, w1)
+    t88 = np.multiply(p, 0.25, w2)
+    t89 = np.divide(t88, e, w2)
+    t90 = np.multiply(t89, 1.0, w3)
+    t91 = np.add(t90, 1.0, w3)
+    t92 = np.multiply(t91, t89, w4)
+    t94 = np.multiply(t89, 1.1333333333333333, w5)
+    t96 = np.add(t94, 4.0, predicted_23)
+    t97 = np.multiply(t89, t96, predicted_23)
+    t99 = np.add(t97, 3.0, predicted_23)
+    t100 = np.divide(t92, t99, w4)
+    t101 = np.multiply(t100, 2.0, w4)
+    t102 = np.divide(p, e, w6)
+    t103 = np.divide(t102, t99, w7)
+    t104 = np.multiply(t103, t102, w7)
+    t105 = np.divide(x, r, w6)
+    t106 = np.divide(p, t12, w8)
+    t107 = np.multiply(t105, t106, w8)
+    t108 = np.multiply(t104, t107, w7)
+    t110 = np.multiply(t108, 0.004166666666666667, w7)
+    t111 = np.add(t101, t110, w4)
+    t112 = np.multiply(t105, 2.0, w6)
+    t113 = np.multiply(t111, t112, w4)
+    t114 = np.add(t113, 1.0, w8)
+    t115 = np.multiply(t113, t114, w4)
+    t116 = np.divide(x, e, w8)
+    t117 = np.multiply(e, t99, w9)
+    t118 = np.divide(t116, t117, w8)
+    t119 = np.divide(t118, r, w8)
+    t120 = np.divide(t119, t12, w8)
+    t121 = np.divide(t120, p, w8)
+    t122 = np.multiply(t121, 2.0, w8)
+    t123 = np.add(t122, t110, w9)
+    t124 = np.multiply(t123, t89, w10)
+    t125 = np.multiply(t89, 2.0, w11)
+    t126 = np.add(t125, 2.0, w11)
+    t127 = np.add(t91, t126, w3)
+    t128 = np.multiply(t124, t127, w10)
+    t129 = np.divide(t128, t99, w10)
+    t130 = np.multiply(t129, 2.0, w10)
+    t131 = np.multiply(t126, t89, w3)
+    t132 = np.divide(t131, t99, w3)
+    t133 = np.multiply(t132, 2.0, w12)
+    t134 = np.square(t133, w12)
+    t135 = np.square(t126, w13)
+    t136 = np.divide(t135, t99, w13)
+    t137 = np.multiply(t136, 2.0, w13)
+    t138 = np.add(t123, t137, w13)
+    t139 = np.multiply(t110, t138, w14)
+    t140 = np.divide(tracking_index, t12, w15)
+    t141 = np.divide(t140, t12, w15)
+    t143 = np.multiply(t141, 0.0020833333333333333, w15)
+    t144 = np.add(t94, 2.0, w5)
+    t145 = np.multiply(t89, t144, w5)
+    t146 = np.add(t145, 1.0, w5)
+    t147 = np.divide(t146, t99, w5)
+    t148 = np.multiply(t147, 2.0, w5)
+    t149 = np.multiply(t143, t148, w16)
+    t150 = np.add(t130, t134, w10)
+    t151 = np.add(t150, t139, w10)
+    t152 = np.add(t151, t149, w10)
+    t153 = np.multiply(t122, t152, w10)
+    t154 = np.multiply(t153, t112, w10)
+    t155 = np.add(t115, t154, w4)
+    t156 = np.multiply(e, 0.5, w10)
+    t157 = np.add(t12, t156, predicted_33)
+    t158 = np.multiply(x, r, w10)
+    t159 = np.multiply(t158, 0.25, w10)
+    t160 = np.multiply(p, 0.125, w12)
+    t161 = np.add(t159, t160, w10)
+    t162 = np.add(t157, t161, predicted_33)
+    t163 = np.multiply(p, t162, predicted_33)
+    t164 = np.multiply(t155, t163, w4)
+    t166 = np.add(t148, t110, w5)
+    t167 = np.add(t166, 1.0, w10)
+    t168 = np.multiply(t166, t167, w10)
+    t170 = np.multiply(t89, 4.533333333333333, w12)
+    t172 = np.add(t170, 9.066666666666666, w12)
+    t173 = np.multiply(t89, t172, w12)
+    t174 = np.add(t173, 4.0, w12)
+    t175 = np.multiply(t174, t89, w12)
+    t176 = np.divide(t175, t99, w12)
+    t177 = np.divide(t126, t99, w16)
+    t178 = np.multiply(t176, t177, w12)
+    t179 = np.add(t178, t143, w12)
+    t180 = np.add(t179, t139, w12)
+    t181 = np.multiply(t122, t180, w12)
+    t182 = np.add(t168, t181, w10)
+    t183 = np.multiply(t112, t182, w6)
+    t185 = np.multiply(t89, 12.844444444444445, w10)
+    t187 = np.add(t185, 42.61333333333334, w10)
+    t188 = np.multiply(t89, t187, w10)
+    t190 = np.add(t188, 49.86666666666667, w10)
+    t191 = np.multiply(t89, t190, w10)
+    t193 = np.add(t191, 26.133333333333333, w10)
+    t194 = np.multiply(t89, t193, w10)
+    t196 = np.add(t194, 10.0, w10)
+    t197 = np.multiply(t89, t196, w10)
+    t198 = np.add(t197, 4.0, w10)
+    t199 = np.divide(t198, t99, w10)
+    t200 = np.divide(t199, t99, w10)
+    t201 = np.multiply(t181, t126, w14)
+    t202 = np.add(t200, t201, w10)
+    t204 = np.multiply(t89, 2.2666666666666666, w14)
+    t205 = np.add(t204, 4.533333333333333, w14)
+    t206 = np.multiply(t89, t205, w14)
+    t208 = np.add(t206, 6.0, w14)
+    t209 = np.multiply(t89, t208, w14)
+    t210 = np.add(t209, 4.0, w14)
+    t211 = np.divide(t210, t99, w14)
+    t212 = np.multiply(t211, 2.0, w14)
+    t214 = np.multiply(t89, 3.4, w15)
+    t215 = np.add(t214, 4.0, w15)
+    t216 = np.multiply(t89, t215, w15)
+    t217 = np.add(t216, 1.0, w15)
+    t218 = np.divide(t217, t99, w15)
+    t219 = np.multiply(t110, 2.0, w16)
+    t220 = np.add(t218, t219, w15)
+    t221 = np.divide(e, p, predicted_13)
+    t222 = np.multiply(t221, 4.0, w16)
+    t223 = np.multiply(t126, t220, w11)
+    t224 = np.add(t212, t223, w14)
+    t225 = np.multiply(t89, 4.0, w11)
+    t226 = np.add(t224, t225, w14)
+    t227 = np.multiply(t110, t226, w14)
+    t228 = np.add(t202, t227, w10)
+    t229 = np.multiply(t222, t228, w16)
+    t231 = np.multiply(t89, 6.8, w10)
+    t233 = np.add(t231, 15.866666666666667, w10)
+    t234 = np.multiply(t89, t233, w10)
+    t236 = np.add(t234, 11.066666666666666, w10)
+    t237 = np.multiply(t89, t236, w10)
+    t238 = np.add(t237, 2.0, w10)
+    t239 = np.divide(t89, t99, w2)
+    t240 = np.divide(t238, t99, w10)
+    t241 = np.multiply(t239, t240, w2)
+    t242 = np.multiply(t166, 4.0, w10)
+    t243 = np.multiply(t241, t242, w2)
+    t244 = np.multiply(t181, t138, w12)
+    t245 = np.add(t243, t244, w2)
+    t247 = np.multiply(t132, 12.0, w3)
+    t248 = np.multiply(t123, 6.0, w9)
+    t249 = np.add(t247, t248, w3)
+    t250 = np.multiply(t166, t249, w5)
+    t251 = np.multiply(t220, 4.0, w15)
+    t252 = np.add(t250, t251, w5)
+    t253 = np.add(t252, t122, w5)
+    t254 = np.multiply(t110, t253, w7)
+    t255 = np.add(t245, t254, w2)
+    t256 = np.divide(e, x, w0)
+    t257 = np.multiply(t99, 4.0, predicted_23)
+    t258 = np.multiply(t221, t257, predicted_13)
+    t259 = np.multiply(t258, t255, predicted_13)
+    t260 = np.divide(t259, r, predicted_13)
+    t261 = np.multiply(t256, t260, w0)
+    t262 = np.add(t261, t183, w0)
+    t263 = np.multiply(t262, 0.125, w0)
+    t264 = np.multiply(t229, 0.25, w1)
+    t265 = np.add(t264, 0.5, w1)
+    t267 = np.add(t229, t183, w16)
+    t268 = np.multiply(t267, 0.25, w16)
+    t271 = np.multiply(t183, 0.5, w6)
+    np.divide(t164, tracking_index, predicted_13)
+    np.add(t263, t265, predicted_22)
+    np.add(t268, 0.6666666666666666, predicted_23)
+    np.add(t271, 1.0, predicted_33)
+
+
+_PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "predicted_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_3,),
+    ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
+    17,
+    _predicted_covariance_second_derivatives_block,
+)
+
+
+class PredictedPositionSecondDerivatives(NamedTuple):
+    """Result of `predicted_position_second_derivatives`."""
+
+    predicted_11: Real
+    """Second derivative by Lambda of the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Second derivative by Lambda of the covariance of predicted position and velocity times
+    T/sigma_v^2."""
+
+
+def predicted_position_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> PredictedPositionSecondDerivatives:
+    """Second derivatives of M11 and M12.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number at least 2^-750 and at
+        most 2^480, in float32 at least 2^-80 and at most 2^56.
+
+    predicted_11: second derivative by Lambda of the variance of the predicted position over
+        sigma_v^2. Error over predicted_11_scale at most 64.84 * 2^-52 (float64), 68.59 * 2^-23
+        (float32), proved for 6.852691063641298e-186 <= tracking_index <= 3.1217485503159922e144
+        (float64) and 4.6732775e-24 <= tracking_index <= 7.2057594e16 (float32). Cancellation in
+        predicted_11_turn, condition number 1: it bends down for a small index and up for a large
+        one; the scale is the sum of the two terms whose difference it is.
+    predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
+        times T/sigma_v^2. Error over predicted_12_scale at most 66.86 * 2^-52 (float64), 71.19 *
+        2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
+        3.1217485503159922e144 (float64) and 8.271806e-25 <= tracking_index <= 7.2057594e16
+        (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
+        index and up for a large one; the scale is the sum of the two terms whose difference it is.
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return PredictedPositionSecondDerivatives(
+        *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _predicted_position_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    predicted_11, predicted_12 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14 = work
+    p = np.sqrt(tracking_index, predicted_11)
+    r = np.sqrt(p, predicted_12)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, w0)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w1)
+    t9 = np.add(t6, t8, w0)
+    c_scaled = np.sqrt(t9, w0)
+    t12 = np.multiply(c_scaled, 67108864.0, w0)
+    t13 = np.multiply(t12, r, w1)
+    t14 = np.multiply(t13, 2.0, w1)
+    t16 = np.multiply(p, 0.5, w2)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w3)
+    t19 = np.multiply(p, r, w4)
+    t22 = np.multiply(t19, 1.5516447222296765, w4)
+    t24 = np.divide(8.0, r, w5)
+    t25 = np.add(t22, t24, w4)
+    t26 = near_cbrt(t25, w4, single)
+    t28 = np.multiply(t14, t26, w5)
+    t29 = np.add(t28, t18, w5)
+    t30 = np.sqrt(t29, w5)
+    t31 = np.multiply(t30, 2.0, w6)
+    t32 = np.add(t31, t16, w6)
+    t33 = np.sqrt(t32, w6)
+    t34 = np.multiply(t14, 0.5, w7)
+    t35 = np.multiply(t30, t33, w5)
+    t36 = np.multiply(t33, t35, w6)
+    t37 = np.multiply(t34, t26, w4)
+    t38 = np.subtract(t36, t37, w6)
+    t39 = np.subtract(t35, t34, w5)
+    t40 = np.divide(t38, t39, w6)
+    t42 = np.multiply(t14, t40, w4)
+    t43 = np.add(t42, t18, w4)
+    t44 = np.sqrt(t43, w4)
+    t45 = np.multiply(t44, 2.0, w5)
+    t46 = np.add(t45, t16, w5)
+    t47 = np.sqrt(t46, w5)
+    t48 = np.multiply(t44, t47, w4)
+    t49 = np.multiply(t47, t48, w5)
+    t50 = np.multiply(t34, t40, w6)
+    t51 = np.subtract(t49, t50, w5)
+    t52 = np.subtract(t48, t34, w4)
+    t53 = np.divide(t51, t52, w5)
+    t55 = np.multiply(t14, t53, w4)
+    t56 = np.add(t55, t18, w4)
+    t57 = np.sqrt(t56, w4)
+    t58 = np.multiply(t57, 2.0, w6)
+    t59 = np.add(t58, t16, w6)
+    t60 = np.sqrt(t59, w6)
+    t61 = np.multiply(t57, t60, w4)
+    t62 = np.multiply(t60, t61, w6)
+    t63 = np.multiply(t34, t53, w5)
+    t64 = np.subtract(t62, t63, w6)
+    t65 = np.subtract(t61, t34, w4)
+    t66 = np.divide(t64, t65, w6)
+    t68 = np.multiply(t14, t66, w4)
+    t69 = np.add(t68, t18, w4)
+    t70 = np.sqrt(t69, w4)
+    t71 = np.multiply(t70, 2.0, w5)
+    t72 = np.add(t71, t16, w5)
+    t73 = np.sqrt(t72, w5)
+    t74 = np.multiply(t70, t73, w4)
+    t75 = np.multiply(t73, t74, w5)
+    t76 = np.multiply(t34, t66, w6)
+    t77 = np.subtract(t75, t76, w5)
+    t78 = np.subtract(t74, t34, w4)
+    t79 = np.divide(t77, t78, w5)
+    t81 = np.multiply(t14, t79, w1)
+    t82 = np.add(t81, t18, w1)
+    e = np.sqrt(t82, w1)
+    t84 = np.multiply(e, 2.0, w3)
+    t85 = np.add(t84, t16, w3)
+    x = np.sqrt(t85, w3)
+    t87 = np.multiply(e, 0.5, w2)
+    t88 = np.add(t12, t87, w2)
+    t89 = np.multiply(x, r, w4)
+    t91 = np.multiply(t89, 0.25, w4)
+    t92 = np.multiply(p, 0.125, w5)
+    t93 = np.add(t91, t92, w4)
+    t94 = np.add(t88, t93, w2)
+    t95 = np.multiply(p, t94, w2)
+    t96 = np.divide(t95, tracking_index, w2)
+    t97 = np.divide(x, r, w4)
+    t98 = np.multiply(t97, t96, w5)
+    t99 = np.divide(x, e, w3)
+    t100 = np.multiply(p, 0.25, w6)
+    t101 = np.divide(t100, e, w6)
+    t103 = np.multiply(t101, 1.1333333333333333, w7)
+    t105 = np.add(t103, 4.0, w8)
+    t106 = np.multiply(t101, t105, w8)
+    t108 = np.add(t106, 3.0, w8)
+    t109 = np.multiply(e, t108, w9)
+    t110 = np.divide(t99, t109, w3)
+    t111 = np.divide(t110, r, w3)
+    t112 = np.divide(t111, t12, w3)
+    t113 = np.divide(t112, p, w3)
+    t114 = np.multiply(t113, 2.0, w3)
+    t115 = np.divide(p, e, w1)
+    t116 = np.divide(t115, t108, w9)
+    t117 = np.multiply(t116, t115, w9)
+    t118 = np.divide(p, t12, predicted_11)
+    t119 = np.multiply(t97, t118, predicted_11)
+    t120 = np.multiply(t117, t119, w9)
+    t122 = np.multiply(t120, 0.004166666666666667, w9)
+    t123 = np.add(t114, t122, w1)
+    t124 = np.multiply(t123, t101, predicted_11)
+    t125 = np.multiply(t101, 1.0, predicted_12)
+    t126 = np.add(t125, 1.0, predicted_12)
+    t127 = np.multiply(t101, 2.0, w10)
+    t128 = np.add(t127, 2.0, w10)
+    t129 = np.add(t126, t128, w11)
+    t130 = np.multiply(t124, t129, predicted_11)
+    t131 = np.divide(t130, t108, predicted_11)
+    t132 = np.multiply(t131, 2.0, predicted_11)
+    t133 = np.multiply(t128, t101, w11)
+    t134 = np.divide(t133, t108, w11)
+    t135 = np.multiply(t134, 2.0, w12)
+    t136 = np.square(t135, w12)
+    t137 = np.square(t128, w13)
+    t138 = np.divide(t137, t108, w13)
+    t139 = np.multiply(t138, 2.0, w13)
+    t140 = np.add(t123, t139, w1)
+    t141 = np.multiply(t122, t140, w1)
+    t142 = np.divide(tracking_index, t12, w13)
+    t143 = np.divide(t142, t12, w13)
+    t145 = np.multiply(t143, 0.0020833333333333333, w13)
+    t146 = np.add(t103, 2.0, w7)
+    t147 = np.multiply(t101, t146, w7)
+    t148 = np.add(t147, 1.0, w7)
+    t149 = np.divide(t148, t108, w7)
+    t150 = np.multiply(t149, 2.0, w7)
+    t151 = np.multiply(t145, t150, w0)
+    t152 = np.add(t132, t136, predicted_11)
+    t153 = np.add(t152, t141, predicted_11)
+    t154 = np.add(t153, t151, predicted_11)
+    t155 = np.multiply(t114, t154, predicted_11)
+    t156 = np.multiply(t97, 2.0, w4)
+    t157 = np.multiply(t155, t156, predicted_11)
+    t158 = np.add(t150, t122, w7)
+    t159 = np.multiply(t126, t101, predicted_12)
+    t160 = np.divide(t159, t108, predicted_12)
+    t161 = np.multiply(t160, 2.0, predicted_12)
+    t162 = np.add(t161, t122, predicted_12)
+    t163 = np.multiply(t162, t156, predicted_12)
+    t164 = np.add(t158, t163, w7)
+    t165 = np.square(t163, w0)
+    t166 = np.multiply(t165, t96, w0)
+    t167 = np.multiply(t96, 4.0, w12)
+    t168 = np.multiply(t166, t167, w0)
+    t169 = np.divide(t101, t108, w12)
+    t170 = np.divide(t128, t108, w10)
+    t171 = np.multiply(t169, t170, w12)
+    t172 = np.divide(t171, t108, w12)
+    t174 = np.multiply(t101, 0.7544444444444445, w14)
+    t176 = np.add(t174, 1.6, w14)
+    t177 = np.multiply(t101, t176, w14)
+    t179 = np.add(t177, 2.1, w14)
+    t180 = np.multiply(t101, t179, w14)
+    t181 = np.add(t180, 2.0, w14)
+    t182 = np.multiply(t101, t181, w14)
+    t184 = np.add(t182, 0.75, w14)
+    t185 = np.multiply(t184, 8.0, w14)
+    t186 = np.multiply(t172, t185, w12)
+    t187 = np.add(t145, t114, w14)
+    t188 = np.square(t134, w11)
+    t189 = np.multiply(t188, 4.0, w11)
+    t190 = np.add(t187, t189, w14)
+    t191 = np.add(t190, t141, w14)
+    t192 = np.multiply(t122, t191, w9)
+    t193 = np.add(t186, t192, w12)
+    t194 = np.multiply(t193, t156, w12)
+    t195 = np.multiply(t194, t96, w12)
+    t196 = np.multiply(t96, 2.0, w2)
+    t197 = np.multiply(t195, t196, w12)
+    t200 = np.multiply(t164, t163, predicted_12)
+    t202 = np.multiply(t101, 4.533333333333333, w2)
+    t204 = np.add(t202, 9.066666666666666, w2)
+    t205 = np.multiply(t101, t204, w2)
+    t206 = np.add(t205, 4.0, w2)
+    t207 = np.multiply(t206, t101, w2)
+    t208 = np.divide(t207, t108, w2)
+    t209 = np.multiply(t208, t170, w2)
+    t210 = np.add(t209, t145, w2)
+    t211 = np.add(t210, t141, w2)
+    t212 = np.multiply(t114, t211, w2)
+    t213 = np.add(t200, t157, predicted_12)
+    t214 = np.add(t213, t212, predicted_12)
+    t215 = np.multiply(t98, t214, predicted_12)
+    t216 = np.multiply(t164, t114, w7)
+    t217 = np.multiply(t98, t216, w5)
+    np.subtract(t168, t197, predicted_11)
+    np.subtract(t215, t217, predicted_12)
+
+
+_PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
+    "predicted_position_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_4,),
+    ("predicted_11", "predicted_12"),
+    15,
+    _predicted_position_second_derivatives_block,
+)
+
+
+class UpdatedCovarianceSecondDerivatives(NamedTuple):
+    """Result of `updated_covariance_second_derivatives`."""
+
+    updated_22: Real
+    """Second derivative by Lambda of the variance of the updated velocity times T^2/sigma_v^2."""
+    updated_23: Real
+    """Second derivative by Lambda of the covariance of updated velocity and acceleration times
+    T^3/sigma_v^2."""
+    updated_33: Real
+    """Second derivative by Lambda of the variance of the updated acceleration times
+    T^4/sigma_v^2."""
+
+
+def updated_covariance_second_derivatives(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+) -> UpdatedCovarianceSecondDerivatives:
+    """Second derivatives of the updated covariance but for its first row.
+
+        delta = sqrt(64/Lambda^2 + 2/15),
+        xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
+
+    tracking_index: Lambda, with Lambda^2 =
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
+        2^480, in float32 above 0 and at most 2^56.
+
+    updated_22: second derivative by Lambda of the variance of the updated velocity times
+        T^2/sigma_v^2. Error over updated_22_scale at most 36.67 * 2^-52 (float64), 40.40 * 2^-23
+        (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
+        <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_22_turn, condition
+        number 1: it bends down for a small index and up for a large one; the scale is the sum of
+        the two terms whose difference it is.
+    updated_23: second derivative by Lambda of the covariance of updated velocity and acceleration
+        times T^3/sigma_v^2. Error over updated_23_scale at most 27.19 * 2^-52 (float64), 29.86 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and
+        1e-45 <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_23_turn,
+        condition number 1: what the update takes from M'' stays less than it; the scale is the sum
+        of both.
+    updated_33: second derivative by Lambda of the variance of the updated acceleration times
+        T^4/sigma_v^2. Error over updated_33_scale at most 16.01 * 2^-52 (float64), 17.50 * 2^-23
+        (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
+        <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_33_turn, condition
+        number 1: what the update takes from M'' stays less than it; the scale is the sum of both.
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation continuous-white-jerk
+    """
+    return UpdatedCovarianceSecondDerivatives(
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+    )
+
+
+def _updated_covariance_second_derivatives_block(
+    given: Arrays, out: Arrays, work: Arrays, single: bool
+) -> None:
+    (tracking_index,) = given
+    updated_22, updated_23, updated_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16 = work
+    p = np.sqrt(tracking_index, updated_22)
+    r = np.sqrt(p, updated_23)
+    t6 = np.divide(2.220446049250313e-16, tracking_index, updated_33)
+    t8 = np.multiply(tracking_index, 4.625929269271486e-19, w0)
+    t9 = np.add(t6, t8, updated_33)
+    c_scaled = np.sqrt(t9, updated_33)
+    t12 = np.multiply(c_scaled, 67108864.0, updated_33)
+    t13 = np.multiply(t12, r, w0)
+    t14 = np.multiply(t13, 2.0, w0)
+    t16 = np.multiply(p, 0.5, w1)
+    t18 = np.multiply(tracking_index, 0.07083333333333333, w2)
+    t19 = np.multiply(p, r, w3)
+    t22 = np.multiply(t19, 1.5516447222296765, w3)
+    t24 = np.divide(8.0, r, w4)
+    t25 = np.add(t22, t24, w3)
+    t26 = near_cbrt(t25, w3, single)
+    t28 = np.multiply(t14, t26, w4)
+    t29 = np.add(t28, t18, w4)
+    t30 = np.sqrt(t29, w4)
+    t31 = np.multiply(t30, 2.0, w5)
+    t32 = np.add(t31, t16, w5)
+    t33 = np.sqrt(t32, w5)
+    t34 = np.multiply(t14, 0.5, w6)
+    t35 = np.multiply(t30, t33, w4)
+    t36 = np.multiply(t33, t35, w5)
+    t37 = np.multiply(t34, t26, w3)
+    t38 = np.subtract(t36, t37, w5)
+    t39 = np.subtract(t35, t34, w4)
+    t40 = np.divide(t38, t39, w5)
+    t42 = np.multiply(t14, t40, w3)
+    t43 = np.add(t42, t18, w3)
+    t44 = np.sqrt(t43, w3)
+    t45 = np.multiply(t44, 2.0, w4)
+    t46 = np.add(t45, t16, w4)
+    t47 = np.sqrt(t46, w4)
+    t48 = np.multiply(t44, t47, w3)
+    t49 = np.multiply(t47, t48, w4)
+    t50 = np.multiply(t34, t40, w5)
+    t51 = np.subtract(t49, t50, w4)
+    t52 = np.subtract(t48, t34, w3)
+    t53 = np.divide(t51, t52, w4)
+    t55 = np.multiply(t14, t53, w3)
+    t56 = np.add(t55, t18, w3)
+    t57 = np.sqrt(t56, w3)
+    t58 = np.multiply(t57, 2.0, w5)
+    t59 = np.add(t58, t16, w5)
+    t60 = np.sqrt(t59, w5)
+    t61 = np.multiply(t57, t60, w3)
+    t62 = np.multiply(t60, t61, w5)
+    t63 = np.multiply(t34, t53, w4)
+    t64 = np.subtract(t62, t63, w5)
+    t65 = np.subtract(t61, t34, w3)
+    t66 = np.divide(t64, t65, w5)
+    t68 = np.multiply(t14, t66, w3)
+    t69 = np.add(t68, t18, w3)
+    t70 = np.sqrt(t69, w3)
+    t71 = np.multiply(t70, 2.0, w4)
+    t72 = np.add(t71, t16, w4)
+    t73 = np.sqrt(t72, w4)
+    t74 = np.multiply(t70, t73, w3)
+    t75 = np.multiply(t73, t74, w4)
+    t76 = np.multiply(t34, t66, w5)
+    t77 = np.subtract(t75, t76, w4)
+    t78 = np.subtract(t74, t34, w3)
+    t79 = np.divide(t77, t78, w4)
+    t81 = np.multiply(t14, t79, w0)
+    t82 = np.add(t81, t18, w0)
+    e = np.sqrt(t82, w0)
+    t84 = np.multiply(e, 2.0, w2)
+    t85 = np.add(t84, t16, w2)
+    x = np.sqrt(t85, w2)
+    t87 = np.divide(x, r, w1)
+    t88 = np.multiply(t87, 2.0, w3)
+    t90 = np.multiply(p, 0.25, w4)
+    t91 = np.divide(t90, e, w4)
+    t93 = np.multiply(t91, 1.1333333333333333, w5)
+    t94 = np.add(t93, 2.0, w6)
+    t95 = np.multiply(t91, t94, w6)
+    t96 = np.add(t95, 1.0, w6)
+    t98 = np.add(t93, 4.0, w5)
+    t99 = np.multiply(t91, t98, w5)
+    t101 = np.add(t99, 3.0, w5)
+    t102 = np.divide(t96, t101, w6)
+    t103 = np.multiply(t102, 2.0, w6)
+    t104 = np.divide(p, e, w7)
+    t105 = np.divide(t104, t101, w8)
+    t106 = np.multiply(t105, t104, w8)
+    t107 = np.divide(p, t12, w7)
+    t108 = np.multiply(t87, t107, w1)
+    t109 = np.multiply(t106, t108, w8)
+    t111 = np.multiply(t109, 0.004166666666666667, w8)
+    t112 = np.add(t103, t111, w6)
+    t113 = np.add(t112, 1.0, w1)
+    t114 = np.multiply(t112, t113, w1)
+    t115 = np.divide(x, e, w7)
+    t116 = np.multiply(e, t101, w9)
+    t117 = np.divide(t115, t116, w7)
+    t118 = np.divide(t117, r, w7)
+    t119 = np.divide(t118, t12, w7)
+    t120 = np.divide(t119, p, w7)
+    t121 = np.multiply(t120, 2.0, w7)
+    t123 = np.multiply(t91, 4.533333333333333, w9)
+    t125 = np.add(t123, 9.066666666666666, w9)
+    t126 = np.multiply(t91, t125, w9)
+    t127 = np.add(t126, 4.0, w9)
+    t128 = np.multiply(t127, t91, w9)
+    t129 = np.divide(t128, t101, w9)
+    t130 = np.multiply(t91, 2.0, w10)
+    t131 = np.add(t130, 2.0, w10)
+    t132 = np.divide(t131, t101, w11)
+    t133 = np.multiply(t129, t132, w9)
+    t134 = np.divide(tracking_index, t12, w11)
+    t135 = np.divide(t134, t12, w11)
+    t137 = np.multiply(t135, 0.0020833333333333333, w11)
+    t138 = np.add(t121, t111, updated_33)
+    t139 = np.square(t131, w12)
+    t140 = np.divide(t139, t101, w12)
+    t141 = np.multiply(t140, 2.0, w12)
+    t142 = np.add(t138, t141, w12)
+    t143 = np.multiply(t111, t142, w13)
+    t144 = np.add(t133, t137, w9)
+    t145 = np.add(t144, t143, w9)
+    t146 = np.multiply(t121, t145, w9)
+    t147 = np.add(t114, t146, w1)
+    t148 = np.multiply(t88, t147, w1)
+    t150 = np.multiply(t91, 12.844444444444445, w11)
+    t152 = np.add(t150, 42.61333333333334, w11)
+    t153 = np.multiply(t91, t152, w11)
+    t155 = np.add(t153, 49.86666666666667, w11)
+    t156 = np.multiply(t91, t155, w11)
+    t158 = np.add(t156, 26.133333333333333, w11)
+    t159 = np.multiply(t91, t158, w11)
+    t161 = np.add(t159, 10.0, w11)
+    t162 = np.multiply(t91, t161, w11)
+    t163 = np.add(t162, 4.0, w11)
+    t164 = np.divide(t163, t101, w11)
+    t165 = np.divide(t164, t101, w11)
+    t166 = np.multiply(t146, t131, w13)
+    t167 = np.add(t165, t166, w11)
+    t169 = np.multiply(t91, 2.2666666666666666, w13)
+    t170 = np.add(t169, 4.533333333333333, w13)
+    t171 = np.multiply(t91, t170, w13)
+    t173 = np.add(t171, 6.0, w13)
+    t174 = np.multiply(t91, t173, w13)
+    t175 = np.add(t174, 4.0, w13)
+    t176 = np.divide(t175, t101, w13)
+    t177 = np.multiply(t176, 2.0, w13)
+    t179 = np.multiply(t91, 3.4, w14)
+    t180 = np.add(t179, 4.0, w14)
+    t181 = np.multiply(t91, t180, w14)
+    t182 = np.add(t181, 1.0, w14)
+    t183 = np.divide(t182, t101, w14)
+    t184 = np.multiply(t111, 2.0, w15)
+    t185 = np.add(t183, t184, w14)
+    t186 = np.divide(e, p, updated_22)
+    t187 = np.multiply(t186, 4.0, w15)
+    t188 = np.multiply(t131, t185, w16)
+    t189 = np.add(t177, t188, w13)
+    t190 = np.multiply(t91, 4.0, w16)
+    t191 = np.add(t189, t190, w13)
+    t192 = np.multiply(t111, t191, w13)
+    t193 = np.add(t167, t192, w11)
+    t194 = np.multiply(t187, t193, w15)
+    t196 = np.multiply(t91, 6.8, w11)
+    t198 = np.add(t196, 15.866666666666667, w11)
+    t199 = np.multiply(t91, t198, w11)
+    t201 = np.add(t199, 11.066666666666666, w11)
+    t202 = np.multiply(t91, t201, w11)
+    t203 = np.add(t202, 2.0, w11)
+    t204 = np.divide(t91, t101, w13)
+    t205 = np.divide(t203, t101, w11)
+    t206 = np.multiply(t204, t205, w13)
+    t207 = np.multiply(t112, 4.0, w11)
+    t208 = np.multiply(t206, t207, w13)
+    t209 = np.multiply(t146, t142, w9)
+    t210 = np.add(t208, t209, w13)
+    t211 = np.multiply(t131, t91, w10)
+    t212 = np.divide(t211, t101, w10)
+    t214 = np.multiply(t212, 12.0, w10)
+    t215 = np.multiply(t138, 6.0, updated_33)
+    t216 = np.add(t214, t215, w10)
+    t217 = np.multiply(t112, t216, w6)
+    t218 = np.multiply(t185, 4.0, w14)
+    t219 = np.add(t217, t218, w6)
+    t220 = np.add(t219, t121, w6)
+    t221 = np.multiply(t111, t220, w8)
+    t222 = np.add(t210, t221, w13)
+    t223 = np.divide(e, x, w0)
+    t224 = np.multiply(t101, 4.0, w5)
+    t225 = np.multiply(t186, t224, updated_22)
+    t226 = np.multiply(t225, t222, updated_22)
+    t227 = np.divide(t226, r, updated_22)
+    t228 = np.multiply(t223, t227, w0)
+    t229 = np.add(t228, t148, w0)
+    t230 = np.multiply(t229, 0.125, w0)
+    t231 = np.multiply(t194, 0.25, w4)
+    t232 = np.add(t231, 0.5, w4)
+    t233 = np.add(t230, t232, w0)
+    t234 = np.add(t194, t148, w4)
+    t235 = np.multiply(t234, 0.25, w4)
+    t237 = np.add(t235, 0.6666666666666666, w4)
+    t238 = np.multiply(t148, 0.5, w1)
+    t239 = np.add(t238, 1.0, w5)
+    t240 = np.multiply(t194, 0.5, w15)
+    t241 = np.add(t240, 1.0, w15)
+    t242 = np.divide(r, x, updated_23)
+    t243 = np.multiply(t242, 0.5, updated_23)
+    t244 = np.multiply(t243, 2.0, updated_23)
+    t245 = np.multiply(t88, t244, w3)
+    np.subtract(t233, t241, updated_22)
+    np.subtract(t237, t238, updated_23)
+    np.subtract(t239, t245, updated_33)
+
+
+_UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
+    "updated_covariance_second_derivatives",
+    (_TRACKING_INDEX_DOMAIN_5,),
+    ("updated_22", "updated_23", "updated_33"),
+    17,
+    _updated_covariance_second_derivatives_block,
+)
+
+
 class ClosedLoopPoles(NamedTuple):
     """Result of `closed_loop_poles`."""
 
@@ -2401,7 +3950,7 @@ def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: b
 
 _CLOSED_LOOP_POLES = Signature(
     "closed_loop_poles",
-    (_TRACKING_INDEX_DOMAIN_4,),
+    (_TRACKING_INDEX_DOMAIN_6,),
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     7,
     _closed_loop_poles_block,

@@ -51,11 +51,6 @@ FURTHER: Mapping[str, FormsOf] = {
 }
 """Kernels that all families of the catalogue have, and some noises of own models have not."""
 
-SHORT = ("gain_second_derivatives",)
-"""Those that noises with a root in a root have: over these numbers the proof that a kernel computes
-what it says takes four times the arithmetic, and the checker's limit is for a whole certificate.
-"""
-
 SCALE = kernel_curvature_covariances.SCALE
 TURN = "_turn"
 """Ends the name of a difference."""
@@ -64,10 +59,7 @@ TURN = "_turn"
 def kernel_graphs(c: Context) -> dict[str, Graph]:
     """Graphs by the names of their kernels."""
     graphs = {name: _index_graph(c, parts) for name, parts in INDEX_KERNELS.items()}
-    nested = any(entry.symbol == "b" for entry in c.constants.generators)
     for name, part in FURTHER.items():
-        if nested and name not in SHORT:
-            continue
         # a noise without a form that has no subtraction has no such kernel
         with suppress(ArithmeticError):
             graphs[name] = _index_graph(c, (part,))

@@ -18,6 +18,7 @@ from gainproof.derive.three_state.bending import bending_tower
 from gainproof.derive.three_state.context import Context, context
 from gainproof.derive.three_state.kernel_meanings import meant
 from gainproof.derive.three_state.kernel_poles import POLES
+from gainproof.derive.three_state.kernel_tower import kernel_tower, kernel_tower_steps
 from gainproof.derive.three_state.kernels import kernel_graphs, kernel_roots
 from gainproof.derive.three_state.module import kernel_module
 from gainproof.derive.three_state.names import LATEX
@@ -36,7 +37,6 @@ from gainproof.derive.three_state.steps_single_poles import (
 )
 from gainproof.derive.three_state.steps_spectrum import spectrum_steps
 from gainproof.derive.three_state.textbook import textbook_forms
-from gainproof.derive.three_state.towers import kernel_tower
 
 OPENING = (
     "A position is measured at a fixed interval; the state holds the position, its rate and the "
@@ -57,7 +57,7 @@ def derive_three_state(
     c = context(model)
     found = turning(c)
     graphs = kernel_graphs(c)
-    roots = kernel_tower(c.tower)
+    roots = kernel_tower(c)
     single = single_pole_towers(c)
     latex = {
         **LATEX,
@@ -97,6 +97,7 @@ def _steps(c: Context, twin: ScaledModel | None) -> tuple[Step, ...]:
         *single_pole_steps(c),
         *inverse_steps(c),
         *twin_steps(c, twin),
+        *kernel_tower_steps(c),
     )
 
 

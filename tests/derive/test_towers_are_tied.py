@@ -14,9 +14,12 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+import sympy as sp
 from catalogue_subjects import certificate
 
 from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.expression import real
+from gainproof.derive.relation import Relation, equal, positive
 from gainproof.verify.certificate import check
 
 NAMES = [entry.name for entry in CATALOGUE]
@@ -30,7 +33,7 @@ ANOTHER_ROOT = {
     "with_root_of_3": "a number's root, for one place where a sign changes",
     "with_root_of_e": "a number's root, for the kernel that computes with it",
     "turning": "a number's root, for the places where signs change",
-    "kernels": "a root that only the kernels name",
+    "kernels": "a root that only the kernels name, where it has no equations of its own",
     "bending": "long fractions that only second derivatives need",
 }
 """Towers that need no equation of their own, with the reason for which they are not `main`: they
@@ -43,7 +46,7 @@ def test_names_of_the_model_are_tied_in_every_tower(name: str) -> None:
     data = certificate(name)
     with_model = any(entry["kind"] == "riccati" for entry in data["statements"])
     for tower, spoken in _spoken(data).items():
-        if tower in ANOTHER_ROOT:
+        if tower in ANOTHER_ROOT and not spoken <= _tied(data, tower):
             assert spoken <= _tied(data, "main")
             _check_another_root(data["towers"]["main"], data["towers"][tower], spoken)
         else:
@@ -85,6 +88,16 @@ def test_a_wrongly_derived_side_tower_is_noticed() -> None:
     }
 
 
+@pytest.mark.parametrize("part", ["prediction", "gain", "update", "innovation", "stable"])
+def test_each_equation_over_the_root_is_wanted(part: str) -> None:
+    data = json.loads(json.dumps(certificate("random-jerk")))
+    assert len(_tied(data, "kernels")) == 15
+    data["statements"] = [
+        entry for entry in data["statements"] if entry["id"] != f"over-the-root-{part}"
+    ]
+    assert _tied(data, "kernels") == set()
+
+
 def _spoken(data: Mapping[str, Any]) -> dict[str, set[str]]:
     """By tower, the names of model quantities of which something is claimed."""
     found: dict[str, set[str]] = {}
@@ -106,12 +119,53 @@ def _tied(data: Mapping[str, Any], tower: str) -> set[str]:
     here = {
         entry["kind"]: entry["claim"] for entry in data["statements"] if entry["tower"] == tower
     }
-    if "riccati" not in here or "stable" not in here:
+    if "riccati" not in here:
+        return _tied_entry_by_entry(data, tower)
+    if "stable" not in here:
         return set()
     assert here["riccati"]["gain"] == here["stable"]["gain"]
     return {
         name for key in ("predicted", "updated", "gain") for name in _texts(here["riccati"][key])
     }
+
+
+def _tied_entry_by_entry(data: Mapping[str, Any], tower: str) -> set[str]:
+    """As above where the equations of `main` stand in that tower too, as equations of matrices.
+
+    They are made here once more from the model of the claim in `main`.
+    """
+    here = [entry for entry in data["statements"] if entry["tower"] == tower]
+    whole = [entry["claim"] for entry in data["statements"] if entry["kind"] == "riccati"]
+    main = next((claim for claim in whole if isinstance(claim["gain"][0], str)), None)
+    if main is None:
+        return set()
+    before, after = (_matrix(main[key]) for key in ("predicted", "updated"))
+    (gain,) = (_matrix([[name] for name in main["gain"]]),)
+    transition, noise = (
+        sp.ImmutableDenseMatrix(
+            [[sp.Rational(entry) for entry in row] for row in main["model"][key]]
+        )
+        for key in ("transition", "process_noise")
+    )
+    column = before[:, 0]
+    moved = sp.MatMul(transition, after, transition.T, evaluate=False)
+    shaken = sp.ImmutableDenseMatrix(real(main["index"]) ** 2 * noise)
+    wanted = [
+        equal(before, sp.MatAdd(moved, shaken, evaluate=False)),
+        equal(gain * (column[0] + 1), column),
+        equal(after, before - gain * column.T),
+        positive(column[0] + 1),
+        Relation("stable", {"model": main["model"], "gain": main["gain"]}),
+    ]
+    claims = [(entry["kind"], entry["claim"]) for entry in here]
+    if not all((relation.kind, relation.claim()) in claims for relation in wanted):
+        return set()
+    assert main["model"]["measurement"] == [["1", "0", "0"]]
+    return {name for key in ("predicted", "updated", "gain") for name in _texts(main[key])}
+
+
+def _matrix(rows: list[list[str]]) -> sp.ImmutableDenseMatrix:
+    return sp.ImmutableDenseMatrix([[real(name) for name in row] for row in rows])
 
 
 def _equated(data: Mapping[str, Any], tower: str) -> set[str]:

@@ -23,6 +23,8 @@ from mutation.tree import Tree, number, symbols, to_graph, to_tree
 __all__ = ["claimed_relations", "derived_relations"]
 
 DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}
+KNOWN_PARAMETERS = (["p"], ["k"])
+"""Of towers over the index, its root or a number of samples."""
 SHORT = ("kappa", "rho", "psi", "chi")
 """Names of the derivations that no oracle gives a value."""
 UNKNOWN_TO_ORACLES = ("information_", "pole", "program")
@@ -45,7 +47,11 @@ def derived_relations(whole: bool = False) -> Iterator[Relation]:
         written = found.certificate
         towers = written["towers"]
         solved = steady_state(model) if model else None
-        around = {n: surroundings(model, degree, tower, solved) for n, tower in towers.items()}
+        around = {
+            name: surroundings(model, degree, tower, solved)
+            for name, tower in towers.items()
+            if _parameters(tower) in KNOWN_PARAMETERS
+        }
         for statement in written["statements"]:
             place = statement["tower"]
             allowed = _allowed(model, towers[place], whole) if model else None
@@ -84,7 +90,7 @@ def _known(
     )
     if at_start or any(name.startswith("predicted") for name in names if "k" in _parameters(tower)):
         return False
-    return _parameters(tower) in (["p"], ["k"])
+    return _parameters(tower) in KNOWN_PARAMETERS
 
 
 def _parameters(tower: Mapping[str, Any]) -> list[str]:
