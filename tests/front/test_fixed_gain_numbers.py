@@ -24,7 +24,8 @@ from gainproof.verify.oracles.fixed_gain import (
 TWO = [(0.095, 0.01), (0.4571, 0.5), (0.9999, 1.9), (1.0, 1.0), (1.5, 0.5), (0.3, 3.3), (1.9, 0.1)]
 THREE = [(0.3, 0.05, 0.004), (0.9, 1.5, 1.2), (1.0, 0.5, 0.2), (1.6, 0.6, 0.4), (0.2, 3.5, 0.7)]
 # near the border of stability the truth changes by 2^-52 of the gains times their distance to it
-NEAR = [(1.2, 1.6 - 1e-9), (0.5, 2.9999999)]
+NEAR = [(1.2, 1.6 - 1e-9), (0.5, 2.9999999), (0.3, 3.4 - 1e-9), (0.1, 3.8 - 1e-12)]
+NEAR_THREE = [(0.3, 0.2, 0.3 * 0.2 / 0.85 * (1 - 1e-9)), (1.3, 0.4, 0.52 / 0.35 * (1 - 1e-10))]
 
 
 def covariance(matrix: flint.arb_mat) -> list[flint.arb]:
@@ -57,6 +58,11 @@ def test_variances_of_two_states(gains: tuple[float, float]) -> None:
 def test_variances_next_to_the_border(gains: tuple[float, float]) -> None:
     """What is left to the border is found exactly, so that nothing is lost there."""
     compare(gains, two_states.variances(*gains), 14 * 2.0**-52)
+
+
+@pytest.mark.parametrize("gains", NEAR_THREE)
+def test_variances_of_three_states_next_to_the_border(gains: tuple[float, float, float]) -> None:
+    compare(gains, three_states.variances(*gains), 100 * 2.0**-52)
 
 
 @pytest.mark.parametrize("gains", THREE)

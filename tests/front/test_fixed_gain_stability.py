@@ -46,6 +46,23 @@ def test_borders_are_decided_exactly() -> None:
     assert is_stable(1e-150, 1e-150, 1e-301)
 
 
+def test_the_border_of_three_states_is_decided_exactly() -> None:
+    """gamma next to alpha beta/(1 - alpha/2), where rounded products tie or are the wrong way."""
+    generator = np.random.default_rng(9)
+    rounded = 0
+    for alpha, beta in generator.uniform(0.01, 1.2, (200, 2)):
+        border = Fraction(alpha) * Fraction(beta) / (1 - Fraction(alpha) / 2)
+        for gamma in (
+            np.nextafter(float(border), 0),
+            float(border),
+            np.nextafter(float(border), 9),
+        ):
+            wanted = Fraction(float(gamma)) < border
+            assert bool(is_stable(alpha, beta, gamma)) == wanted
+            rounded += (gamma * (1 - alpha / 2) < alpha * beta) != wanted
+    assert rounded > 20
+
+
 ERRORS = [
     ((0.5, 3.2), "beta < 4 - 2 alpha fails: beta = 3.2, 4 - 2 alpha = 3;"),
     (([0.5, 0.5], [1, 3.2]), "not a stable filter at index 1: beta < 4 - 2 alpha fails"),
