@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 from functools import cache
 from typing import Any
 
 import flint
+from signed_graphs import with_terms
 
 from gainproof.derive.sensors.polar_graphs import graphs
 from gainproof.verify.oracles import polar
@@ -102,11 +102,7 @@ def terms(kernel: str) -> Callable[..., Values]:
     def found(*given: float) -> Values:
         point = dict(zip(arguments(kernel), given, strict=True))
         assert set(names) == set(point)
-        with flint.ctx.workprec(400):
-            values: list[tuple[flint.arb, flint.arb]] = []
-            for node in graph["nodes"]:
-                values.append(_both(node, values, point))
-        return {name: values[number][1] for name, number in graph["outputs"].items()}
+        return {name: total for name, (_, total) in with_terms(graph, point).items()}
 
     return found
 
@@ -118,45 +114,6 @@ def arguments(kernel: str) -> list[str]:
     from gainproof.generated import polar_coordinates
 
     return [domain.name for domain in signature(getattr(polar_coordinates, kernel)).inputs]
-
-
-def _both(
-    node: Any, values: list[tuple[flint.arb, flint.arb]], point: Mapping[str, float]
-) -> tuple[flint.arb, flint.arb]:
-    """The value of a node and its sum of terms."""
-    parts = [values[part] for part in node[1:] if isinstance(part, int)]
-    match node[0]:
-        case "symbol":
-            value = flint.arb(point[str(node[1])])
-        case "number":
-            number = Fraction(str(node[1]))
-            value = flint.arb(flint.fmpq(number.numerator, number.denominator))
-        case "add":
-            return sum((v for v, _ in parts), flint.arb(0)), sum(
-                (s for _, s in parts), flint.arb(0)
-            )
-        case "mul":
-            (v, s), (w, t) = parts
-            return v * w, s * t
-        case "div":
-            (v, s), (w, _) = parts
-            return v / w, s / abs(w)
-        case "neg":
-            return -parts[0][0], parts[0][1]
-        case "pow":
-            value = parts[0][0].sqrt()
-        case "call":
-            first = parts[0][0]
-            value = {
-                "sin": first.sin,
-                "cos": first.cos,
-                "exp": first.exp,
-                "expm1": first.expm1,
-                "atan2": lambda: flint.acb(parts[-1][0], first).arg(),
-            }[str(node[1])]()
-        case other:
-            raise AssertionError(other)
-    return value, abs(value)
 
 
 @cache
