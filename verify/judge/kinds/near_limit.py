@@ -8,9 +8,9 @@ from fractions import Fraction
 from itertools import islice, product
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, number, symbols_of
+from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.kinds.approach import SMALL, Approach
@@ -39,9 +39,39 @@ def others_frame(frame: Frame, approach: Approach) -> tuple[Frame, bool]:
     kept = tuple(c for c in frame.conditions if c not in on_it)
     boxes: Mapping[str, Box] = {n: b for n, b in frame.boxes.items() if n != approach.name}
     around = replace(frame, boxes=boxes, conditions=kept)
+    left = [rel for c in on_it for rel in _left_of(c, approach, around)]
+    around = replace(around, conditions=(*kept, *left))
     unclear = any(None in _near(c, approach, around).values() for c in on_it)
     inside = _inside(approach, (">", "<"))
     return around, unclear or (bool(inside) and not around.holds(*inside))
+
+
+def _left_of(rel: Rel, approach: Approach, around: Frame) -> list[Rel]:
+    """What an order between polynomials asks of the other symbols if it is to hold close to the
+    limit: c0 + c1 v + ... > 0 for all small v > 0 asks for c0 >= 0, and for c0 > 0 where c1 < 0 and
+    all that follows is zero.
+    """
+    sides = () if isinstance(approach.point, str) else approach.sides()
+    if rel.operator not in ("<", "<=", ">", ">=") or len(sides) != 1:
+        return []
+    positive = rel.left - rel.right if rel.operator in (">", ">=") else rel.right - rel.left
+    moved = approach.moved(positive, sides[0])
+    if not _is_polynomial(moved):
+        return []
+    zero = number(0)
+    first, slope = neat(substituted(moved, {SMALL: zero})), neat(differentiated(moved, SMALL))
+    if constant_value(first) is not None:
+        return []
+    falls = SMALL not in symbols_of(slope) and around.holds(Rel("<", slope, zero))
+    return [Rel(">" if falls else ">=", first, zero)]
+
+
+def _is_polynomial(expr: Expr) -> bool:
+    plain = ("number", "symbol", "add", "mul", "neg")
+    return all(
+        n.kind in plain or (n.kind == "pow" and n.fraction.denominator == 1 and n.fraction > 0)
+        for n in walk(expr)
+    )
 
 
 def open_sides(approach: Approach, frame: Frame, around: Frame) -> list[int]:
