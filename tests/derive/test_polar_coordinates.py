@@ -1,0 +1,216 @@
+"""The derivation of polar coordinates, altered: what is false is refused."""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from catalogue_subjects import certificate
+
+from gainproof.derive.printer.graph import Graph, GraphBuilder
+from gainproof.derive.sensors import polar_forms
+from gainproof.derive.sensors.algebraic import algebraic
+from gainproof.derive.sensors.polar_forms import Direction
+from gainproof.derive.sensors.polar_graphs import graphs
+from gainproof.verify.certificate import check, check_statement
+
+Plain = dict[str, Any]
+Alteration = Callable[[Plain], None]
+
+
+@pytest.fixture(scope="module")
+def original() -> Plain:
+    plain: Plain = json.loads(json.dumps(certificate("polar-coordinates")))
+    return plain
+
+
+def test_as_derived_everything_is_decided(original: Plain) -> None:
+    report = check(original)
+    assert report.accepted
+    found = [result.status for result in report.statements]
+    assert found.count("proved") >= 80
+    assert set(found) == {"proved", "cited", "definition"}
+
+
+def negated(poly: list[Any]) -> list[Any]:
+    return [[text[1:] if text[0] == "-" else f"-{text}", powers] for text, powers in poly]
+
+
+def swapped_circle(data: Plain) -> None:
+    """Cosine and sine of the bearing change their places: north becomes east."""
+    for tower in data["towers"].values():
+        elements = tower["elements"]
+        elements["cos_bearing"], elements["sin_bearing"] = (
+            elements["sin_bearing"],
+            elements["cos_bearing"],
+        )
+
+
+def mirrored_circle(data: Plain) -> None:
+    """The bearing runs to the left."""
+    for tower in data["towers"].values():
+        sine = tower["elements"]["sin_bearing"]
+        sine["num"] = negated(sine["num"])
+
+
+def no_circle(data: Plain) -> None:
+    """The sine of the elevation doubled: not on the circle any more."""
+    for tower in data["towers"].values():
+        if "sin_elevation" in tower["elements"]:
+            sine = tower["elements"]["sin_elevation"]
+            sine["num"] = [[f"{text}" + "0", powers] for text, powers in sine["num"]]
+
+
+@pytest.mark.parametrize(
+    ("alter", "noticed"),
+    [
+        (swapped_circle, {"bearing", "bearing-slopes", "map", "plane-bearing", "course-bearing"}),
+        (mirrored_circle, {"bearing", "bearing-slopes", "map", "kernel-to-cartesian"}),
+        (no_circle, {"elevation", "elevation-circle", "map", "elevation-slopes"}),
+    ],
+)
+def test_an_altered_circle_is_noticed(
+    alter: Alteration, noticed: set[str], original: Plain
+) -> None:
+    data = copy.deepcopy(original)
+    alter(data)
+    assert {check_statement(data, name).status for name in noticed} == {"rejected"}
+
+
+def claimed(data: Plain, name: str) -> Plain:
+    (found,) = [entry["claim"] for entry in data["statements"] if entry["id"] == name]
+    claim: Plain = found
+    return claim
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "elevation-slopes",
+        "bearing-slopes",
+        "jacobian",
+        "determinant",
+        "inverse-jacobian",
+        "covariance",
+        "axes",
+        "mean",
+        "bias",
+        "curvature",
+        "rates",
+        "range-acceleration",
+        "angle-accelerations",
+        "second-rates",
+        "uniform",
+        "turning-along",
+        "third",
+        "closed-form",
+        "plane-covariance",
+        "plane-uniform-x",
+        "course-rates",
+    ],
+)
+def test_an_altered_sign_is_noticed(name: str, original: Plain) -> None:
+    """The right side with its sign turned, or 1 where it is 0."""
+    data = copy.deepcopy(original)
+    right = claimed(data, name)["right"]
+    nodes, end = right["nodes"], right["outputs"]["value"]
+    if nodes[end][0] == "matrix":
+        operation, rows, columns, *entries = nodes[end]
+        nonzero = [at for at, entry in enumerate(entries) if nodes[entry] != ["number", "0"]]
+        if nonzero:
+            nodes.insert(end, ["neg", entries[nonzero[0]]])
+            entries[nonzero[0]] = end
+        else:
+            nodes.insert(end, ["number", "1"])
+            entries[0] = end
+        nodes[end + 1] = [operation, rows, columns, *entries]
+        right["outputs"]["value"] = end + 1
+    elif nodes[end] == ["number", "0"]:
+        nodes[end] = ["number", "1"]
+    else:
+        nodes.append(["neg", end])
+        right["outputs"]["value"] = len(nodes) - 1
+    assert check_statement(original, name).status == "proved"
+    assert check_statement(data, name).status == "rejected"
+
+
+KERNELS = sorted(graphs())
+
+
+@pytest.mark.parametrize("step", [9, pytest.param(1, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("name", KERNELS)
+def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: Plain) -> None:
+    """Each sum turned into a product, each product into a sum, quotients turned round, signs
+    dropped: one at a time. Whatever can still be read is refused.
+    """
+    statement = f"kernel-{name.replace('_', '-')}"
+    assert check_statement(original, statement).status == "proved"
+    nodes, read = original["programs"][name]["graph"]["nodes"], 0
+    for at, node in list(enumerate(nodes))[len(name) % step :: step]:
+        changed = list(node)
+        if node[0] in ("add", "mul"):
+            changed[0] = "mul" if node[0] == "add" else "add"
+        elif node[0] == "neg":
+            changed = ["add", node[1], node[1]]
+        elif node[0] == "div":
+            changed[1:] = reversed(node[1:])
+        else:
+            continue
+        program = copy.deepcopy(original["programs"][name])
+        program["graph"]["nodes"][at] = changed
+        data = {**original, "programs": {**original["programs"], name: program}}
+        result = check_statement(data, statement)
+        assert result.status == "rejected", (name, at, node)
+        read += "node" in result.reason or "output" in result.reason or "root" in result.reason
+    assert read or step > 1
+
+
+def test_calls_stand_as_symbols_and_their_arguments_are_claimed(original: Plain) -> None:
+    for name, graph in graphs().items():
+        found = algebraic(graph)
+        assert not any(node[0] == "call" for node in found["nodes"])
+        claims = claimed(original, f"kernel-{name.replace('_', '-')}")["outputs"]
+        assert set(claims) == set(found["outputs"])
+    assert {"elevation_opposite", "bearing_adjacent"} <= set(
+        algebraic(graphs()["to_polar"])["outputs"]
+    )
+    assert "kept_level_of" in algebraic(graphs()["mean_of_converted"])["outputs"]
+
+
+def with_call(function: str, argument: str, name: str | None, *, used: bool = True) -> Graph:
+    b = GraphBuilder()
+    x = b.symbol(argument)
+    call = b.call(function, x, *([x] if function in ("atan2", "hypot") else []))
+    return b.graph({"y": call * x if used else call}, {name: call} if name else {})
+
+
+@pytest.mark.parametrize(
+    ("graph", "words"),
+    [
+        (with_call("sin", "elevation", None), "the call of sin has no name"),
+        (with_call("sin", "elevation", "cos_elevation"), "sin of .* is called cos_elevation"),
+        (with_call("sin", "elevation", "sin_bearing"), "sin of .* is called sin_bearing"),
+        (with_call("atan2", "x", "bearing"), "computes with the angle bearing"),
+        (with_call("atan2", "x", "bearing", used=False), "output y is the angle bearing"),
+        (with_call("hypot", "x", "h"), "hypot is no function of an angle"),
+    ],
+)
+def test_calls_of_which_nothing_would_be_proved_are_refused(graph: Graph, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        algebraic(graph)
+
+
+def test_a_graph_without_calls_stays_what_it_is() -> None:
+    graph = graphs()["polar_derivatives"]
+    assert algebraic(graph) is graph
+
+
+def test_forms_take_plain_numbers() -> None:
+    """On a right-angled course: 3 east, 4 north, 12 up."""
+    d = Direction(5 / 13, 12 / 13, 4 / 5, 3 / 5)
+    assert polar_forms.place(13, d) == pytest.approx((3, 4, 12))
+    s = polar_forms.sight(polar_forms.Place(3, 4, 12, 5, 13), (30, 40, 120))
+    assert (s.radial, s.rising, s.crossing) == pytest.approx((130, 0, 0), abs=1e-12)
