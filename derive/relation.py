@@ -2,7 +2,7 @@
 
 The kinds are those of certificates (see `gainproof.verify.certificate`): equal, positive,
 same_sign, limit, increasing_onto, monotone, riccati, stable, positive_definite, program, sum,
-definition and cited.
+definition and cited; those on matrices of every size are made in `gainproof.derive.words`.
 """
 
 from __future__ import annotations

@@ -86,7 +86,9 @@ def stable_evidence(step: Step, tower: Tower) -> dict[str, Any]:
     gain given by rows it may hold the "coefficients" a_0, ..., a_(n-1) as short forms.
     """
     gain = step.relation.parts["gain"]
-    coefficients = _closed_loop_coefficients(step)
+    # long where entries have names, and not needed where the hint says all
+    hinted = {"coefficients", "values"} <= set(step.hint)
+    coefficients = [] if hinted else _closed_loop_coefficients(step)
     stated: dict[str, Any] = {}
     if not isinstance(gain[0], str):
         forms = step.hint.get("coefficients", coefficients[:-1])

@@ -49,6 +49,7 @@ def build() -> Subject:
     settings = (interacting_setting.SETTING, interacting_steps_best.UPDATE)
     latex = {
         **interacting_steps_scalar.LATEX,
+        **interacting_steps_none.LATEX,
         **interacting_steps_best.LATEX,
         **interacting_setting.LATEX,
     }

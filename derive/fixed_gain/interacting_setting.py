@@ -15,7 +15,7 @@ T, ALPHA, BETA, Z = symbols("t alpha beta z")
 UNIT, J = symbols("I J")
 E1, E2 = symbols("E1 E2")
 PHI, H, K, F, K1, K2, B, W = symbols("Phi H K F K1 K2 B W")
-W11, W21, W22 = symbols("W11 W21 W22")
+F11, W11, W21, W22 = symbols("F11 W11 W21 W22")
 ERROR, DRIVE, ACCELERATION, NOISE = symbols("error drive acceleration noise")
 TRUTH, NEXT_TRUTH, OBSERVED = symbols("truth next_truth observed")
 PREDICTED, UPDATED, NEXT_PREDICTED = symbols("predicted updated next_predicted")
@@ -65,7 +65,7 @@ SETTING = Setting(
     {
         **dict.fromkeys(("E1", "E2"), "s d"),
         **dict.fromkeys(
-            ("K1", "K2", "B", "second_noise", "S", "W11", "W21", "W22", "P11", "P21"), "d d"
+            ("K1", "K2", "B", "second_noise", "S", "F11", "W11", "W21", "W22", "P11", "P21"), "d d"
         ),
         **dict.fromkeys(("followed", "change", "pencil", "scale", "scaled"), "d d"),
         **dict.fromkeys(("Phi", "F", "W", "P", "other", "weight", "adjoint", "rest"), "s s"),
@@ -88,6 +88,7 @@ SETTING = Setting(
         "H": E1.T,
         "K": E1 @ K1 + E2 @ K2,
         "F": PHI @ (J - K @ H),
+        "F11": UNIT - K1 - T * K2,
         "W11": E1.T @ W @ E1,
         "W21": E2.T @ W @ E1,
         "W22": E2.T @ W @ E2,
@@ -132,6 +133,7 @@ LATEX = {
     "K1": "K_1",
     "K2": "K_2",
     "F": "F",
+    "F11": "F_{11}",
     "B": "B",
     "S": "S",
     "W": "W",
@@ -174,4 +176,8 @@ LATEX = {
     "pencil": "L",
     "columns": "U",
     "rest": "G",
+    # only spoken of
+    "first_part": "V_1",
+    "second_part": "V_2",
+    "velocities": "y_2",
 }

@@ -7,6 +7,7 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     E1,
     E2,
     ERROR,
+    F11,
     K1,
     K2,
     NAME,
@@ -15,7 +16,6 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     SETTING,
     STEADY,
     SYMMETRIC,
-    UNIT,
     W11,
     W21,
     W22,
@@ -62,7 +62,7 @@ def covariance_steps() -> list[Step]:
     mixed = F @ ERROR @ NOISE.T @ K.T @ PHI.T
     past = F @ ERROR - PHI @ K @ NOISE
     k2 = k2_inverse()
-    rest = UNIT - K1 - T * K2
+    rest = F11
     gain = K1 + T * K2
     noise = definite("B")
     return [
@@ -125,6 +125,7 @@ def covariance_steps() -> list[Step]:
             "every `d`, the fourth being a transpose:",
             "Multiply by `E1'` or `E2'` on the left and `E1` or `E2` on the right.",
         ),
+        meaning("F11"),
         _block(
             "steady-21",
             W21,

@@ -111,7 +111,7 @@ def separate_steps() -> list[Step]:
         _row("axis-poles", U @ PENCIL, (Z**2 + (one - 2) * Z + 1 - ALPHA) * U).step(
             "Its poles are those of that filter. If both gains are diagonal, `det L` is the "
             "product of these polynomials, and the filter is stable exactly if each coordinate is "
-            "in the triangle `0 < alpha`, `0 < beta < 4 - 2 alpha` (`gainproof derive alpha-beta` "
+            "in the triangle `0 < alpha`, `0 < beta < 4 - 2 alpha` (the derivation alpha-beta "
             "proves it).",
             "Insert both in `L`.",
         ),

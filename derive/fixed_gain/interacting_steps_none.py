@@ -26,12 +26,12 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     closed,
 )
 from gainproof.derive.fixed_gain.interacting_steps_filter import meaning
+from gainproof.derive.fixed_gain.interacting_steps_sharing import EXAMPLE
 from gainproof.derive.relation import Relation, equal
 from gainproof.derive.words.hypotheses import equation
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import prove_equal
 
-EXAMPLE = "example"
 POSITION = sp.ImmutableDenseMatrix(
     [[sp.Rational(1, 2), sp.Rational(1, 16)], [1, sp.Rational(1, 2)]]
 )
@@ -39,6 +39,7 @@ VELOCITY = sp.eye(2).as_immutable()
 PHI_2 = sp.ImmutableDenseMatrix(4, 4, lambda i, j: int(i == j or j == i + 2))
 SEEN = sp.ImmutableDenseMatrix(2, 4, lambda i, j: int(i == j))
 GAIN = POSITION.col_join(VELOCITY).as_immutable()
+LATEX = {"half": "k_{11}", "memory": "k_{12}", "one": "k_{21}", "none": "k_{32}"}
 NAMES = (("half", "memory"), ("one", "half"), ("one", "none"), ("none", "one"))
 """The entries of the gain by name."""
 

@@ -21,7 +21,7 @@ from gainproof.derive.words.hypotheses import equation
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import prove_equal
 
-AXIS = "axis"
+AXIS, EXAMPLE = "axis", "example"
 A, R = real("alpha"), real("root")
 LEAST = R * (4 - R) / (2 - R) ** 2
 MARGIN = 4 - 2 * A - R**2
@@ -81,10 +81,14 @@ def sharing_steps() -> list[Step]:
             "the eigenvectors, `K1 = Gamma - Gamma^2/2` makes `W11` least in the order of "
             "matrices, whatever `B` is (NP-P). The minimum variance filter of the lecture is "
             "this, for `d = 1`.",
-            equal(variance - LEAST, 2 * (2 * A + R**2 - 2 * R) ** 2 / (A * (2 - R) ** 2 * MARGIN)),
+            equal(
+                variance - LEAST,
+                2 * (2 * A + R**2 - 2 * R) ** 2 / (A * (2 - R) ** 2 * MARGIN),
+                free=("alpha", "root"),
+            ),
             "Common denominator; the stable filters are `0 < r < 2`, `alpha > 0`, `4 - 2 alpha - "
             "r^2 > 0`, and `alpha = r - r^2/2` is one of them.",
-            AXIS,
+            EXAMPLE,
         ),
         joined("sharing-margin", positive(MARGIN), AXIS),
         joined("sharing-chosen", positive(R - R**2 / 2), AXIS),

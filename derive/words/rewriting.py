@@ -9,12 +9,12 @@ so that a polynomial brought to zero is such a sum as well.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gainproof.derive.words.polynomial import Key, Polynomial, Shape, Term, Word
+from gainproof.derive.words.polynomial import Key, Letter, Polynomial, Shape, Term, Word
 from gainproof.derive.words.setting import Setting
 
 MAXIMUM_STEPS = 20_000
@@ -116,13 +116,16 @@ def reduced(value: Polynomial, rules: Sequence[Rule]) -> tuple[Polynomial, list[
     cofactors: list[Cofactor] = []
     assert value.shape is not None
     shape = value.shape
+    by_letter: dict[Letter, list[int]] = {}
+    for number, rule in enumerate(rules):
+        by_letter.setdefault(rule.word[0], []).append(number)
     finished: dict[Key, Fraction] = {}
     terms = dict(value.terms)
     for _ in range(MAXIMUM_STEPS):
         if not terms:
             return Polynomial(finished, shape), cofactors
         key, coefficient = next(iter(terms.items()))
-        found = _first_match(key[0], rules)
+        found = _first_match(key[0], by_letter, rules)
         if found is None:
             finished[key] = terms.pop(key)
             continue
@@ -130,9 +133,9 @@ def reduced(value: Polynomial, rules: Sequence[Rule]) -> tuple[Polynomial, list[
         before, after = key[0][:start], key[0][start + len(rule.word) :]
         by = (key[1], coefficient)
         del terms[key]
-        for other, number in rule.tail.between(before, after, shape, by).terms.items():
+        for other, added in rule.tail.between(before, after, shape, by).terms.items():
             # a word that was finished may come again, with another coefficient
-            total = terms.pop(other, ZERO) + finished.pop(other, ZERO) + number
+            total = terms.pop(other, ZERO) + finished.pop(other, ZERO) + added
             if total:
                 terms[other] = total
         cofactors += [c.inside(before, after, shape, by) for c in rule.proof]
@@ -161,8 +164,12 @@ def _negative(cofactors: Sequence[Cofactor]) -> list[Cofactor]:
     return [Cofactor(c.source, c.flipped, -c.left, c.right) for c in cofactors]
 
 
-def _first_match(word: Word, rules: Sequence[Rule]) -> tuple[Rule, int] | None:
-    for rule in rules:
+def _first_match(
+    word: Word, by_letter: Mapping[Letter, Sequence[int]], rules: Sequence[Rule]
+) -> tuple[Rule, int] | None:
+    """The first rule that applies, elements being first, and the first place where it does."""
+    for number in sorted(n for letter in set(word) for n in by_letter.get(letter, ())):
+        rule = rules[number]
         size = len(rule.word)
         for start in range(len(word) - size + 1):
             if word[start : start + size] == rule.word:

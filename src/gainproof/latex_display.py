@@ -10,17 +10,26 @@ _MATRIX = re.compile(r"\\begin\{pmatrix\}(.*?)\\end\{pmatrix\}")
 _OPEN = (r"\left", r"\begin", "{")
 _CLOSE = (r"\right", r"\end", "}")
 _SIGNS = (" = ", " + ", " - ", r" \to ")
+_CONDITION = r"\text{    if }"
+"""How the line of what an implication takes for granted begins."""
 _FACTORS = (r" \left(", r" \begin{pmatrix}")
 
 
 def aligned(lines: Sequence[str]) -> str:
-    """The rows of an `align*`: at their equals signs if each line has one, else at their left."""
+    """The rows of an `align*`: at their equals signs if each line has one, else at their left.
+    Conditions stand further in, whatever the others do.
+    """
     places = [_outside(line, (" = ",)) for line in lines]
-    if all(places):
+    if all(p or line.startswith(_CONDITION) for line, p in zip(lines, places, strict=True)):
         return "\\\\\n".join(
-            _at_sign(line, next(iter(p)) + 1) for line, p in zip(lines, places, strict=True)
+            _condition(line) if line.startswith(_CONDITION) else _at_sign(line, next(iter(p)) + 1)
+            for line, p in zip(lines, places, strict=True)
         )
     return "\\\\\n".join("&" + "\\\\\n&\\qquad ".join(_broken(line, _WIDEST)) for line in lines)
+
+
+def _condition(line: str) -> str:
+    return "&\\quad " + "\\\\\n&\\qquad\\qquad ".join(_broken(line, _WIDEST - 12))
 
 
 def _at_sign(line: str, place: int) -> str:

@@ -30,7 +30,9 @@ def matrices(kind: str, seed: int, size: int = 2) -> dict[str, Any]:
     t, z = float(rng.uniform(0.5, 2)), float(rng.uniform(-2, 2))
     alphas, betas = rng.uniform(0.2, 0.6, size), rng.uniform(0.1, 0.4, size)
     noise, prior = _definite(rng, size), _definite(rng, 2 * size)
-    k1 = np.diag(alphas) + (0 if kind == "diagonal" else 0.1 * rng.standard_normal((size, size)))
+    k1: Any = np.diag(alphas)
+    if kind != "diagonal":
+        k1 = k1 + 0.1 * rng.standard_normal((size, size))
     k2 = np.diag(betas) / t
     if kind in ("any", "own", "followed", "filter"):
         k2 = k2 + 0.02 * rng.standard_normal((size, size))
@@ -63,7 +65,7 @@ def matrices(kind: str, seed: int, size: int = 2) -> dict[str, Any]:
     acceleration = rng.standard_normal((size, 1))
     drive = first @ acceleration * t**2 / 2 + second @ acceleration * t
     moved, moved_covariance = steady(changed, noise)
-    adjoint = solve_discrete_lyapunov(moved.T, weight) if kind == "any" else weight
+    adjoint = np.asarray(solve_discrete_lyapunov(moved.T, weight) if kind == "any" else weight)
     truth, predicted = rng.standard_normal((2, 2 * size, 1))
     heard = rng.standard_normal((size, 1))
     return {
@@ -106,7 +108,7 @@ def update_matrices(seed: int, best: bool) -> dict[str, Any]:
     rng = np.random.default_rng([seed, best])
     prior, noise, added = _definite(rng, 4), _definite(rng, 2), _definite(rng, 4)
     seen, transition = rng.standard_normal((2, 4)), rng.standard_normal((4, 4))
-    gain = rng.standard_normal((4, 2))
+    gain: Any = rng.standard_normal((4, 2))
     if best:
         gain = np.linalg.solve(seen @ prior @ seen.T + noise, seen @ prior).T
     return {"P": prior, "R": noise, "H": seen, "K": gain, "transition": transition, "Q": added}

@@ -41,6 +41,8 @@ Tower
     "free": [a, c], "slopes": [b, e]}: the two positive reals with x^2 = a + b y, y^2 = c + e x;
     polynomials in earlier variables, a, c manifestly nonnegative, b, e positive (`coupled`).
     Elements are fractions with names of their own. No name is given twice in a tower.
+    An entry with "matrices" is a setting of matrices of every size; see `words` for it and for its
+    kinds: matrix_equal, matrix_order, matrix_invertible, matrix_trace (definition, cited as below).
 Graph
     {"nodes": [node, ...], "outputs": {name: node number}}; a node refers to earlier nodes, each
     node serves an output. Single expressions have the one output "value". Nodes: ["number", q],

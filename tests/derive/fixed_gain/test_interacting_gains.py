@@ -74,14 +74,12 @@ def test_a_long_run_falls_behind_as_said(size: int) -> None:
     step, acceleration = float(values["t"]), np.asarray(values["acceleration"])
     k1, k2 = np.asarray(values["K1"]), np.asarray(values["K2"])
     position = velocity = np.zeros((size, 1))
-    for k in range(1, 4000):
-        seen = acceleration * (k * step) ** 2 / 2
-        if k == 3999:
-            break
-        innovation = seen - position
+    for k in range(1, 3999):
+        innovation = acceleration * (k * step) ** 2 / 2 - position
         velocity = velocity + k2 @ innovation
         position = position + k1 @ innovation + step * velocity
     behind = step * np.linalg.solve(k2, acceleration)
+    seen = acceleration * (3999 * step) ** 2 / 2
     assert np.allclose(seen - position, behind, rtol=1e-5, atol=1e-5)
     velocity_behind = acceleration * 3999 * step - velocity
     wanted = k1 @ behind / step + step / 2 * acceleration

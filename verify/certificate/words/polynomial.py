@@ -77,7 +77,7 @@ class Polynomial:
             (powers, tuple(letter ^ 1 for letter in reversed(word))): value
             for (powers, word), value in self.terms.items()
         }
-        return Polynomial(terms, None if self.shape is None else self.shape[::-1])
+        return Polynomial(terms, None if self.shape is None else (self.shape[1], self.shape[0]))
 
     def letters(self) -> set[int]:
         """The numbers of the matrices that occur."""
