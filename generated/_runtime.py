@@ -85,12 +85,10 @@ def evaluate(
             results = [np.empty(shape, kind) for _ in kernel.outputs]
         else:
             results = _checked(kernel, out, shape, kind)
-            for domain, x, whole in zip(kernel.inputs, flat, inputs, strict=True):
-                for start in range(0, x.size, SIZE):
-                    _guard(kernel, domain, x[start : start + SIZE], start, whole, shape)
             size = results[0].size
-            for start in range(0, size, SIZE) if kernel.required else ():
-                _require(kernel, _parts(flat, start, min(start + SIZE, size), size), start, shape)
+            for start in range(0, size, SIZE):
+                parts = _parts(flat, start, min(start + SIZE, size), size)
+                _admit(kernel, parts, start, inputs, shape)
             flat = [x.copy() if _elsewhere(x, results) else x for x in flat]
         _run(kernel, flat, results, inputs, out is None)
     if out is None and shape == ():
@@ -156,16 +154,13 @@ def _run(
         for place, x in enumerate(flat)
         if any(_overlap(y, x) for y in results)
     }
-    for start in range(0, size, SIZE):
+    starts = range(0, size, SIZE)
+    # what was admitted last is still in the cache: it is computed first
+    for start in starts if guard else reversed(starts):
         stop = min(start + SIZE, size)
         parts = _parts(flat, start, stop, size)
         if guard:
-            for domain, part, whole in zip(kernel.inputs, parts, inputs, strict=True):
-                if not start or whole.size > 1:
-                    _guard(kernel, domain, part, start, whole, results[0].shape)
-            _require(kernel, parts, start, results[0].shape)
-        if stop - start < length:
-            work = [w[: stop - start] for w in work]
+            _admit(kernel, parts, start, inputs, results[0].shape)
         filled = [
             y[start:stop] if straight else y[: stop - start]
             for y, straight in zip(targets, direct, strict=True)
@@ -173,7 +168,7 @@ def _run(
         for place, held in copies.items():
             np.copyto(held[: stop - start], parts[place])
             parts[place] = held[: stop - start]
-        kernel.block(parts, filled, work, single)
+        kernel.block(parts, filled, [w[: stop - start] for w in work], single)
         for y, straight, result in zip(filled, direct, results, strict=True):
             if not straight:
                 np.asarray(result).flat[start:stop] = y
@@ -231,6 +226,16 @@ def _elsewhere(x: Array, results: Sequence[Array]) -> bool:
         y.size != x.size or not y.flags.c_contiguous or y.ctypes.data != x.ctypes.data
         for y in shared
     )
+
+
+def _admit(
+    kernel: Signature, parts: Arrays, start: int, inputs: Arrays, shape: tuple[int, ...]
+) -> None:
+    """ValueError unless a block of every input lies in its domain; numbers are looked at once."""
+    for domain, part, whole in zip(kernel.inputs, parts, inputs, strict=True):
+        if not start or whole.size > 1:
+            _guard(kernel, domain, part, start, whole, shape)
+    _require(kernel, parts, start, shape)
 
 
 def _guard(
