@@ -61,7 +61,8 @@ def inverse(
         target = 1 / np.asarray(wanted) if turned else np.asarray(wanted)
         argument, fine = solved(lambda x: gains(x)[place], target, low, high)
         if not np.all(fine):
-            raise ValueError(f"no tracking index or lag in reach gives {wanted!s}")
+            first = np.asarray(wanted)[~fine].flat[0]
+            raise ValueError(f"no tracking index or lag in reach gives {first!s}")
         return gains(argument)
 
     return find

@@ -31,11 +31,14 @@ from gainproof.generated import (
 
 def _both_minima(alpha: Reals) -> Sequence[Gains]:
     """The slow and the fast minimum variance filter; at alpha = 1/2 they are one, of beta 1."""
-    if np.all(np.asarray(alpha) == 0.5):
-        return ((np.asarray(alpha), np.ones(np.shape(alpha))),)
-    found = alpha_beta.minimum_variance_by_gain(alpha)
-    slow, fast = found.slow_minimum_variance_beta, found.fast_minimum_variance_beta
-    return tuple((np.asarray(alpha), np.asarray(beta)) for beta in (slow, fast))
+    given = np.asarray(alpha)
+    double = given == 0.5
+    if double.all():
+        return ((given, np.ones(given.shape)),)
+    # the kernel ends below 1/2: there another number takes its place
+    found = alpha_beta.minimum_variance_by_gain(np.where(double, 0.25, given))
+    both = found.slow_minimum_variance_beta, found.fast_minimum_variance_beta
+    return tuple((given, np.where(double, 1.0, beta)) for beta in both)
 
 
 _increments = first_outputs(acceleration_increments.gains, 3)
