@@ -123,7 +123,7 @@ def lag(velocity_gain: ArrayLike, interval: float, acceleration: ArrayLike) -> R
             "velocity_gain is singular: its least singular value is "
             f"{sizes[-1]!s}, its largest {sizes[0]!s}; the lag T K2^-1 a_c does not exist"
         )
-    return np.asarray(step * np.linalg.solve(gain, course))
+    return np.asarray(step * np.linalg.solve(gain, course), np.float64)
 
 
 def _loop(position_gain: ArrayLike, velocity_gain: ArrayLike, interval: float) -> _Loop:

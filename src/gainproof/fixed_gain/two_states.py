@@ -70,7 +70,8 @@ def poles(alpha: ArrayLike, beta: ArrayLike) -> NDArray[np.complex128]:
 
 def _parts(alpha: Reals, beta: Reals) -> tuple[Reals, Reals]:
     found = alpha_beta.closed_loop_poles(alpha, beta)
-    return np.asarray(found.half_sum), np.asarray(found.quarter_discriminant)
+    parts = found.half_sum, found.quarter_discriminant
+    return np.asarray(parts[0], np.float64), np.asarray(parts[1], np.float64)
 
 
 def _parts_beyond(alpha: Reals, beta: Reals) -> tuple[Reals, Reals]:
