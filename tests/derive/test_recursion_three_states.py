@@ -5,13 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+import catalogue_subjects
 import pytest
 import sympy as sp
 
 from gainproof.derive.algebra.evidence import evidence
 from gainproof.derive.algebra.positive import NoPlainSign
 from gainproof.derive.derivation import Step
-from gainproof.derive.recursion import three_states, triple_kernels
+from gainproof.derive.recursion import triple_kernels
 from gainproof.derive.recursion.noise import NoiseError, T
 from gainproof.derive.recursion.polynomial import SignError, nested
 from gainproof.derive.recursion.triple_names import Q, R, S, filled
@@ -62,7 +63,7 @@ def test_no_kernel_subtracts() -> None:
 
 
 def test_every_step_of_the_page_is_of_a_tower() -> None:
-    subject = three_states.build()
+    subject = catalogue_subjects.subject("recursion-three-states")
     assert {step.tower for step in subject.derivation.steps} == set(subject.towers)
     assert [kernel.name for kernel in subject.module.kernels] == list(subject.programs)
 
@@ -87,7 +88,7 @@ def test_start_from_three_positions() -> None:
 
 
 def test_a_start_of_another_noise_is_refused() -> None:
-    subject = three_states.build()
+    subject = catalogue_subjects.subject("recursion-three-states")
     certificate = subject.certificate()
     assert check(certificate, claims=subject.claims()).accepted
     elements = certificate["towers"]["start"]["elements"]

@@ -185,7 +185,7 @@ PIECES = (
 )  # fmt: skip
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=120, deadline=None)
 @given(st.lists(st.sampled_from(PIECES), max_size=60))
 def test_any_text_leaves_a_readable_draft(pieces: list[str]) -> None:
     data = tomllib.loads(draft("".join(pieces), "a.tex", "a").text)

@@ -133,7 +133,7 @@ def test_a_start_of_ones_own() -> None:
 
 
 @EVERY
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=24, deadline=None)
 @given(st.floats(-7, 6).map(lambda e: 10.0**e))
 def test_hand_over(name: str, index: float) -> None:
     last = int(hand_over_sample(index, name))

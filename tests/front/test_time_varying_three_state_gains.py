@@ -43,7 +43,7 @@ ONE = Fraction(1)
 
 
 @EVERY
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=16, deadline=None)
 @given(st.floats(-9, 7).map(lambda e: 10.0**e))
 def test_error_ratio(name: str, index: float) -> None:
     """Against certified poles; beside a double one half of the digits are left."""

@@ -33,7 +33,7 @@ ONE = Fraction(1)
 
 
 @EVERY
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=24, deadline=None)
 @given(st.floats(-9, 6).map(lambda e: 10.0**e))
 def test_hand_over(name: str, index: float) -> None:
     last = int(hand_over_sample(index, name))

@@ -103,7 +103,7 @@ def test_the_start_from_three_positions_is_the_limit_of_an_unknown_state() -> No
         assert covariance_of(third.factors) == pytest.approx(covariance_of(f), rel=1e-9)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=24, deadline=None)
 @given(FACTORS)
 def test_factors_and_entries(f: Factors) -> None:
     exact = covariance(f)

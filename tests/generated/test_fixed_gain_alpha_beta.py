@@ -48,7 +48,7 @@ def covariances(alpha: flint.arb, beta: flint.arb) -> dict[str, flint.arb]:
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=24, deadline=None)
 @given(ALPHA, BETA)
 def test_variances(dtype: str, alpha: float, beta: float) -> None:
     given_ = rounded(dtype, alpha, beta)
@@ -58,7 +58,7 @@ def test_variances(dtype: str, alpha: float, beta: float) -> None:
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=24, deadline=None)
 @given(PLACE, PLACE)
 def test_the_whole_region_by_its_coordinates(dtype: str, x: float, y: float) -> None:
     """The gains are those whose characteristic polynomial has x and y, by their definition."""
@@ -117,7 +117,7 @@ def test_the_error_behind_a_jerk_grows_by_the_reciprocal_of_beta_a_sample() -> N
     assert abs((other - one) / 100 - 4) < 1e-40
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=24, deadline=None)
 @given(ALPHA, BETA)
 def test_poles_are_the_eigenvalues(alpha: float, beta: float) -> None:
     half, modulus, square = map(float, alpha_beta.closed_loop_poles(alpha, beta))

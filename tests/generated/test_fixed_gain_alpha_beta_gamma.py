@@ -55,7 +55,7 @@ def covariances(gains: list[flint.arb]) -> dict[str, flint.arb]:
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=16, deadline=None)
 @given(PART, st.one_of(SMALL, st.floats(0.01, 1.99)), PART)
 def test_variances(dtype: str, alpha: float, beta: float, share: float) -> None:
     given_ = rounded(dtype, alpha, beta, share)
@@ -71,7 +71,7 @@ def test_variances(dtype: str, alpha: float, beta: float, share: float) -> None:
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=16, deadline=None)
 @given(PLACE, PLACE, PLACE)
 def test_the_whole_region_by_its_coordinates(dtype: str, x: float, d: float, m: float) -> None:
     given_ = rounded(dtype, x, d, m)
@@ -86,7 +86,7 @@ def test_the_whole_region_by_its_coordinates(dtype: str, x: float, d: float, m: 
         assert worst_excess(KERNELS["variances_of_coordinates"], dtype, given_, truth) <= 1
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(PLACE, PLACE, PLACE)
 def test_all_places_of_the_region_are_stable_and_come_back(x: float, d: float, m: float) -> None:
     gains = [float(gain) for gain in alpha_beta_gamma.gains_of_coordinates(x, d, m)]

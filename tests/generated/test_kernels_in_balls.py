@@ -54,7 +54,7 @@ def places(argument: str, low: float, high: float) -> st.SearchStrategy[float]:
 
 
 @pytest.mark.parametrize(("family", "argument", "dtype"), CASES)
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=5, deadline=None)
 @given(data=st.data())
 def test_error_is_within_the_stated_bound(
     family: str, argument: str, dtype: str, data: st.DataObject

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from kernel_truth import STEADY_STATES
+from one_of_each import cases
 
 from gainproof.position_velocity.process_noise import PROCESS_NOISES, kernels
 from gainproof.verify.oracles import doubling
@@ -20,6 +21,9 @@ from gainproof.verify.oracles import position_velocity as oracle
 from gainproof.verify.oracles.multiprecision import fraction
 
 EPSILON = Fraction(1, 2**52)
+ONE_OF_NOISES = cases(
+    sorted(PROCESS_NOISES), lambda noise: noise == "continuous-white-acceleration"
+)
 POINTS = [10.0**e for e in (-6, -2.5, -0.4, 0, 0.3, 0.5, 1.2, 2, 3.5, 6)]
 
 
@@ -46,7 +50,7 @@ def stated(kernel: Any, output: str) -> Fraction:
     return Fraction(found.group(1)) * EPSILON
 
 
-@pytest.mark.parametrize("process_noise", sorted(PROCESS_NOISES))
+@pytest.mark.parametrize("process_noise", ONE_OF_NOISES)
 def test_poles_are_the_eigenvalues(process_noise: str) -> None:
     """Errors over the larger modulus (squared: the discriminant), a few of the stated bounds."""
     kernel = kernels(process_noise).closed_loop_poles

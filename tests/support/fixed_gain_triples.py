@@ -16,7 +16,8 @@ from functools import cache
 import flint
 from fixed_gain_truth import BITS, WORKING, acceleration
 
-from gainproof.verify.oracles.fixed_gain import ball, between, predicted
+from gainproof.verify.oracles.crossing import between
+from gainproof.verify.oracles.fixed_gain import ball, predicted
 from gainproof.verify.oracles.truth import Truth
 
 Gains = tuple[Fraction, ...]

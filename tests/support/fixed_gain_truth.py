@@ -14,9 +14,9 @@ from functools import cache
 
 import flint
 
+from gainproof.verify.oracles.crossing import between
 from gainproof.verify.oracles.fixed_gain import (
     ball,
-    between,
     predicted,
     updated,
     variance_slope,

@@ -41,7 +41,7 @@ def _same(value: Polynomial, expected: Any) -> bool:
     return bool(sp.expand(_symbolic(value) - expected) == 0)
 
 
-@settings(deadline=None, max_examples=50)
+@settings(deadline=None, max_examples=20)
 @given(polynomials, polynomials)
 def test_arithmetic(a: Polynomial, b: Polynomial) -> None:
     assert _same(a + b, _symbolic(a) + _symbolic(b))
@@ -54,7 +54,7 @@ def test_arithmetic(a: Polynomial, b: Polynomial) -> None:
     assert hash(a + b - b) == hash(a)
 
 
-@settings(deadline=None, max_examples=50)
+@settings(deadline=None, max_examples=20)
 @given(polynomials, st.integers(0, 2), coefficients)
 def test_calculus(a: Polynomial, position: int, number: Fraction) -> None:
     symbol = (X, Y, Z)[position]
@@ -93,7 +93,7 @@ def _field() -> Field:
     )
 
 
-@settings(deadline=None, max_examples=50)
+@settings(deadline=None, max_examples=20)
 @given(polynomials)
 def test_reduction(a: Polynomial) -> None:
     field = _field()
@@ -189,7 +189,7 @@ ratios = st.tuples(polynomials, st.integers(1, 3), st.integers(0, 2)).map(
 )
 
 
-@settings(deadline=None, max_examples=30)
+@settings(deadline=None, max_examples=12)
 @given(ratios, ratios)
 def test_ratios(
     first: tuple[Polynomial, Polynomial],

@@ -18,7 +18,7 @@ from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
 
 FILES = sorted((Path(__file__).parent / "hostile").glob("*.toml"))
-LIMIT = 2.0
+LIMIT = 1.0
 """Seconds for a claim here."""
 SPARE = 60.0
 """Seconds for starting processes, of which a busy machine may take many; what hangs takes more."""

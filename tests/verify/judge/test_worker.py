@@ -24,7 +24,7 @@ from gainproof.verify.judge.worker import Workers, tried_apart
 @pytest.mark.parametrize("processes", [1, 2])
 def test_each_loss_costs_one_claim(processes: int) -> None:
     heard: list[str] = []
-    tasks = odd("good", "hang", "die", "fail", "talk", "good", "hang", "good")
+    tasks = odd("good", "hang", "die", "fail", "talk", "good", *["hang"] * (processes - 1), "good")
     start = time.monotonic()
     found = tried_apart(
         tasks, [], 2.0, processes, on_trial=lambda trial: heard.append(trial.claim.id)
@@ -47,7 +47,7 @@ def test_each_loss_costs_one_claim(processes: int) -> None:
             case "talk":
                 assert reason is not None
                 assert "bytes" in reason
-    # two hang for two seconds each; the rest is the start of new processes
+    # each that hangs does so for two seconds; the rest is the start of new processes
     assert spent < 60
     assert not multiprocessing.active_children()
 

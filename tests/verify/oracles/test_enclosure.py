@@ -44,7 +44,7 @@ def one_state(transition: int) -> StateSpace:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=5, deadline=None)
 @given(index=ANY)
 def test_one_measurement_overlaps_the_spectral_enclosure(family: str, index: Fraction) -> None:
     model = STEADY_STATES[family]

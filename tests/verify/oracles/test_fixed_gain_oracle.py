@@ -7,9 +7,9 @@ from fractions import Fraction
 import flint
 import pytest
 
+from gainproof.verify.oracles.crossing import between
 from gainproof.verify.oracles.fixed_gain import (
     ball,
-    between,
     closed_loop,
     errors_at,
     predicted,

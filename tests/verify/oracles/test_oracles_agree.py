@@ -63,7 +63,7 @@ def relative(state: SteadyState, truth: SteadyState) -> float:
 
 
 PLENTY = settings(
-    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.filter_too_much]
+    max_examples=10, deadline=None, suppress_health_check=[HealthCheck.filter_too_much]
 )
 
 

@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_truth import STEADY_STATES
+from one_of_each import cases
 from vector_rounding import allowance
 
 from gainproof.verify.oracles import doubling, noise, recursion, solver
@@ -23,7 +24,7 @@ from gainproof.verify.oracles.state_space import NotConverged, StateSpace, Stead
 
 NOISES: Mapping[str, Any] = {name: model["process_noise"] for name, model in STEADY_STATES.items()}
 SOURCE = NOISES["continuous_white_acceleration"]
-FAMILIES = sorted(NOISES)
+FAMILIES = cases(sorted(NOISES), lambda family: family == "continuous_white_acceleration")
 TEN = Fraction(10)
 CORNERS = [(i, s) for i in (-6, 0, 6) for s in (-6, 0, 6)]
 # where a run in float64 settles within some thousand samples and keeps half of its digits
@@ -79,7 +80,7 @@ def test_recursion_in_multiprecision_agrees_with_doubling(
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(index=INDICES, ratio=RATIOS)
 def test_float_runs_agree_with_doubling(family: str, index: float, ratio: float) -> None:
     model = oracle.model(NOISES[family], index, ratio)

@@ -10,14 +10,16 @@ from typing import Any
 
 import catalogue_subjects
 import pytest
+from claim_campaign import run as campaign
 from claim_campaign.broken import mutants
 from claim_campaign.falsehood import is_false
 from claim_campaign.proved import names_proved_before, subjects
-from claim_campaign.run import accepted, processors, report, run
+from claim_campaign.run import accepted, report, run
 from claim_campaign.subject import Subject
+from one_of_each import cases
 
 SEED = 7
-SAMPLE = 5
+SAMPLE = 3
 HAND_PICKED = (
     "kosuge-slides table-ab-RV",
     "kosuge-slides line-beta",
@@ -33,6 +35,12 @@ HAND_PICKED = (
 )
 
 
+@pytest.fixture(autouse=True)
+def _one_child(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A child process takes longer to start than most of these claims to be judged."""
+    monkeypatch.setattr(campaign, "processors", lambda: 1)
+
+
 @pytest.fixture(scope="module")
 def models() -> list[Mapping[str, Any]]:
     return catalogue_subjects.models()
@@ -40,15 +48,17 @@ def models() -> list[Mapping[str, Any]]:
 
 @pytest.fixture(scope="module")
 def chosen(models: Sequence[Mapping[str, Any]]) -> list[Subject]:
-    return subjects(HAND_PICKED, models, 60.0, processors())
+    return subjects(HAND_PICKED, models, 60.0, 1)
 
 
-@pytest.mark.slow
-def test_no_false_mutant_is_proved_and_rewritings_are(models: Sequence[Mapping[str, Any]]) -> None:
-    names = Random(SEED).sample(names_proved_before(), SAMPLE)
-    some = subjects(names, models, 60.0, processors())
+@pytest.mark.parametrize("seed", cases((3, 4, SEED), lambda seed: seed == 3))
+def test_no_false_mutant_is_proved_and_rewritings_are(
+    models: Sequence[Mapping[str, Any]], seed: int
+) -> None:
+    names = Random(seed).sample(names_proved_before(), SAMPLE)
+    some = subjects(names, models, 60.0, 1)
     assert len(some) > SAMPLE / 2
-    records = run(some, models, 5, SEED, 60.0)
+    records = run(some, models, 5, seed, 60.0)
     broken = [mutant for record in records.values() for mutant in record["mutants"]]
     assert len(broken) > 3 * len(some)
     assert any(mutant["near"] for mutant in broken)

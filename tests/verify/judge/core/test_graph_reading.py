@@ -85,7 +85,7 @@ NODE = st.tuples(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(st.lists(NODE.map(lambda n: [n[0], *n[1]]) | JUNK, max_size=7), st.integers(-1, 7))
 def test_only_its_own_error_comes_out(nodes: list[Any], value: int) -> None:
     try:
