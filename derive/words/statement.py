@@ -128,11 +128,14 @@ def prove_order(
     for number, square in enumerate(squares):
         reference, matrix = search.definite(square.middle)
         factor = search.setting.expand(square.factor)
+        turned = str(factor.data()[0][0]).startswith("-")
+        factor = -factor if turned else factor
         weight = search.setting.expand(square.weight) if square.weight else search.one
         rest = rest - weight @ (factor.T @ matrix @ factor)
         listed.append({"weight": weight.data(), "factor": factor.data(), "definite": reference})
         if strict and square.left_inverse is not None:
             inverse = search.setting.expand(square.left_inverse)
+            inverse = -inverse if turned else inverse
             inverses.append([number, inverse.data()])
             unit = unit - inverse @ factor
     evidence: dict[str, Any] = {"squares": listed, "cofactors": search.vanishing(rest, name)}

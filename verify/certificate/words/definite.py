@@ -81,6 +81,9 @@ def squares(value: Plain, shape: Shape, ground: Ground, place: str) -> list[Squa
         middle, strict = known_definite(fields["definite"], ground, here)
         assert middle.shape is not None
         factor = setting.polynomial(fields["factor"], (middle.shape[0], shape[1]), here)
+        if not factor.terms or next(iter(factor.terms.values())) < 0:
+            # minus the factor has the same square
+            raise RejectedError(f"{here}: the first term of a factor is positive")
         product = factor.transposed().times(middle, meter, here).times(factor, meter, here)
         found.append(Square(weight.times(product, meter, here), factor, strict))
     return found

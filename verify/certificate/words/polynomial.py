@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from operator import add
 from typing import TypeAlias
 
 from gainproof.verify.certificate.rejection import (
@@ -42,13 +43,13 @@ class Polynomial:
         """The sum. Raises RejectedError unless both have one shape."""
         if self.shape != other.shape:
             raise RejectedError(f"{place}: {_said(self)} and {_said(other)} are added")
-        meter.spend(len(other.terms))
+        meter.spend(len(self.terms) + len(other.terms))
         terms = dict(self.terms)
         for key, coefficient in other.terms.items():
             total = terms.pop(key, Fraction(0)) + coefficient
             if total:
-                terms[key] = total
-        return _limited(terms, self.shape, place)
+                terms[key] = _short(total, place)
+        return Polynomial(_few(terms, place), self.shape)
 
     def times(self, other: Polynomial, meter: Meter, place: str) -> Polynomial:
         """The product. Raises RejectedError unless the shapes fit."""
@@ -61,11 +62,13 @@ class Polynomial:
         terms: dict[tuple[Powers, Word], Fraction] = {}
         for (powers, word), coefficient in self.terms.items():
             for (more, after), factor in other.terms.items():
-                key = (tuple(a + b for a, b in zip(powers, more, strict=True)), word + after)
+                key = (_sum(powers, more, place), word + after)
+                if len(key[1]) > MAXIMUM_WORD:
+                    raise RejectedError(f"{place}: a word of more than {MAXIMUM_WORD} letters")
                 total = terms.pop(key, Fraction(0)) + coefficient * factor
                 if total:
-                    terms[key] = total
-        return _limited(terms, shape, place)
+                    terms[key] = _short(total, place)
+        return Polynomial(_few(terms, place), shape)
 
     def negative(self) -> Polynomial:
         """Minus the polynomial."""
@@ -84,19 +87,25 @@ class Polynomial:
         return {letter // 2 for _, word in self.terms for letter in word}
 
 
-def _limited(
-    terms: dict[tuple[Powers, Word], Fraction], shape: Shape | None, place: str
-) -> Polynomial:
+def _sum(powers: Powers, more: Powers, place: str) -> Powers:
+    total = tuple(map(add, powers, more))
+    if total and max(map(abs, total)) > MAXIMUM_POWER:
+        raise RejectedError(f"{place}: a power beyond {MAXIMUM_POWER}")
+    return total
+
+
+def _short(value: Fraction, place: str) -> Fraction:
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) > MAXIMUM_COEFFICIENT_BITS:
+        raise RejectedError(f"{place}: a coefficient of too many digits")
+    return value
+
+
+def _few(
+    terms: dict[tuple[Powers, Word], Fraction], place: str
+) -> dict[tuple[Powers, Word], Fraction]:
     if len(terms) > MAXIMUM_WORD_TERMS:
         raise RejectedError(f"{place}: more than {MAXIMUM_WORD_TERMS} terms")
-    for (powers, word), value in terms.items():
-        if len(word) > MAXIMUM_WORD or any(abs(power) > MAXIMUM_POWER for power in powers):
-            raise RejectedError(f"{place}: a word of more than {MAXIMUM_WORD} letters")
-        if max(value.numerator.bit_length(), value.denominator.bit_length()) > (
-            MAXIMUM_COEFFICIENT_BITS
-        ):
-            raise RejectedError(f"{place}: a coefficient of too many digits")
-    return Polynomial(terms, shape)
+    return terms
 
 
 def _said(value: Polynomial) -> str:

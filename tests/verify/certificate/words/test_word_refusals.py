@@ -26,6 +26,7 @@ from word_certificates import (
 )
 
 from gainproof.verify.certificate import check
+from gainproof.verify.certificate.alteration import Campaign
 
 Data = dict[str, Any]
 Change = Callable[[Data], object]
@@ -174,6 +175,13 @@ def test_a_change_is_refused(name: str) -> None:
     change, wanted = CHANGES[name]
     found = changed(change)
     assert any(wanted in reason for reason in found.values()), found
+
+
+def test_every_number_altered_and_every_field_deleted() -> None:
+    tally = Campaign(inverse_of_a_sum()).run()
+    assert tally.accepted == ()
+    assert tally.unexpected == 0
+    assert tally.refuted > 100
 
 
 def test_shapes_are_checked_at_every_sum_and_product() -> None:

@@ -122,7 +122,7 @@ def test_the_order_of_inverses_needs_no_rule_of_its_own() -> None:
         formula = ("transpose", ("inverse", base)), ("inverse", base)
         statements.append(equal(title, *formula, cofactors, (above, below)[number]))
     # both factors are symmetric once their turned letters are replaced
-    gap = poly("1 B_i", "-1 A_i")
+    gap = poly("1 A_i", "-1 B_i")
     squares = [square(gap, ["given", 1]), square(poly("1 A_i"), ["given", 2])]
     left = poly("-1 B B_i", "1 B A_i")
     cofactors = [
@@ -155,7 +155,7 @@ def test_a_schur_complement_is_a_square() -> None:
         "x",
         ("mul", ("transpose", factor), "M", factor),
         "0",
-        [square(poly("1 G", "-1 E X"), ["given", 0])],
+        [square(poly("-1 G", "1 E X"), ["given", 0])],
         known("semidefinite", "M"),
     )
     assert check(certificate(place, claim)).accepted
