@@ -747,7 +747,7 @@ def minimum_variance_by_lag(
         most 0.51 * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 0.12500000000000003 <= lag
         <= 1e30 (float64) and 0.12500001 <= lag <= 1e09 (float32).
     minimum_variance_predicted_11: variance of the predicted position over sigma_v^2, minimum
-        variance. Relative error at most 13.80 * 2^-52 (float64), 13.79 * 2^-23 (float32), proved
+        variance. Relative error at most 13.78 * 2^-52 (float64), 13.76 * 2^-23 (float32), proved
         for 0.12500000000000003 <= lag <= 1e30 (float64) and 0.12500001 <= lag <= 1e09 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -867,16 +867,16 @@ def random_acceleration_by_lag(
         1/2 and at most 1e30, in float32 above 1/2 and at most 1e9.
 
     random_acceleration_alpha: gain of the position, random acceleration. Relative error at most
-        10.42 * 2^-52 (float64), 10.42 * 2^-23 (float32), proved for 0.5000000000000001 <= lag <=
+        10.36 * 2^-52 (float64), 10.34 * 2^-23 (float32), proved for 0.5000000000000001 <= lag <=
         1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
     random_acceleration_beta: gain of the velocity times T, random acceleration. Relative error at
-        most 5.21 * 2^-52 (float64), 5.21 * 2^-23 (float32), proved for 0.5000000000000001 <= lag <=
+        most 5.18 * 2^-52 (float64), 5.17 * 2^-23 (float32), proved for 0.5000000000000001 <= lag <=
         1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
     random_acceleration_gamma: gain of the acceleration times T^2, random acceleration. Relative
         error at most 0.51 * 2^-52 (float64), 0.51 * 2^-23 (float32), proved for 0.5000000000000001
         <= lag <= 1e30 (float64) and 0.50000006 <= lag <= 1e09 (float32).
     random_acceleration_predicted_11: variance of the predicted position over sigma_v^2, random
-        acceleration. Relative error at most 35.39 * 2^-52 (float64), 35.34 * 2^-23 (float32),
+        acceleration. Relative error at most 35.39 * 2^-52 (float64), 35.33 * 2^-23 (float32),
         proved for 0.5000000000000001 <= lag <= 1e30 (float64) and 0.50000006 <= lag <= 1e09
         (float32).
 
@@ -1041,10 +1041,10 @@ def random_jerk_by_lag(
     lag: 1/gamma, lag of the predicted position behind a constant jerk j over j T^3; a number above
         69/128 and at most 1e30, in float32 above 69/128 and at most 1e9.
 
-    random_jerk_alpha: gain of the position, random jerk. Relative error at most 16.37 * 2^-52
+    random_jerk_alpha: gain of the position, random jerk. Relative error at most 16.34 * 2^-52
         (float64), 16.60 * 2^-23 (float32), proved for 0.5390625000000001 <= lag <= 1e30 (float64)
         and 0.53906256 <= lag <= 1e09 (float32).
-    random_jerk_beta: gain of the velocity times T, random jerk. Relative error at most 7.44 * 2^-52
+    random_jerk_beta: gain of the velocity times T, random jerk. Relative error at most 7.42 * 2^-52
         (float64), 7.51 * 2^-23 (float32), proved for 0.5390625000000001 <= lag <= 1e30 (float64)
         and 0.53906256 <= lag <= 1e09 (float32).
     random_jerk_gamma: gain of the acceleration times T^2, random jerk. Relative error at most 0.51
@@ -1385,7 +1385,7 @@ def random_jerk_by_gain(
         * 2^-52 (float64), 21.36 * 2^-23 (float32), proved for 1e-15 <= alpha <= 0.9999999999999999
         (float64) and 1e-06 <= alpha <= 0.99999994 (float32).
     random_jerk_predicted_11: variance of the predicted position over sigma_v^2, random jerk.
-        Relative error at most 14.34 * 2^-52 (float64), 14.59 * 2^-23 (float32), proved for 1e-15 <=
+        Relative error at most 14.34 * 2^-52 (float64), 14.60 * 2^-23 (float32), proved for 1e-15 <=
         alpha <= 0.9999999999999999 (float64) and 1e-06 <= alpha <= 0.99999994 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal

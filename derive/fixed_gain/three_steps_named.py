@@ -7,6 +7,7 @@ import sympy as sp
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.loop import row
+from gainproof.derive.fixed_gain.steps_answer import Z
 from gainproof.derive.fixed_gain.three_steps_optimum import P11, discriminant, lecture_variance
 from gainproof.derive.fixed_gain.three_steps_stability import (
     ALPHA,
@@ -15,7 +16,7 @@ from gainproof.derive.fixed_gain.three_steps_stability import (
     GAMMA,
     MARGIN,
 )
-from gainproof.derive.fixed_gain.three_towers import X
+from gainproof.derive.fixed_gain.three_towers import LOOP, X
 from gainproof.derive.relation import equal, positive, same_sign
 
 RA, RJ = "random_acceleration", "random_jerk"
@@ -65,6 +66,19 @@ def _acceleration() -> list[Step]:
             tower=RA,
         ),
         joined("random-acceleration-twice", equal(sp.Subs(ALPHA, X, 4 / X), ALPHA), tower=RA),
+        Step(
+            "random-acceleration-roots",
+            "Its poles in closed form: one is `(x - 2)/(x + 2)`, of the stable ones `sqrt(1 - "
+            "alpha)`; the others are the zeros of the second factor.",
+            equal(
+                (Z * (X + 2) - (X - 2))
+                * (Z**2 * (X**2 + 2 * X) - 2 * Z * (X**2 - 8) + X**2 - 2 * X),
+                X * (X + 2) ** 2 * LOOP.polynomial(Z),
+                free=("z",),
+            ),
+            "`1 + x s + y s^2 + d s^3 = (1 + x s/2) (1 + x s/2 + (x^2 - 4) s^2/4)`.",
+            tower=RA,
+        ),
         Step(
             "random-acceleration-poles",
             "All poles of a stable one are real up to `x = 4/sqrt(3)`, beyond two are complex.",

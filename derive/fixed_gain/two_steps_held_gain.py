@@ -133,7 +133,11 @@ def _slow() -> list[Step]:
             tower=BORDER,
             hint={"ends": ends},
         ),
-        joined("smoothed-border-gains", equal(row(ALPHA, BETA), row(1 / (1 + E), 2)), tower=BORDER),
+        joined(
+            "smoothed-border-gains",
+            equal(row(ALPHA, BETA, X11), row(1 / (1 + E), 2, smoothed_variance(ALPHA, BETA))),
+            tower=BORDER,
+        ),
     ]
 
 
