@@ -31,7 +31,7 @@ class PositionGain(NamedTuple):
     gain: Real
     """Gain of the position."""
     rest: Real
-    """1 - gain: the updated variance over the predicted one."""
+    """The updated variance over the predicted one, 1 - gain."""
 
 
 def position_gain(
@@ -48,7 +48,7 @@ def position_gain(
     gain: gain of the position. Relative error at most 1.01 * 2^-52 (float64), 1.01 * 2^-23
         (float32), proved for 1e-300 <= variance_ratio <= 1e300 (float64) and 1e-30 <=
         variance_ratio <= 1e30 (float32).
-    rest: 1 - gain: the updated variance over the predicted one. Relative error at most 1.01 * 2^-52
+    rest: the updated variance over the predicted one, 1 - gain. Relative error at most 1.01 * 2^-52
         (float64), 1.01 * 2^-23 (float32), proved for 1e-300 <= variance_ratio <= 1e300 (float64)
         and 1e-30 <= variance_ratio <= 1e30 (float32).
 

@@ -42,7 +42,7 @@ def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
         ),
         outputs=(
             Output("gain", "gain of the position"),
-            Output("rest", "1 - gain: the updated variance over the predicted one"),
+            Output("rest", "the updated variance over the predicted one, 1 - gain"),
         ),
         graph=graph,
         source=f"derivation {name}",

@@ -233,6 +233,33 @@ def test_blocks_make_no_contradiction() -> None:
         assert "" in reasons(data)
 
 
+def test_what_a_statement_says_is_used_as_what_it_is() -> None:
+    """An order, a trace, a definition and words are no equation, an equation is no order."""
+    place = setting({"A": "n n", "B": "n n"})
+    known_a = known("semidefinite", "A")
+    ordered = order("order", "A", "0", [square(ONE, ["given", 0])], known_a)
+    sides = {"left": graph(("mul", "A", "B")), "right": graph(("mul", "B", "A")), "given": []}
+    trace = statement("trace", "matrix_trace", sides, {"used": []})
+    words = statement("words", "definition", {"text": "A is zero"}, {})
+    cited = statement("cited", "cited", {"theorem": "A B = B A", "reference": "nobody"}, {})
+    for name in ("order", "trace", "words", "cited"):
+        source = cofactor(["statement", name], ONE, ONE)
+        claim = equal("x", ("mul", "A", "B"), ("mul", "B", "A"), [source], known_a)
+        reason = reasons(certificate(place, ordered, trace, words, cited, claim))["x"]
+        assert "matrix_equal" in reason or "no matrix statement" in reason
+    same = equal("same", "A", "A", [])
+    claim = order("x", "B", "0", [square(ONE, ["statement", "same"])])
+    assert "no statement of kind matrix_order" in reasons(certificate(place, same, claim))["x"]
+
+
+def test_a_definition_is_one_of_the_setting() -> None:
+    place = setting({"A": "n n", "S": "n n"}, elements={"S": poly("2 A")})
+    for left, right in (("A", "0"), ("S", "A"), ("S", ("mul", "A", "A"))):
+        claim = {"left": graph(left), "right": graph(right)}
+        data = certificate(place, statement("x", "definition", claim, {}), equal("y", "S", "S", []))
+        assert "no such element" in reasons(data)["x"]
+
+
 def test_a_parameter_that_may_vanish_divides_nothing() -> None:
     place = setting({"A": "n n"}, parameters=[{"symbol": "z", "any": "real"}])
     (reason,) = reasons(certificate(place, equal("x", ("div", "A", "z"), "A", []))).values()
