@@ -16,6 +16,7 @@ from gainproof.derive.filter_step.names import (
     STATES,
     VELOCITY_GAINS,
 )
+from gainproof.derive.filter_step.towers import meanings, towers
 from gainproof.derive.fixed_gain.loop import product, shift, total
 from gainproof.derive.relation import described, equal
 
@@ -36,6 +37,7 @@ def filter_steps() -> list[Step]:
             "These are the definitions.",
             heading="The filter",
         ),
+        *_signs(),
         _matrix_form(2, "two"),
         _matrix_form(3, "three"),
         _missed(2),
@@ -43,6 +45,33 @@ def filter_steps() -> list[Step]:
         *_interacting(),
         *_alone(),
     ]
+
+
+def _signs() -> list[Step]:
+    """What each name stands for: without this a claim could be one on some numbers alone."""
+    return [
+        Step(
+            f"signs-{tower.name.replace('_', '-')}",
+            "States, observations and gains may have either sign: each is `u - 1/u` of a positive "
+            "`u` of its own, which takes every real number once as `u` grows.",
+            equal(
+                _listed([real(name) for name in tower.elements]),
+                _listed(list(meanings(tower).values())),
+            ),
+            "These are the definitions; in what follows only the names occur.",
+            tower=tower.name,
+            shown=tower.name == "main",
+        )
+        for tower in towers()
+    ]
+
+
+def _listed(values: list[sp.Expr]) -> sp.ImmutableDenseMatrix:
+    """A column; of many entries four, filled up with 0: a certificate has no more than 8 rows."""
+    if len(values) <= 8:
+        return Matrix(values)
+    rows = -(-len(values) // 4)
+    return Matrix(rows, 4, [*values, *[sp.Integer(0)] * (4 * rows - len(values))])
 
 
 def updated(

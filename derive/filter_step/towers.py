@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import sympy as sp
+
 from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.filter_step.forms import AXES
@@ -45,5 +47,15 @@ def along(axis: str) -> Tower:
 
 def _tower(name: str, signed: Sequence[str], zeros: Sequence[str]) -> Tower:
     parameters = (Parameter("t"), *(Parameter(root_of(each)) for each in signed))
-    elements = {each: real(root_of(each)) - 1 / real(root_of(each)) for each in signed}
-    return Tower(name, parameters, (), {**elements, **dict.fromkeys(zeros, real("t") * 0)})
+    return Tower(name, parameters, (), {**_either(signed), **dict.fromkeys(zeros, real("t") * 0)})
+
+
+def meanings(tower: Tower) -> dict[str, sp.Expr]:
+    """What each name of a tower stands for, over its parameters."""
+    free = {parameter.symbol for parameter in tower.parameters}
+    signed = [name for name in tower.elements if root_of(name) in free]
+    return {**dict.fromkeys(tower.elements, sp.Integer(0)), **_either(signed)}
+
+
+def _either(signed: Sequence[str]) -> dict[str, sp.Expr]:
+    return {each: real(root_of(each)) - 1 / real(root_of(each)) for each in signed}

@@ -71,6 +71,15 @@ def test_what_is_0_in_a_tower_is_used_by_no_output_claimed_there() -> None:
             assert len(used) == 16
 
 
+def test_a_certificate_on_fixed_numbers_is_refused() -> None:
+    """Where a name stands for 0 instead of any number, all kernels would still be what they say."""
+    data = json.loads(json.dumps(certificate(NAME)))
+    tower = data["towers"]["along_y"]["elements"]
+    tower["y_position"] = tower["position_gain_11"]
+    found = statuses(data)
+    assert {name for name, status in found.items() if status == "rejected"} == {"signs-along-y"}
+
+
 def symbols(nodes: list[list[Any]], end: int) -> set[str]:
     """Names of the symbols that a node depends on."""
     waiting, found = [end], set()
