@@ -16,6 +16,7 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     SETTING,
     STEADY,
     SYMMETRIC,
+    UNIT,
     W11,
     W21,
     W22,
@@ -162,7 +163,8 @@ def covariance_steps() -> list[Step]:
         ).step(
             "In the order of symmetric matrices (`X >= Y` if `X - Y` is positive semidefinite) no "
             "steady covariance is below what the last measurement alone brings in:",
-            "The difference is `F W F'`.",
+            "The difference is `F W F'`; of the update, which is the last line, `(I - K1) W11 (I "
+            "- K1)'`.",
         ),
         prove_order(
             "position-floor",
@@ -170,6 +172,13 @@ def covariance_steps() -> list[Step]:
             W11,
             gain @ B @ gain.T,
             [Square(F.T @ E1, semidefinite("W"))],
+        ).step("", joins=True),
+        prove_order(
+            "updated-floor",
+            Search(SETTING, [semidefinite("W")]),
+            (UNIT - K1) @ W11 @ (UNIT - K1).T + K1 @ B @ K1.T,
+            K1 @ B @ K1.T,
+            [Square(E1 @ (UNIT - K1).T, semidefinite("W"))],
         ).step("", joins=True),
         prove_order(
             "next-definite",

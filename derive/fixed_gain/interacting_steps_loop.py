@@ -32,7 +32,7 @@ from gainproof.derive.fixed_gain.interacting_setting import (
 from gainproof.derive.fixed_gain.interacting_steps_filter import meaning
 from gainproof.derive.relation import cited
 from gainproof.derive.source import MATRICES
-from gainproof.derive.words.expression import Expression
+from gainproof.derive.words.expression import Expression, unit
 from gainproof.derive.words.hypotheses import equation
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import Statement, prove_equal
@@ -160,6 +160,13 @@ def _axis_variances() -> list[Step]:
         (ALPHA * (4 - 2 * ALPHA - BETA)) * position,
         (2 * ALPHA**2 + 2 * BETA + ALPHA * BETA) * noise,
     )
+    after = (UNIT - K1) @ W11 @ (UNIT - K1).T + K1 @ B @ K1.T
+    updated = prove_equal(
+        "axis-updated",
+        Search(SETTING, given, [first], taken=[((1 - ALPHA) ** 2, first, unit("1"))]),
+        (ALPHA * (4 - 2 * ALPHA - BETA)) * (U @ after @ u),
+        (2 * ALPHA**2 + 2 * BETA - 3 * ALPHA * BETA) * noise,
+    )
     return [
         second.step(
             "The variances along it too are those of the alpha-beta filter with the measurement "
@@ -169,4 +176,5 @@ def _axis_variances() -> list[Step]:
         ),
         third.step("", joins=True),
         first.step("", joins=True),
+        updated.step("And that of the updated position:", "Insert both rows."),
     ]

@@ -7,6 +7,7 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
+from gainproof.derive.fixed_gain.interacting_example import Example
 from gainproof.derive.fixed_gain.interacting_setting import (
     EVERYWHERE,
     K1,
@@ -27,67 +28,21 @@ from gainproof.derive.fixed_gain.interacting_setting import (
 )
 from gainproof.derive.fixed_gain.interacting_steps_filter import meaning
 from gainproof.derive.fixed_gain.interacting_steps_sharing import EXAMPLE
-from gainproof.derive.relation import Relation, equal
+from gainproof.derive.relation import equal
 from gainproof.derive.words.hypotheses import equation
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import prove_equal
 
-POSITION = sp.ImmutableDenseMatrix(
-    [[sp.Rational(1, 2), sp.Rational(1, 16)], [1, sp.Rational(1, 2)]]
-)
-VELOCITY = sp.eye(2).as_immutable()
-PHI_2 = sp.ImmutableDenseMatrix(4, 4, lambda i, j: int(i == j or j == i + 2))
-SEEN = sp.ImmutableDenseMatrix(2, 4, lambda i, j: int(i == j))
-GAIN = POSITION.col_join(VELOCITY).as_immutable()
-LATEX = {"half": "k_{11}", "memory": "k_{12}", "one": "k_{21}", "none": "k_{32}"}
-NAMES = (("half", "memory"), ("one", "half"), ("one", "none"), ("none", "one"))
-"""The entries of the gain by name."""
-
-
+A = real("alpha")
+PREDICTION = Example("p", EXAMPLE, sp.ImmutableDenseMatrix([["1/2", "1/16"], [1, "1/2"]]))
+UPDATE = Example("s", EXAMPLE, sp.ImmutableDenseMatrix([["3/4", "1/20"], [1, 1]]))
+LATEX = {**PREDICTION.latex, **UPDATE.latex}
 SECOND_STEADY = equation(OTHER, F @ OTHER @ F.T + PHI @ K @ SECOND_NOISE @ K.T @ PHI.T)
 
 
 def tower() -> Tower:
-    """The numbers of the example."""
-    numbers = {NAMES[i][j]: GAIN[i, j] for i in range(4) for j in range(2)}
-    return Tower(EXAMPLE, (), (), numbers)
-
-
-def example_covariance() -> sp.ImmutableDenseMatrix:
-    """The steady covariance of the example, from its linear equations."""
-    loop = PHI_2 * (sp.eye(4) - GAIN * SEEN)
-    entries = {(i, j): sp.Symbol(f"w{i}{j}") for j in range(4) for i in range(j + 1)}
-    found = sp.Matrix(4, 4, lambda i, j: entries[min(i, j), max(i, j)])
-    added = PHI_2 * GAIN * GAIN.T * PHI_2.T
-    solved = sp.solve(list(found - loop * found * loop.T - added), list(entries.values()))
-    return sp.ImmutableDenseMatrix(found.subs(solved))
-
-
-def _model() -> dict[str, object]:
-    def rows(matrix: sp.MatrixBase) -> list[list[str]]:
-        return [[str(entry) for entry in matrix.row(i)] for i in range(matrix.rows)]
-
-    return {
-        "name": "two-coordinates",
-        "title": "Two coordinates at constant velocity",
-        "transition": rows(PHI_2),
-        "process_noise": rows(sp.zeros(4, 4)),
-        "measurement": rows(SEEN),
-        "measurement_noise": rows(sp.eye(2)),
-    }
-
-
-def _schur_cohn() -> dict[str, list[sp.Expr]]:
-    """The hint of the stability: coefficients, and a_n - a_0 and a_n + a_0 of each degree."""
-    z = real("z")
-    loop = PHI_2 * (sp.eye(4) - GAIN * SEEN)
-    coefficients = (z * sp.eye(4) - loop).det().as_poly(z).all_coeffs()[::-1]
-    rest, values = coefficients, []
-    while len(rest) > 1:
-        low, high = rest[0], rest[-1]
-        values += [high - low, high + low]
-        rest = [high * rest[k + 1] - low * rest[-k - 2] for k in range(len(rest) - 1)]
-    return {"coefficients": coefficients[:-1], "values": values}
+    """The numbers of both examples."""
+    return Tower(EXAMPLE, (), (), {**PREDICTION.elements, **UPDATE.elements})
 
 
 def none_steps() -> list[Step]:
@@ -136,43 +91,66 @@ def _scaling() -> list[Step]:
 
 
 def _example() -> list[Step]:
-    found = example_covariance()
-    loop = sp.ImmutableDenseMatrix(PHI_2 * (sp.eye(4) - GAIN * SEEN))
-    noise = sp.ImmutableDenseMatrix(PHI_2 * GAIN)
-    names = sp.ImmutableDenseMatrix([[real(name) for name in row] for row in NAMES])
+    first, second = PREDICTION.covariance[0, 0], UPDATE.updated[0, 0]
+    least = sp.Rational(7, 9)
     return [
-        Step(
-            "example-stable",
+        *PREDICTION.stable(
             "The same with the coordinates exchanged: a best `K1` is diagonal, each coordinate an "
             "alpha-beta filter with `beta = 1`, and its variance not below 3 (step @sharing-least "
             "with `r = 1`). But here is a stable filter that interacts, its `K1` having the rows "
             "`(1/2, 1/16)` and `(1, 1/2)`,",
-            Relation("stable", {"model": _model(), "gain": [list(row) for row in NAMES]}),
             "Schur-Cohn, in numbers.",
-            EXAMPLE,
-            _schur_cohn(),
         ),
-        joined("example-gain", equal(names, GAIN), EXAMPLE),
+        PREDICTION.steady("with the steady covariance", "Multiply out."),
         Step(
-            "example-steady",
-            "with the steady covariance",
-            equal(
-                found,
-                sp.MatAdd(
-                    sp.MatMul(loop, found, loop.T.as_immutable()),
-                    sp.MatMul(noise, noise.T.as_immutable()),
-                ),
-            ),
-            "Multiply out.",
-            EXAMPLE,
-        ),
-        Step(
-            "example-smaller",
+            "prediction-smaller",
             "whose first variance is smaller: the second coordinate serves the first as a memory. "
             "So no `K1` is best in the order of matrices; which one is depends on the direction, "
             "or the trace, that is asked for.",
-            equal(sp.Add(sp.Integer(3), -found[0, 0], evaluate=False), sp.Rational(2, 45)),
+            equal(sp.Add(sp.Integer(3), -first, evaluate=False), 3 - first),
             "Subtract.",
             EXAMPLE,
         ),
+        Step(
+            "updated-axis-least",
+            "Nor is there one for the covariance of the updated position (NP-S). It is carried "
+            "along by step @scaled-steady as `W` is, linear in the noise, and not below `K1 B "
+            "K1'` (step @updated-floor): again a best `K1` is diagonal. By step @axis-updated "
+            "with `beta = 1` its variances are not below `7/9`:",
+            equal(
+                (2 * A**2 - 3 * A + 2) / (A * (3 - 2 * A)) - least,
+                2 * (4 * A - 3) ** 2 / (9 * A * (3 - 2 * A)),
+                free=("alpha",),
+            ),
+            "Common denominator; `0 < alpha < 3/2` are the stable ones.",
+            EXAMPLE,
+        ),
+        *UPDATE.stable(
+            "But here is a stable filter that interacts, its `K1` having the rows `(3/4, 1/20)` "
+            "and `(1, 1)`,",
+            "Schur-Cohn, in numbers.",
+        ),
+        UPDATE.steady("with the steady covariance", "Multiply out."),
+        Step(
+            "update-smaller",
+            "from which the first variance of the update, `(I - K1) W11 (I - K1)' + K1 K1'`, is "
+            "smaller:",
+            equal(UPDATE.updated, _updated()),
+            "Multiply out, and subtract.",
+            EXAMPLE,
+        ),
+        joined(
+            "update-smaller-by",
+            equal(sp.Add(least, -second, evaluate=False), least - second),
+            EXAMPLE,
+        ),
     ]
+
+
+def _updated() -> sp.MatAdd:
+    rest = (sp.eye(2) - UPDATE.position).as_immutable()
+    predicted = UPDATE.covariance[:2, :2].as_immutable()
+    return sp.MatAdd(
+        sp.MatMul(rest, predicted, rest.T.as_immutable()),
+        sp.MatMul(UPDATE.position, UPDATE.position.T.as_immutable()),
+    )

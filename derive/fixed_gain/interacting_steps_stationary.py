@@ -8,6 +8,7 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     CHANGE,
     CHANGED,
     E1,
+    E2,
     MISFIT,
     OTHER,
     PHI,
@@ -20,9 +21,11 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     F,
     H,
     K,
+    T,
     W,
     closed,
     noisy,
+    updated_covariance,
 )
 from gainproof.derive.fixed_gain.interacting_steps_filter import meaning
 from gainproof.derive.words.expression import ZERO, symbol, unit
@@ -35,6 +38,7 @@ STATE = symbol("state")
 UNHEARD = equation(STATE.T @ PHI @ K, ZERO)
 OTHER_STEADY = equation(OTHER, noisy(CHANGED, OTHER))
 ADJOINT_STEADY = equation(ADJOINT, LOOP.T @ ADJOINT @ LOOP + WEIGHT)
+BACK = E1 - T * E2
 LINEAR = E1 @ CHANGE @ MISFIT.T
 SQUARE = E1 @ CHANGE @ (W11 + B) @ CHANGE.T @ E1.T
 
@@ -60,9 +64,8 @@ def stationary_steps() -> list[Step]:
             MISFIT,
             PHI @ (K @ (H @ W @ H.T + B) - W @ H.T),
         ).step(
-            "Second reading: in the steady state, here of the predicted position (NP-P). There "
-            "`K1` also changes the `W` that it is to fit. Let `N` say by how much the gain is not "
-            "Kalman's own for the steady `W`:",
+            "Second reading: in the steady state. There `K1` also changes the `W` that it is to "
+            "fit. Let `N` say by how much the gain is not Kalman's own for the steady `W`:",
             "`H = E1'`.",
             heading="A given velocity gain: NP-S and NP-P in the steady state",
         ),
@@ -90,6 +93,16 @@ def stationary_steps() -> list[Step]:
             "equation:",
             "`tr(A B) = tr(B A)`, and the equation of `Lambda` between the two.",
         ),
+        prove_equal(
+            "smoothed-weight",
+            Search(SETTING, [STEADY], taken=[(-BACK.T, STEADY, BACK)]),
+            E1.T @ updated_covariance(K, W) @ E1,
+            BACK.T @ W @ BACK,
+        ).step(
+            "The updated position (NP-S) is another weight of the same `W`, `C = (E1 - T E2) (E1 "
+            "- T E2)'`, since without process noise the prediction is the update moved on:",
+            "`W = Phi X Phi'` with the update's `X`, and `(E1 - T E2)' Phi = E1'`.",
+        ),
         prove_traces_equal(
             "first-order",
             Search(SETTING, [symmetric("adjoint")]),
@@ -115,11 +128,11 @@ def stationary_steps() -> list[Step]:
             STATE.T @ PHI,
         ).step(
             "And there is a best gain of every trace with a positive definite weight of the "
-            "position if `B > 0`, `K2` is invertible and some `K1` is stable. Along a sequence "
-            "towards the infimum `W11` is bounded, hence `K1` (step @position-floor) and, by step "
-            "@steady-21 and `W >= 0`, all of `W`: so there is a limit. It is stable, since a left "
-            "eigenvector `y'` of `F` with `|z| >= 1` would have `y' Phi K B K' Phi' y = 0`, so "
-            "`y' Phi K = 0`, and",
+            "predicted position if `B > 0`, `K2` is invertible and some `K1` is stable. Along a "
+            "sequence towards the infimum `W11` is bounded, hence `K1` (step @position-floor) "
+            "and, by step @steady-21 and `W >= 0`, all of `W`: so there is a limit. It is stable, "
+            "since a left eigenvector `y'` of `F` with `|z| >= 1` would have `y' Phi K B K' Phi' "
+            "y = 0`, so `y' Phi K = 0`, and",
             "`y' Phi K H = 0`. Thus `y'` is a left eigenvector of `Phi`, that is `z = 1` and `y' "
             "= y2' E2'`, and `y' Phi K = y2' K2`, which is not 0.",
         ),
