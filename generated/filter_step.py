@@ -308,9 +308,9 @@ class StepTwoStates(NamedTuple):
     """Result of `step_two_states`."""
 
     updated_position: Real
-    """Position after this one, m."""
+    """Position after this update, m."""
     updated_velocity: Real
-    """Velocity after this one, m/s."""
+    """Velocity after this update, m/s."""
 
 
 def step_two_states(
@@ -337,12 +337,12 @@ def step_two_states(
         1e4.
     beta: gain of the velocity times t; of magnitude at most 1e4, in float32 1e4.
 
-    updated_position: position after this one, m. Error over the sum of its terms taken positive at
-        most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input, and 3e-319
+    updated_position: position after this update, m. Error over the sum of its terms taken positive
+        at most 2.51 * 2^-52 (float64), 2.51 * 2^-23 (float32), proved for every input, and 3e-319
         (float64) and 8e-41 (float32) beside it where a product underflows.
-    updated_velocity: velocity after this one, m/s. Error over the sum of its terms taken positive
-        at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input, and 3e-309
-        (float64) and 8e-38 (float32) beside it where a product underflows.
+    updated_velocity: velocity after this update, m/s. Error over the sum of its terms taken
+        positive at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every input, and
+        3e-309 (float64) and 8e-38 (float32) beside it where a product underflows.
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -392,11 +392,11 @@ class StepThreeStates(NamedTuple):
     """Result of `step_three_states`."""
 
     updated_position: Real
-    """Position after this one, m."""
+    """Position after this update, m."""
     updated_velocity: Real
-    """Velocity after this one, m/s."""
+    """Velocity after this update, m/s."""
     updated_acceleration: Real
-    """Acceleration after this one, m/s^2."""
+    """Acceleration after this update, m/s^2."""
 
 
 def step_three_states(
@@ -430,15 +430,15 @@ def step_three_states(
     beta: gain of the velocity times t; of magnitude at most 1e4, in float32 1e4.
     gamma: gain of the acceleration times t^2; of magnitude at most 1e4, in float32 1e4.
 
-    updated_position: position after this one, m. Error over the sum of its terms taken positive at
-        most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and 3e-309
+    updated_position: position after this update, m. Error over the sum of its terms taken positive
+        at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and 3e-309
         (float64) and 8e-37 (float32) beside it where a product underflows.
-    updated_velocity: velocity after this one, m/s. Error over the sum of its terms taken positive
-        at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input, and 3e-299
-        (float64) and 8e-34 (float32) beside it where a product underflows.
-    updated_acceleration: acceleration after this one, m/s^2. Error over the sum of its terms taken
-        positive at most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for every input, and
-        3e-289 (float64) and 8e-31 (float32) beside it where a product underflows.
+    updated_velocity: velocity after this update, m/s. Error over the sum of its terms taken
+        positive at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every input, and
+        3e-299 (float64) and 8e-34 (float32) beside it where a product underflows.
+    updated_acceleration: acceleration after this update, m/s^2. Error over the sum of its terms
+        taken positive at most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for every
+        input, and 3e-289 (float64) and 8e-31 (float32) beside it where a product underflows.
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
@@ -501,17 +501,17 @@ class StepInteracting(NamedTuple):
     """Result of `step_interacting`."""
 
     updated_x_position: Real
-    """Position along x after this one, m."""
+    """Position along x after this update, m."""
     updated_y_position: Real
-    """Position along y after this one, m."""
+    """Position along y after this update, m."""
     updated_z_position: Real
-    """Position along z after this one, m."""
+    """Position along z after this update, m."""
     updated_x_velocity: Real
-    """Velocity along x after this one, m/s."""
+    """Velocity along x after this update, m/s."""
     updated_y_velocity: Real
-    """Velocity along y after this one, m/s."""
+    """Velocity along y after this update, m/s."""
     updated_z_velocity: Real
-    """Velocity along z after this one, m/s."""
+    """Velocity along z after this update, m/s."""
 
 
 def step_interacting(
@@ -590,24 +590,24 @@ def step_interacting(
     velocity_gain_32: entry 32 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
     velocity_gain_33: entry 33 of K2, 1/s; of magnitude at most 1e14, in float32 1e7.
 
-    updated_x_position: position along x after this one, m. Error over the sum of its terms taken
+    updated_x_position: position along x after this update, m. Error over the sum of its terms taken
         positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
         8e-319 (float64) and 3e-40 (float32) beside it where a product underflows.
-    updated_y_position: position along y after this one, m. Error over the sum of its terms taken
+    updated_y_position: position along y after this update, m. Error over the sum of its terms taken
         positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
         8e-319 (float64) and 3e-40 (float32) beside it where a product underflows.
-    updated_z_position: position along z after this one, m. Error over the sum of its terms taken
+    updated_z_position: position along z after this update, m. Error over the sum of its terms taken
         positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
         8e-319 (float64) and 3e-40 (float32) beside it where a product underflows.
-    updated_x_velocity: velocity along x after this one, m/s. Error over the sum of its terms taken
-        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
-        8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
-    updated_y_velocity: velocity along y after this one, m/s. Error over the sum of its terms taken
-        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
-        8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
-    updated_z_velocity: velocity along z after this one, m/s. Error over the sum of its terms taken
-        positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every input, and
-        8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
+    updated_x_velocity: velocity along x after this update, m/s. Error over the sum of its terms
+        taken positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every
+        input, and 8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
+    updated_y_velocity: velocity along y after this update, m/s. Error over the sum of its terms
+        taken positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every
+        input, and 8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
+    updated_z_velocity: velocity along z after this update, m/s. Error over the sum of its terms
+        taken positive at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for every
+        input, and 8e-309 (float64) and 3e-37 (float32) beside it where a product underflows.
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays

@@ -14,7 +14,7 @@ BY_AXIS = {word: tuple(f"{axis}_{word}" for axis in AXES) for word in (*STATES[:
 UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 MEANINGS = {
     **{word: f"{word} after the last update, {unit}" for word, unit in UNITS.items()},
-    **{f"updated_{word}": f"{word} after this one, {unit}" for word, unit in UNITS.items()},
+    **{f"updated_{word}": f"{word} after this update, {unit}" for word, unit in UNITS.items()},
     "interval": "t, time since the last update, s",
     "observed": "z, what is observed of the position, m",
     "alpha": "gain of the position (0 where nothing was observed)",
@@ -26,7 +26,7 @@ MEANINGS = {
         for word in STATES[:2]
     },
     **{
-        f"updated_{axis}_{word}": f"{word} along {axis} after this one, {UNITS[word]}"
+        f"updated_{axis}_{word}": f"{word} along {axis} after this update, {UNITS[word]}"
         for axis in AXES
         for word in STATES[:2]
     },

@@ -12,7 +12,8 @@ import pytest
 from gainproof.fixed_gain import steps
 
 UNIT = 2.0**-52
-BOUNDS = {2: (2.51, 3.01), 3: (3.01, 3.51, 4.51)}
+BOUNDS = {2: (2.51, 3.01), 3: (3.51, 4.01, 4.51)}
+INTERACTING = 3.51
 """Of `generated/filter_step.py`, in units of 2^-52 over the sum of the terms' magnitudes."""
 
 
@@ -135,6 +136,34 @@ def test_interacting_steps_are_matrix_products() -> None:
     many = np.repeat(first[:, :, None], 100, axis=2), np.repeat(second[:, :, None], 100, axis=2)
     again: Any = steps.step_interacting(position, velocity, t, observed, *many)
     assert (np.asarray(again.position) == found.position).all()
+
+
+def test_interacting_steps_are_within_the_bound_over_their_terms() -> None:
+    """Observations next to the prediction, where all innovations cancel; rows multiplied out."""
+    position, velocity, t, _, first, second = interacting_case(40)
+    observed = position + t * velocity
+    found: Any = steps.step_interacting(position, velocity, t, observed, first, second)
+
+    def dot(row: Any, values: Sequence[Fraction]) -> Fraction:
+        pairs = zip(map(Fraction, row.tolist()), values, strict=True)
+        return sum((a * b for a, b in pairs), Fraction(0))
+
+    for k in range(40):
+        x, v, z = ([Fraction(float(c)) for c in a[:, k]] for a in (position, velocity, observed))
+        step_time = Fraction(float(t[k]))
+        ahead = [a + step_time * b for a, b in zip(x, v, strict=True)]
+        sizes = [abs(a) + step_time * abs(b) for a, b in zip(x, v, strict=True)]
+        innovation = [c - a for c, a in zip(z, ahead, strict=True)]
+        terms = [abs(c) + s for c, s in zip(z, sizes, strict=True)]
+        for axis in range(3):
+            for value, start, size, gain in (
+                (found.position, ahead[axis], sizes[axis], first[axis]),
+                (found.velocity, v[axis], abs(v[axis]), second[axis]),
+            ):
+                truth = start + dot(gain, innovation)
+                scale = size + dot(np.abs(gain), terms)
+                error = abs(Fraction(float(value[axis, k])) - truth)
+                assert error <= scale * INTERACTING * UNIT
 
 
 def test_diagonal_matrices_are_filters_of_their_own() -> None:
