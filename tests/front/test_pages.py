@@ -4,42 +4,24 @@ shown below them.
 
 from __future__ import annotations
 
-import contextlib
-import io
 import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+import shown_commands
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 PAGES = sorted(path for path in DOCS.glob("*.md") if "```console" in path.read_text("utf-8"))
 BLOCK = re.compile(r"^```(toml|latex|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
 SECONDS = re.compile(r"\d+\.\d+ s\b")
-PYTHON = re.compile(r"python -c '([^']*)'")
 
 
 def printed(command: str, folder: Path) -> str:
-    """What a command writes, errors included. Python's own lines are run here."""
-    if program := PYTHON.fullmatch(command):
-        with contextlib.redirect_stdout(io.StringIO()) as written:
-            exec(program[1], {})  # noqa: S102 (a line of our own documentation)
-        return written.getvalue()
-    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    done = subprocess.run(
-        command,
-        shell=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        check=False,
-        cwd=folder,
-        env={**os.environ, "PATH": path},
-    )
-    return SECONDS.sub("? s", done.stdout)
+    """What a command writes, errors included."""
+    out, errors = shown_commands.run(command, folder)
+    return SECONDS.sub("? s", out + errors)
 
 
 def test_there_is_a_page() -> None:

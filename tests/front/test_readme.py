@@ -5,11 +5,10 @@ from __future__ import annotations
 import doctest
 import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+import shown_commands
 
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -50,17 +49,8 @@ def test_console_examples(folder: Path) -> None:
 
 def printed(command: str, folder: Path) -> str:
     """What a command of the README prints; errors only if it prints nothing else."""
-    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    done = subprocess.run(
-        command,
-        shell=True,
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=folder,
-        env={**os.environ, "PATH": path},
-    )
-    return done.stdout or done.stderr
+    out, errors = shown_commands.run(command, folder)
+    return out or errors
 
 
 def test_python_examples() -> None:
