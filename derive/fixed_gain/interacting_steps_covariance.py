@@ -31,7 +31,7 @@ from gainproof.derive.fixed_gain.interacting_steps_filter import meaning, said
 from gainproof.derive.relation import cited
 from gainproof.derive.source import MATRICES
 from gainproof.derive.words.expression import ZERO, Expression
-from gainproof.derive.words.hypotheses import definite, invertible, semidefinite
+from gainproof.derive.words.hypotheses import invertible, semidefinite
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import (
     Square,
@@ -65,7 +65,7 @@ def covariance_steps() -> list[Step]:
     k2 = k2_inverse()
     rest = F11
     gain = K1 + T * K2
-    noise = definite("B")
+    noise = semidefinite("B")
     return [
         prove_equal(
             "outer-product",

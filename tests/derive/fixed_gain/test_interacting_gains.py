@@ -6,6 +6,7 @@ meant, and that no statement has hypotheses that nothing fulfils.
 
 from __future__ import annotations
 
+import copy
 import json
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -19,6 +20,9 @@ from word_values import completed, holds, true
 
 import gainproof.generated
 from gainproof.verify.certificate import check
+from gainproof.verify.certificate.document import read_document, read_statement
+from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.rejection import Meter, RejectedError
 
 MATRIX = ("matrix_equal", "matrix_order", "matrix_invertible", "matrix_trace")
 SIZES = (1, 2, 3)
@@ -65,6 +69,27 @@ def test_every_statement_is_true_where_its_hypotheses_are() -> None:
         assert fulfilled, f"{statement['id']}: nothing fulfils its hypotheses"
         for values in fulfilled:
             assert true(setting, statement["kind"], statement["claim"], values), statement["id"]
+
+
+WEAKER = {
+    "definite": ("semidefinite", "symmetric", "invertible"),
+    "semidefinite": ("symmetric",),
+    "invertible": ("full_column_rank",),
+}
+
+
+def test_no_hypothesis_may_be_left_out_or_weakened() -> None:
+    """Each implication says what its proof needs and no more."""
+    document = read_document(plain(certificate()), Meter())
+    for statement in statements():
+        for number, hypothesis in enumerate(statement["claim"]["given"]):
+            kinds = (None, *WEAKER.get(hypothesis["kind"], ()))
+            for kind in kinds:
+                altered = copy.deepcopy(dict(statement))
+                given = altered["claim"]["given"]
+                given[number : number + 1] = [] if kind is None else [{**hypothesis, "kind": kind}]
+                with pytest.raises(RejectedError):
+                    document.decide(read_statement(plain(altered), document.towers, "altered"))
 
 
 @pytest.mark.parametrize("size", SIZES)
