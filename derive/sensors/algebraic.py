@@ -3,14 +3,18 @@
 Sine, cosine, exponential and atan2 are no polynomials. What a certificate can decide of a kernel
 with such calls is everything around them: each call's value stands as a symbol, the quantity of
 that name, and each call's arguments are outputs of their own, of which it is claimed what they are.
-A cosine or sine is taken of an input alone, and then named for it. An output that is itself an
-atan2 goes: its two arguments remain, opposite and adjacent side of the angle.
+A cosine or sine is taken of an input alone, and then named for it; an exponential is what noise
+leaves of a mean, `kept_...`, and expm1 what it takes away, `change_...`. An output that is itself
+an atan2 goes: its two arguments remain, opposite and adjacent side of the angle.
 """
 
 from __future__ import annotations
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, GraphNode, Node, operands
 from gainproof.derive.printer.program import FUNCTIONS
+
+EXPONENTIALS = {"exp": "kept_", "expm1": "change_"}
+"""How their names begin."""
 
 
 def algebraic(graph: Graph) -> Graph:
@@ -22,6 +26,7 @@ def algebraic(graph: Graph) -> Graph:
     if not any(_is_call(node) for node in graph["nodes"]):
         return graph
     labels = {number: name for name, number in graph.get("names", {}).items()}
+    inputs = {str(node[1]) for node in graph["nodes"] if node[0] == "symbol"}
     builder, made = GraphBuilder(), list[Node]()
     outputs: dict[str, Node] = {}
     angles: dict[int, str] = {}
@@ -31,8 +36,9 @@ def algebraic(graph: Graph) -> Graph:
             made.append(builder.operation_of(node, parts))
             continue
         name, function = labels.get(number), str(node[1])
-        if name is None:
-            raise ValueError(f"node {number}: the call of {function} has no name")
+        if name is None or name in inputs:
+            own = "no name" if name is None else f"the name of the input {name}"
+            raise ValueError(f"node {number}: the call of {function} has {own}")
         if function == "atan2":
             outputs |= {f"{name}_opposite": parts[0], f"{name}_adjacent": parts[1]}
             angles[number] = name
@@ -40,12 +46,16 @@ def algebraic(graph: Graph) -> Graph:
             angle = graph["nodes"][operands(node)[0]]
             if angle[0] != "symbol" or name != f"{function}_{angle[1]}":
                 raise ValueError(f"node {number}: {function} of {angle} is called {name}")
-        elif function in ("exp", "expm1"):
+        elif function in EXPONENTIALS:
+            if not name.startswith(EXPONENTIALS[function]):
+                raise ValueError(f"node {number}: {function} is called {name}")
             outputs[f"{name}_of"] = parts[0]
         else:
             raise ValueError(f"node {number}: {function} is no function of an angle or exponent")
         made.append(builder.symbol(name))
     for name, number in graph["outputs"].items():
+        if name in outputs:
+            raise ValueError(f"output {name} has the name of an argument of a call")
         if number not in angles:
             outputs[name] = made[number]
         elif angles[number] != name:

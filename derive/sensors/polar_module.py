@@ -18,7 +18,7 @@ from gainproof.derive.printer.kernel import (
 )
 from gainproof.derive.sensors.polar_words import EQUATIONS, MEANINGS, PLANE, SUMMARIES
 
-RANGE = ("1e-20", "1e60", ("1e-3", "1e12"))
+RANGE = ("1e-20", "1e60", ("1e-6", "1e12"))
 DEVIATION = ("1e-20", "2", ("1e-9", "2"))
 PLACE = ("1e-150", "1e150", ("1e-18", "1e18"))
 NEAR = ("1e-20", "1e30", ("1e-6", "1e12"))

@@ -67,8 +67,8 @@ EQUATIONS: dict[str, tuple[str, ...]] = {
     "to_cartesian": ("x = R cos E sin B, y = R cos E cos B, z = R sin E",),
     "to_polar": (
         "R = sqrt(x^2 + y^2 + z^2), E = atan2(z, sqrt(x^2 + y^2)), B = atan2(x, y).",
-        "Where x = y = 0 nothing determines the bearing: the signs of these zeros make it 0 or",
-        "+-pi, and E is 0 where all are 0",
+        "In the south the sign of a zero x decides between B = pi and -pi; where x = y = 0 nothing",
+        "determines the bearing, and signs of zeros make it 0 or +-pi",
     ),
     "cartesian_derivatives": (
         "x_D_slant_range = cos E sin B, x_D_elevation = -R sin E sin B, x_D_bearing = y,",
@@ -96,7 +96,8 @@ EQUATIONS: dict[str, tuple[str, ...]] = {
     ),
     "to_cartesian_in_plane": ("x = R sin B, y = R cos B",),
     "to_polar_in_plane": (
-        "R = sqrt(x^2 + y^2), B = atan2(x, y). At the origin the signs of zeros make B 0 or +-pi",
+        "R = sqrt(x^2 + y^2), B = atan2(x, y). In the south the sign of a zero x decides between",
+        "B = pi and -pi; at the origin signs of zeros make it 0 or +-pi",
     ),
     "cartesian_derivatives_in_plane": (
         "x_D_slant_range = sin B, x_D_bearing = y, y_D_slant_range = cos B, y_D_bearing = -x",

@@ -196,6 +196,10 @@ def with_call(function: str, argument: str, name: str | None, *, used: bool = Tr
         (with_call("atan2", "x", "bearing"), "computes with the angle bearing"),
         (with_call("atan2", "x", "bearing", used=False), "output y is the angle bearing"),
         (with_call("hypot", "x", "h"), "hypot is no function of an angle"),
+        (with_call("sin", "sin_elevation", "sin_elevation"), "has the name of the input"),
+        (with_call("exp", "kept_level", "kept_level"), "has the name of the input kept_level"),
+        (with_call("exp", "x", "cos_bearing"), "exp is called cos_bearing"),
+        (with_call("expm1", "x", "kept_level"), "expm1 is called kept_level"),
     ],
 )
 def test_calls_of_which_nothing_would_be_proved_are_refused(graph: Graph, words: str) -> None:

@@ -67,7 +67,8 @@ def _called(name: str, parts: list[flint.arb]) -> flint.arb:
         case "expm1":
             return first.expm1()
         case "atan2":
-            return flint.acb(last, first).arg()
+            # the origin has no angle, and in the south the sign of a zero decides
+            return flint.arb("nan") if first == 0 and last <= 0 else flint.acb(last, first).arg()
         case "hypot":
             return abs(flint.acb(first, last))
     raise AssertionError(name)

@@ -116,6 +116,28 @@ def test_a_product_that_underflows_leaves_an_absolute_error() -> None:
         prove(kernel(lambda _b, x, z: 1 / (x * x * z * z + 0), small, Z), FLOAT32)
 
 
+def test_a_difference_may_be_as_small_as_the_rounding_of_its_terms() -> None:
+    """Its products then underflow, though no product of the terms does."""
+    near = signed("x", "an argument", "1", "2"), signed("z", "an argument", "1", "2")
+
+    def power(_b: GraphBuilder, x: Node, z: Node) -> Node:
+        found = x - z
+        for _ in range(3):
+            found = found * found
+        return found  # 2^-53 to the eighth power is 2^-424, below the least float32
+
+    assert prove(kernel(power, *near), FLOAT64).outputs[0].beside == 0
+    assert prove(kernel(power, *near), FLOAT32).outputs[0].beside > 0
+
+
+def test_an_absolute_error_grows_with_what_it_is_multiplied_by() -> None:
+    small = signed("x", "an argument", "1e-30", "1e3", ("1e-30", "1e3"))
+    large = closed("z", "an argument", "1e-3", "1e25", ("1e-3", "1e25"))
+    for write in (lambda _b, x, z: (x * x) * z, lambda _b, x, z: z * (x * x)):
+        stated = prove(kernel(write, small, large), FLOAT32).outputs[0]
+        assert stated.beside > 1e-45 * 1e25
+
+
 def test_what_is_required_makes_a_divisor() -> None:
     b = GraphBuilder()
     x, z = b.symbol("x"), b.symbol("z")
