@@ -1,16 +1,18 @@
 """The tower in which the kernels of the index are evaluated, and what ties it to the model.
 
 Where all is rational in w it is the main tower with the index's fourth root. Elsewhere it is over
-that root r itself: delta = h/r^4 with h^2 = 64 + e r^8, and the products X of xi and r^2, E of eta
-and r^4 are a coupled pair, X^2 = a1 r^4 + 2 E and E^2 = a2 r^8 + 2 h r^2 X. No number's root stands
-in it, and proofs are many times shorter than over xi. That its elements are the steady state is
-shown again in it, by the equations of the filter.
+the index's twelfth root r, since near a vanishing index all goes by the cube root: with the index
+r^12, delta = h/r^12, xi = X/r^4 and eta = E/r^8 one has h^2 = 64 + e r^24, and X and E are a
+coupled pair, X^2 = a1 r^8 + 2 E and E^2 = a2 r^16 + 2 h X. No number's root stands in it, and
+proofs are many times shorter than over xi. That its elements are the steady state is shown again
+in it, by the equations of the filter.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
+from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower, coupled
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
@@ -27,6 +29,7 @@ from gainproof.derive.three_state.names import (
     gain_vector,
     rows,
 )
+from gainproof.derive.three_state.tower_ends import number_limits
 from gainproof.derive.three_state.towers import named_elements
 
 NAME = "kernels"
@@ -38,20 +41,37 @@ def kernel_tower(c: Context) -> Tower:
     if c.spectrum.rational_in_root:
         return towers.kernel_tower(c.tower)
     a1, a2, e = c.numbers
-    own = [Generator("h", 64 + e * R**8)] if e else []
+    own = [Generator("h", 64 + e * R**24)] if e else []
     height: sp.Expr = H if e else sp.Integer(8)
-    pair = coupled((str(X), a1 * R**4, sp.Integer(2)), (str(E), a2 * R**8, 2 * height * R**2))
+    pair = coupled((str(X), a1 * R**8, sp.Integer(2)), (str(E), a2 * R**16, 2 * height))
     elements: dict[str, sp.Expr] = {
-        "tracking_index": R**4,
-        "fourth_root": R,
-        "xi": X / R**2,
-        "eta": E / R**4,
-        "delta": height / R**4,
+        "tracking_index": R**12,
+        "fourth_root": R**3,
+        "xi": X / R**4,
+        "eta": E / R**8,
+        "delta": height / R**12,
     }
     named = named_elements(c.model, c.spectrum)
     elements |= {name: value for name, value in named.items() if name not in elements}
     generators = (*c.constants.generators, *own, *pair)
     return Tower(NAME, (Parameter("r"),), generators, elements)
+
+
+def ends(c: Context) -> dict[str, End]:
+    """Behaviour of that tower over the twelfth root as the index tends to an end."""
+    known, boundary, k = number_limits(c.spectrum)
+    pair = {str(X): sp.Integer(4), str(E): sp.Integer(8)}
+    far: dict[str, sp.Expr] = {str(X): k.least, str(E): k.b + k.c}
+    weights = {str(X): 4, str(E): 8}
+    if not c.spectrum.e:
+        return {
+            "0": End(constants=known, boundary={**boundary, **pair}),
+            "infinity": End(weights, known, {**boundary, **far}),
+        }
+    return {
+        "0": End(constants=known, boundary={**boundary, "h": sp.Integer(8), **pair}),
+        "infinity": End({**weights, "h": 12}, known, {**boundary, "h": k.c, **far}),
+    }
 
 
 def kernel_tower_steps(c: Context) -> list[Step]:

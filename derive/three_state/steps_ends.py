@@ -103,14 +103,13 @@ def _small() -> Limits:
     return {"xi": (XI**3 * INDEX, sp.Integer(64)), **found}
 
 
-def _large(c: Context) -> Limits:
-    """Leading terms for a large index; alpha through 1 - alpha."""
+def entries_over_square(c: Context) -> dict[str, sp.Expr]:
+    """The limits of the covariances' entries over the square of a large index."""
     k = c.constants
-    top = k.least + k.c
     known = {
         XI: k.least,
         real("eta"): k.b + k.c,
-        NU: 2 * top,
+        NU: 2 * (k.least + k.c),
         real("tau"): k.least * (k.b + k.c) - k.c,
         INDEX: sp.Integer(1),
     }
@@ -118,13 +117,20 @@ def _large(c: Context) -> Limits:
         **covariance_entries.predicted(c.model.process_noise),
         **covariance_entries.updated(c.model.process_noise, c.numbers[0]),
     }
+    names = (*PREDICTED, "updated_22", "updated_23", "updated_33")
+    return {name: sp.expand(entries[name].subs(known)) for name in names}
+
+
+def _large(c: Context) -> Limits:
+    """Leading terms for a large index; alpha through 1 - alpha."""
+    k = c.constants
+    top = k.least + k.c
     found: dict[str, tuple[sp.Expr, sp.Expr]] = {
         "alpha": (REST * INDEX**2, plain_number(16 / top**2)),
         "beta": (BETA, plain_number(2 * k.least / top)),
         "gamma": (GAMMA, plain_number(4 / top)),
     }
-    for name in (*PREDICTED, "updated_22", "updated_23", "updated_33"):
-        value = sp.expand(entries[name].subs(known))
+    for name, value in entries_over_square(c).items():
         if c.tower.is_zero(value):
             found[name] = real(name) / INDEX, _linear(c, name)
         else:

@@ -24,6 +24,7 @@ from gainproof.derive.three_state.module import kernel_module
 from gainproof.derive.three_state.names import LATEX
 from gainproof.derive.three_state.steps_change import change_steps
 from gainproof.derive.three_state.steps_curvature import curvature_steps
+from gainproof.derive.three_state.steps_curvature_ends import curvature_end_steps
 from gainproof.derive.three_state.steps_ends import end_steps
 from gainproof.derive.three_state.steps_gains import gain_steps
 from gainproof.derive.three_state.steps_inverse import inverse_steps, twin_steps
@@ -93,6 +94,7 @@ def _steps(c: Context, twin: ScaledModel | None) -> tuple[Step, ...]:
         *change_steps(c),
         *curvature_steps(c),
         *end_steps(c),
+        *curvature_end_steps(c, bending_tower(c)),
         *pole_steps(c),
         *single_pole_steps(c),
         *inverse_steps(c),

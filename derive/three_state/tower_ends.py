@@ -12,7 +12,7 @@ from gainproof.derive.three_state.towers import Constants, constants
 
 def start(spectrum: Spectrum) -> End:
     """p -> 0, where xi grows without bound and the index falls to zero."""
-    numbers, boundary, _ = _numbers(spectrum)
+    numbers, boundary, _ = number_limits(spectrum)
     if spectrum.m2:
         boundary["r"] = sp.Integer(64)
     return End(constants=numbers, boundary=boundary)
@@ -20,7 +20,7 @@ def start(spectrum: Spectrum) -> End:
 
 def end(spectrum: Spectrum) -> End:
     """p -> infinity, where xi falls to 1 + b and the index grows without bound."""
-    numbers, boundary, k = _numbers(spectrum)
+    numbers, boundary, k = number_limits(spectrum)
     if not spectrum.m2:
         return End(constants=numbers, boundary=boundary)
     radicand = sp.expand(32 * k.b * k.c * k.least * (k.least + k.c))
@@ -31,7 +31,9 @@ def end(spectrum: Spectrum) -> End:
     )
 
 
-def _numbers(spectrum: Spectrum) -> tuple[dict[str, sp.Expr | int], dict[str, sp.Expr], Constants]:
+def number_limits(
+    spectrum: Spectrum,
+) -> tuple[dict[str, sp.Expr | int], dict[str, sp.Expr], Constants]:
     """Constants of a limit, the generators of numbers over them, and b and c over them."""
     k = constants(spectrum)
     named = {entry.symbol: _constant(entry.symbol) for entry in k.generators}

@@ -8,19 +8,22 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 from catalogue_subjects import certificate, subject
+from kernel_truth import truth_at
 from one_of_each import cases
 
 from gainproof.derive.three_state.excess import Surds, positive_terms
 from gainproof.derive.three_state.names import XI
 from gainproof.derive.three_state.spectrum import Spectrum
+from gainproof.derive.three_state.steps_curvature_ends import SMALL
 from gainproof.verify.certificate import check_statement
 
 JERK = "continuous-white-jerk"
 FAMILIES = ("acceleration-increments", "wiener-acceleration", "random-jerk", JERK)
+ONE_OF_EACH = ("acceleration-increments", "random-jerk")  # by the towers of their kernels
 NOISES = ((1, 0), (Fraction(2, 3), Fraction(1, 9)), (1, Fraction(2, 15)))
 
 
-@pytest.mark.parametrize("name", cases(FAMILIES, lambda name: name != "random-jerk"))
+@pytest.mark.parametrize("name", cases(FAMILIES, lambda name: name in ONE_OF_EACH))
 def test_an_altered_kernel_is_rejected(name: str) -> None:
     data = json.loads(json.dumps(certificate(name)))
     for kernel in ("gain_second_derivatives", "updated_covariance_derivatives"):
@@ -67,3 +70,27 @@ def test_a_root_in_a_root_has_the_same_kernels() -> None:
     )
     assert one == other
     assert "updated_covariance_second_derivatives" in one
+
+
+@pytest.mark.parametrize("name", ONE_OF_EACH)
+@pytest.mark.parametrize("word", ["small", "large"])
+def test_another_limit_of_a_second_derivative_is_rejected(name: str, word: str) -> None:
+    data = json.loads(json.dumps(certificate(name)))
+    found = [x for x in data["statements"] if x["id"].startswith(f"{word}-second-")]
+    assert len(found) == 12
+    for entry in found[::5]:
+        assert check_statement(data, entry["id"]).status == "proved"
+        number = next(node for node in entry["claim"]["value"]["nodes"] if node[0] == "number")
+        number[1] = str(Fraction(number[1]) * Fraction(10, 9))
+        assert check_statement(data, entry["id"]).status == "rejected"
+
+
+def test_small_indices_bend_as_is_said() -> None:
+    """The limits against the true values at one small index."""
+    index = 1e-24
+    truth = truth_at("continuous_white_jerk", "tracking_index", index)
+    alpha = float(truth["alpha"].value)
+    for name, (power, other, number) in SMALL.items():
+        true = float(truth[f"dd_{name}"].value)
+        share = true * index**power / alpha**other
+        assert share == pytest.approx(float(Fraction(number)), rel=1e-6), name
