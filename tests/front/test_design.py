@@ -257,7 +257,8 @@ def test_gains_of_arrays_lie_on_the_relations() -> None:
         ({"name": "RV"}, "one of lag, alpha, tracking_index is wanted, got 0"),
         ({"name": "RV", "lag": 1, "alpha": 0.5}, "is wanted, got 2"),
         ({"name": "RV", "lag": float("nan")}, "lag must be finite, got nan"),
-        ({"name": "RJ", "states": 3, "lag": [10, 1e99]}, "no tracking index or lag in reach gives"),
+        ({"name": "RJ", "states": 3, "lag": [10, 1e99]}, "at most 1e9, got 1e+99 at index 1"),
+        ({"name": "MV", "states": 3, "alpha": [0.5, 1e-99]}, "no lag in reach gives 1e-99"),
     ],
 )
 def test_gains_that_there_are_not_are_named(arguments: dict[str, Any], told: str) -> None:

@@ -6,17 +6,17 @@ import argparse
 
 HELP = "show the named filters of a lag, a tracking index or a gain side by side"
 DESCRIPTION = """\
-The named alpha-beta filters (RV random velocity, RA random acceleration, MV minimum variance), or
-with --states 3 the alpha-beta-gamma filters (RA, RJ random jerk, MV), for one choice of the user:
-gains, variance of the predicted and the smoothed position over that of the measurement, lag, poles,
-settling. A filter that does not exist there is named with the reason.
+The named alpha-beta filters (RV random velocity, RA random acceleration, MV minimum variance, NP-S
+minimum smoothed variance), with --states 3 alpha-beta-gamma filters (RA, RJ random jerk, MV), for
+one choice of the user: gains, variance of the predicted and the smoothed position over that of the
+measurement, lag, poles, settling. A filter that does not exist there is named with the reason.
 
 The lag is e_fin, the steady error of the predicted position, over a_c T^2 behind a constant
 acceleration a_c; of three states over j T^3 behind a constant jerk j. The tracking index is that of
 the noise whose steady state a filter is: sigma T/sigma_v for velocity increments, sigma T^2/sigma_v
-for accelerations, sigma T^3/sigma_v for jerks; MV has none and is shown at the lag of a filter that
-does. --gains shows any gains beside the named filters of the same lag, and says which filters they
-belong to within the digits given.
+for accelerations, sigma T^3/sigma_v for jerks; MV and NP-S have none and are shown at the lag
+of a filter that does. --gains shows any gains beside the named filters of the same lag, and says
+which filters they belong to within the digits given.
 
 With --interval and --acceleration (--jerk) lags come in metres, with --deviation errors."""
 

@@ -53,16 +53,15 @@ def with_alpha(kernel: Callable[..., Any], count: int) -> Callable[[Reals], Sequ
 
 
 def inverse(
-    gains: Callable[[Reals], Gains], place: int, low: float, high: float, turned: bool = False
+    gains: Callable[[Reals], Gains], place: int, low: float, high: float
 ) -> Callable[[Reals], Gains]:
-    """Gains whose one (at `place`; `turned`: over which 1) is wanted, over a kernel's argument."""
+    """Gains whose one (at `place`) is wanted, over a kernel's argument between `low` and `high`."""
 
     def find(wanted: Reals) -> Gains:
-        target = 1 / np.asarray(wanted) if turned else np.asarray(wanted)
-        argument, fine = solved(lambda x: gains(x)[place], target, low, high)
+        argument, fine = solved(lambda x: gains(x)[place], np.asarray(wanted), low, high)
         if not np.all(fine):
             first = np.asarray(wanted)[~fine].flat[0]
-            raise ValueError(f"no tracking index or lag in reach gives {first!s}")
+            raise ValueError(f"no lag in reach gives {first!s}")
         return gains(argument)
 
     return find

@@ -41,12 +41,7 @@ def _both_minima(alpha: Reals) -> Sequence[Gains]:
     return tuple((given, np.where(double, 1.0, beta)) for beta in both)
 
 
-_increments = first_outputs(acceleration_increments.gains, 3)
-_jerk = first_outputs(random_jerk.gains, 3)
 _least = first_outputs(alpha_beta_gamma.minimum_variance_by_lag, 3)
-WIDE = (1e-30, 1e30)
-"""Tracking indices, and lags, between which filters of three states are looked for."""
-
 NAMED: tuple[NamedFilter, ...] = (
     NamedFilter(
         "RV",
@@ -103,9 +98,9 @@ NAMED: tuple[NamedFilter, ...] = (
         "RA",
         "random acceleration",
         3,
-        inverse(_increments, 2, *WIDE, turned=True),
+        first_outputs(alpha_beta_gamma.random_acceleration_by_lag, 3),
         with_alpha(alpha_beta_gamma.random_acceleration_by_gain, 2),
-        _increments,
+        first_outputs(acceleration_increments.gains, 3),
         (0.5, "1/2"),
         "there alpha is 1, on the border of stability",
         (1.0, "1"),
@@ -116,9 +111,9 @@ NAMED: tuple[NamedFilter, ...] = (
         "RJ",
         "random jerk",
         3,
-        inverse(_jerk, 2, *WIDE, turned=True),
-        as_one(inverse(_jerk, 0, *WIDE)),
-        _jerk,
+        first_outputs(alpha_beta_gamma.random_jerk_by_lag, 3),
+        with_alpha(alpha_beta_gamma.random_jerk_by_gain, 2),
+        first_outputs(random_jerk.gains, 3),
         ((2 + 3**0.5) / 6, "(2 + sqrt(3))/6 = 0.622"),
         "there the tracking index is infinite",
         (1.0, "1"),
@@ -130,7 +125,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "minimum variance",
         3,
         _least,
-        as_one(inverse(_least, 0, 0.1251, WIDE[1])),
+        as_one(inverse(_least, 0, 0.1251, 1e30)),
         None,
         (0.125, "1/8"),
         "there gamma is 8, on the border of stability",
