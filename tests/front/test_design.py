@@ -204,6 +204,20 @@ def test_the_plot_marks_the_choice_on_each_curve(capsys: Capture, tmp_path: Path
         assert all(a > b for a, b in itertools.pairwise(curve))
 
 
+@pytest.mark.parametrize(
+    "arguments", [("--lag", "1e29"), ("--lag", "0.2500001"), ("--gains", "1.9", "0.05", "0.01")]
+)
+def test_curves_end_where_filters_do(
+    capsys: Capture, tmp_path: Path, arguments: tuple[str, ...]
+) -> None:
+    """A choice next to an end of the domain, or one that no named filter is near to."""
+    path = tmp_path / "x.csv"
+    answer(capsys, *arguments, "--plot", str(path))
+    rows = list(csv.DictReader(path.read_text().splitlines()))
+    assert all(float(row["lag"]) <= 1e30 for row in rows)
+    assert {row["MV"] != "" for row in rows} == {True}
+
+
 def test_a_picture_and_its_numbers_come_out_the_same(capsys: Capture, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     made = []

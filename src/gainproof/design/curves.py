@@ -15,7 +15,8 @@ Reals = NDArray[np.float64]
 POINTS = 241
 FACTOR = 30.0
 """The lags drawn reach from the least chosen one over this to the largest times this."""
-OWN = "given"
+LARGEST = 1e30
+"""The end of the kernels' domain."""
 
 
 def curves(sheet: Sheet) -> Table:
@@ -30,13 +31,17 @@ def curves(sheet: Sheet) -> Table:
     filters = named_filters(sheet.states)
     least = min(each.lag_above[0] for each in filters)
     low = max(min(row.lag for row in rows) / FACTOR, least * 1.02)
-    high = max(row.lag for row in rows) * FACTOR
+    high = min(max(row.lag for row in rows) * FACTOR, LARGEST)
     chosen = [row.lag for row in rows]
     lags = np.unique(np.concatenate([np.geomspace(low, high, POINTS), chosen]))
     columns = [Column("lag", "e_fin over a_c T^2, of three states over j T^3", lags)]
     for each in filters:
         meaning = f"variance of the predicted position over B, {each.title}"
-        columns.append(Column(each.name, meaning, _variance(each, lags)))
+        curve = _variance(each, lags)
+        for row in rows:
+            if row.name == each.name:
+                curve[lags == row.lag] = row.predicted
+        columns.append(Column(each.name, meaning, curve))
     marks: dict[str, Reals] = {}
     for row in rows:
         mark = marks.setdefault(f"chosen_{row.name}", np.full(lags.shape, np.nan))
