@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import csv
-import itertools
 import json
-import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from gainproof import cli
-from gainproof.design.gains import gains_of
 
 Capture = pytest.CaptureFixture[str]
 
@@ -188,48 +183,6 @@ def test_bad_input_is_named(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_plot_marks_the_choice_on_each_curve(capsys: Capture, tmp_path: Path) -> None:
-    """Its CSV: a row at each chosen lag, with the variance of the table; the curves fall."""
-    path = tmp_path / "plots" / "picture.csv"
-    arguments = ("--states", "3", "--tracking-index", "0.1", "--plot", str(path))
-    found = data(capsys, *arguments)
-    rows = list(csv.DictReader(path.read_text().splitlines()))
-    for name in ("RA", "RJ", "MV"):
-        (row,) = (row for row in rows if row[f"chosen_{name}"])
-        assert float(row["lag"]) == found[name]["lag"]
-        assert float(row[f"chosen_{name}"]) == found[name]["predicted_variance"]
-        assert float(row[name]) == pytest.approx(float(row[f"chosen_{name}"]), rel=1e-12)
-        curve = [float(row[name]) for row in rows if row[name]]
-        assert len(curve) > 200
-        assert all(a > b for a, b in itertools.pairwise(curve))
-
-
-@pytest.mark.parametrize(
-    "arguments", [("--lag", "1e29"), ("--lag", "0.2500001"), ("--gains", "1.9", "0.05", "0.01")]
-)
-def test_curves_end_where_filters_do(
-    capsys: Capture, tmp_path: Path, arguments: tuple[str, ...]
-) -> None:
-    """A choice next to an end of the domain, or one that no named filter is near to."""
-    path = tmp_path / "x.csv"
-    answer(capsys, *arguments, "--plot", str(path))
-    rows = list(csv.DictReader(path.read_text().splitlines()))
-    assert all(float(row["lag"]) <= 1e30 for row in rows)
-    assert {row["MV"] != "" for row in rows} == {True}
-
-
-def test_a_picture_and_its_numbers_come_out_the_same(capsys: Capture, tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    made = []
-    for folder in ("a", "b"):
-        path = tmp_path / folder / "x.svg"
-        answer(capsys, "--gains", "0.4571", "0.5", "--plot", str(path))
-        assert sorted(each.name for each in path.parent.iterdir()) == ["x.csv", "x.svg"]
-        made.append([path.read_bytes(), path.with_suffix(".csv").read_bytes()])
-    assert made[0] == made[1]
-    assert b"chosen_given" in made[0][1]
-
-
 def test_numbers_next_to_their_limits_are_told_apart(capsys: Capture) -> None:
     """0.5000001 is not 0.5, where RA does not exist; a modulus below 1 is not printed as 1."""
     text = answer(capsys, "--lag", "0.5000001")
@@ -242,39 +195,3 @@ def test_numbers_next_to_their_limits_are_told_apart(capsys: Capture) -> None:
     assert "too close to the border of stability for the kernels: alpha = 1.41421" in least
     assert "has no tracking index, and no filter before it has a lag to be shown at" in least
     assert "not computed: random_velocity_by_lag" in answer(capsys, "--lag", "1e31", status=1)
-
-
-def test_gains_of_arrays_lie_on_the_relations() -> None:
-    """The lecture's, for each way to ask."""
-    alpha, beta = gains_of("MV", lag=[2, 100])
-    assert alpha == pytest.approx(np.sqrt(beta) - beta / 2, rel=1e-15)
-    assert beta == pytest.approx([0.5, 0.01])
-    alpha, beta = gains_of("MV", alpha=[0.1, 0.5, 0.4])
-    assert beta == pytest.approx((1 - np.sqrt(1 - 2 * alpha)) ** 2)
-    assert gains_of("MV", alpha=[0.1, 0.5], fast=True)[1] == pytest.approx([3.5888543820, 1])
-    alpha, beta, gamma = gains_of("RA", 3, tracking_index=[0.01, 1.0])
-    assert beta**2 == pytest.approx(2 * alpha * gamma)
-    assert gains_of("RJ", 3, lag=[[3.0], [50.0]])[2] == pytest.approx(np.array([[1 / 3], [0.02]]))
-
-
-@pytest.mark.parametrize(
-    ("arguments", "told"),
-    [
-        ({"name": "MV", "alpha": [0.4, 0.6]}, "does not exist at index 1: alpha must be above 0 "),
-        ({"name": "RV", "lag": 0.5}, r"lag must be above (1 + sqrt(2))/4 = 0.6036: faster ones"),
-        ({"name": "MV", "tracking_index": 1}, "has no tracking index: give a lag or an alpha"),
-        ({"name": "XY", "lag": 1}, "no filter of 2 states is called 'XY'; known: RV, RA, MV, NP-S"),
-        (
-            {"name": "RV", "states": 4, "lag": 1},
-            "no filter of 4 states is called 'RV'; known: none",
-        ),
-        ({"name": "RV"}, "one of lag, alpha, tracking_index is wanted, got 0"),
-        ({"name": "RV", "lag": 1, "alpha": 0.5}, "is wanted, got 2"),
-        ({"name": "RV", "lag": float("nan")}, "lag must be finite, got nan"),
-        ({"name": "RJ", "states": 3, "lag": [10, 1e99]}, "at most 1e9, got 1e+99 at index 1"),
-        ({"name": "MV", "states": 3, "alpha": [0.5, 1e-99]}, "no lag in reach gives 1e-99"),
-    ],
-)
-def test_gains_that_there_are_not_are_named(arguments: dict[str, Any], told: str) -> None:
-    with pytest.raises(ValueError, match=re.escape(told)):
-        gains_of(**arguments)

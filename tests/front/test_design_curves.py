@@ -1,0 +1,68 @@
+"""`gainproof design --plot`: curves, the choice on each of them, files that come out the same."""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import json
+from pathlib import Path
+
+import pytest
+
+from gainproof import cli
+
+Capture = pytest.CaptureFixture[str]
+
+
+def answer(capsys: Capture, *arguments: str, status: int = 0) -> str:
+    """What is printed."""
+    assert cli.main(["design", *arguments]) == status
+    return capsys.readouterr().out
+
+
+def data(capsys: Capture, *arguments: str, status: int = 0) -> dict[str, dict[str, object]]:
+    """The filters of the JSON by name; the first of a name."""
+    found = json.loads(answer(capsys, *arguments, "--json", status=status))
+    return {each["name"]: each for each in reversed(found["filters"])}
+
+
+def test_the_plot_marks_the_choice_on_each_curve(capsys: Capture, tmp_path: Path) -> None:
+    """Its CSV: a row at each chosen lag, with the variance of the table; the curves fall."""
+    path = tmp_path / "plots" / "picture.csv"
+    arguments = ("--states", "3", "--tracking-index", "0.1", "--plot", str(path))
+    found = data(capsys, *arguments)
+    rows = list(csv.DictReader(path.read_text().splitlines()))
+    for name in ("RA", "RJ", "MV"):
+        (row,) = (row for row in rows if row[f"chosen_{name}"])
+        assert float(row["lag"]) == found[name]["lag"]
+        assert float(row[f"chosen_{name}"]) == found[name]["predicted_variance"]
+        assert float(row[name]) == pytest.approx(float(row[f"chosen_{name}"]), rel=1e-12)
+        curve = [float(row[name]) for row in rows if row[name]]
+        assert len(curve) > 200
+        assert all(a > b for a, b in itertools.pairwise(curve))
+
+
+@pytest.mark.parametrize(
+    "arguments", [("--lag", "1e29"), ("--lag", "0.2500001"), ("--gains", "1.9", "0.05", "0.01")]
+)
+def test_curves_end_where_filters_do(
+    capsys: Capture, tmp_path: Path, arguments: tuple[str, ...]
+) -> None:
+    """A choice next to an end of the domain, or one that no named filter is near to."""
+    path = tmp_path / "x.csv"
+    answer(capsys, *arguments, "--plot", str(path))
+    rows = list(csv.DictReader(path.read_text().splitlines()))
+    assert all(float(row["lag"]) <= 1e30 for row in rows)
+    assert {row["MV"] != "" for row in rows} == {True}
+
+
+def test_a_picture_and_its_numbers_come_out_the_same(capsys: Capture, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    made = []
+    for folder in ("a", "b"):
+        path = tmp_path / folder / "x.svg"
+        answer(capsys, "--gains", "0.4571", "0.5", "--plot", str(path))
+        assert sorted(each.name for each in path.parent.iterdir()) == ["x.csv", "x.svg"]
+        made.append([path.read_bytes(), path.with_suffix(".csv").read_bytes()])
+    assert made[0] == made[1]
+    assert b"chosen_given" in made[0][1]
