@@ -12,7 +12,8 @@ from gainproof.derive.printer.interval import SLACK
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.program import FUNCTIONS, program
 from gainproof.derive.printer.proof import Settled
-from gainproof.derive.printer.reference import Reference, References
+from gainproof.derive.printer.reference import Reference
+from gainproof.derive.printer.reference_steps import References
 from gainproof.derive.printer.value import PrintingError
 
 

@@ -126,8 +126,7 @@ def course_steps() -> list[Step]:
                 -3 * RADIAL * BENT / R**2,
                 free=FREE,
             ),
-            "Differentiate step @range-acceleration: in brackets stand the rates of `w_E` and "
-            "`w_B`.",
+            "Differentiate step @range-acceleration.",
         ),
         Step(
             "closed-form",

@@ -95,11 +95,7 @@ def covariance_steps() -> list[Step]:
             "The squares of these are its eigenvalues, and the directions of step @frame its "
             "eigenvectors: so it is positive definite where all three deviations are above zero.",
             equal(p[0, 0] + p[1, 1] + p[2, 2], sum(lengths.diagonal())),
-            "Steps @axes and @orthonormal. Their sum is the trace.",
-        ),
-        joined(
-            "eigenvectors",
-            equal(sp.MatMul(p, u, evaluate=False), sp.MatMul(u, lengths, evaluate=False)),
+            "Multiply step @axes by the frame (step @orthonormal). Their sum is the trace.",
         ),
     ]
 

@@ -10,9 +10,7 @@ from typing import Any
 import pytest
 from catalogue_subjects import certificate
 
-from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.sensors import polar_forms
-from gainproof.derive.sensors.algebraic import algebraic
 from gainproof.derive.sensors.polar_forms import Direction
 from gainproof.derive.sensors.polar_graphs import graphs
 from gainproof.verify.certificate import check, check_statement
@@ -166,50 +164,6 @@ def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: 
         assert result.status == "rejected", (name, at, node)
         read += "node" in result.reason or "output" in result.reason or "root" in result.reason
     assert read or step > 1
-
-
-def test_calls_stand_as_symbols_and_their_arguments_are_claimed(original: Plain) -> None:
-    for name, graph in graphs().items():
-        found = algebraic(graph)
-        assert not any(node[0] == "call" for node in found["nodes"])
-        claims = claimed(original, f"kernel-{name.replace('_', '-')}")["outputs"]
-        assert set(claims) == set(found["outputs"])
-    assert {"elevation_opposite", "bearing_adjacent"} <= set(
-        algebraic(graphs()["to_polar"])["outputs"]
-    )
-    assert "kept_level_of" in algebraic(graphs()["mean_of_converted"])["outputs"]
-
-
-def with_call(function: str, argument: str, name: str | None, *, used: bool = True) -> Graph:
-    b = GraphBuilder()
-    x = b.symbol(argument)
-    call = b.call(function, x, *([x] if function in ("atan2", "hypot") else []))
-    return b.graph({"y": call * x if used else call}, {name: call} if name else {})
-
-
-@pytest.mark.parametrize(
-    ("graph", "words"),
-    [
-        (with_call("sin", "elevation", None), "the call of sin has no name"),
-        (with_call("sin", "elevation", "cos_elevation"), "sin of .* is called cos_elevation"),
-        (with_call("sin", "elevation", "sin_bearing"), "sin of .* is called sin_bearing"),
-        (with_call("atan2", "x", "bearing"), "computes with the angle bearing"),
-        (with_call("atan2", "x", "bearing", used=False), "output y is the angle bearing"),
-        (with_call("hypot", "x", "h"), "hypot is no function of an angle"),
-        (with_call("sin", "sin_elevation", "sin_elevation"), "has the name of the input"),
-        (with_call("exp", "kept_level", "kept_level"), "has the name of the input kept_level"),
-        (with_call("exp", "x", "cos_bearing"), "exp is called cos_bearing"),
-        (with_call("expm1", "x", "kept_level"), "expm1 is called kept_level"),
-    ],
-)
-def test_calls_of_which_nothing_would_be_proved_are_refused(graph: Graph, words: str) -> None:
-    with pytest.raises(ValueError, match=words):
-        algebraic(graph)
-
-
-def test_a_graph_without_calls_stays_what_it_is() -> None:
-    graph = graphs()["polar_derivatives"]
-    assert algebraic(graph) is graph
 
 
 def test_forms_take_plain_numbers() -> None:

@@ -1,0 +1,50 @@
+"""What is known of a function of a library whose arguments have references."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from gainproof.derive.printer.angles import least_cosine, least_sine
+from gainproof.derive.printer.formats import Format
+from gainproof.derive.printer.library import ULP
+from gainproof.derive.printer.reference import LARGER, Reference
+from gainproof.derive.printer.value import PrintingError
+
+# 4 ulp are at most 8 u; (1 - u)^n <= 1 - 8 u needs n a little above 8
+CALLED = 2.0 * ULP * (1.0 + 2.0**-18)
+
+
+def called(name: str, parts: list[Reference], form: Format) -> Reference:
+    """A function of a library, with `CALLED` for its own error."""
+    first = parts[0]
+    match name:
+        case "sin" | "cos" if first.count > 0:
+            raise PrintingError(f"{name} of a computed number")
+        case "sin":
+            sign = first.sign if Fraction(first.high) <= 3 else 0
+            return Reference(CALLED, least_sine(first.low, first.high, form), 1.0, sign, first.zero)
+        case "cos":
+            sign = 1 if first.high <= math.pi / 2 else 0  # the number, which is below
+            return Reference(CALLED, least_cosine(first.high, form), 1.0, sign, False)
+        case "hypot":
+            low, high = min(part.low for part in parts), sum(part.high for part in parts)
+            count = max(part.count for part in parts) + CALLED
+            return Reference(count, low, high * LARGER, 1, all(part.zero for part in parts))
+        case "atan2":
+            # |d log angle/d log of either argument| is at most 1: sin 2t <= 2t
+            count = sum(part.count for part in parts) + CALLED
+            over, under = parts
+            low = min(over.low / under.high / LARGER, 1.0) * 0.78  # atan t >= t pi/4 for t <= 1
+            return Reference(count, low, 3.1416, over.sign, True)
+        case "exp" | "expm1" if first.sign >= 0:
+            raise PrintingError(f"{name} of what may be positive")
+        case "exp":
+            # exp(t d), |d| <= n u/(1 - n u): as many roundings as |t| is large
+            count = first.count * first.high * (1.0 + 2.0**-10) + CALLED
+            return Reference(count, math.exp(-first.high) * 0.99, 1.0, 1, False)
+        case "expm1":
+            # below 0 the logarithmic slope t e^t/(e^t - 1) lies between 0 and 1; (e^t - 1)/t > 0.6
+            count, low = first.count + CALLED, 0.6 * min(first.low, 1.0)
+            return Reference(count, low, 1.0, -1, first.zero)
+    raise PrintingError(f"{name} is no function of a kernel")

@@ -1,0 +1,179 @@
+"""References of all steps of a program, one after another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from gainproof.derive.printer.affine import affine_sum
+from gainproof.derive.printer.constant import constant
+from gainproof.derive.printer.formats import FLOAT32, Format
+from gainproof.derive.printer.kernel import Requirement
+from gainproof.derive.printer.library import ULP
+from gainproof.derive.printer.program import FUNCTIONS, Program, Step
+from gainproof.derive.printer.reference import LARGER, Reference
+from gainproof.derive.printer.reference_calls import called
+from gainproof.derive.printer.value import Box, PrintingError
+
+ROOM = 2.0  # of `low` and `high` to the ends of the normal numbers
+GREATEST_COUNT = 1000.0  # roundings: (1 - 2^-24)^-1000 is below 1 + 2^-10
+SECOND = 1.0 + 2.0**-8  # of strays: what relative errors make of them
+
+
+class References:
+    """The steps of a program whose inputs have these magnitudes, signs, and zeros."""
+
+    def __init__(
+        self,
+        program: Program,
+        form: Format,
+        box: Box,
+        signs: Sequence[int],
+        zeros: Sequence[bool],
+    ) -> None:
+        self.program, self.form = program, form
+        self.box, self.signs, self.zeros = box, signs, zeros
+        self.steps: list[Reference] = []
+
+    def run(self, requirements: Sequence[Requirement]) -> list[Reference]:
+        """All steps; PrintingError, naming the node, where one has no bound."""
+        least = {self.program.outputs[each.name]: self._least(each) for each in requirements}
+        for number, step in enumerate(self.program.steps):
+            try:
+                found = self._step(number, step, [self.steps[part] for part in step.operands])
+            except PrintingError as error:
+                label = f" ({step.label})" if step.label else ""
+                raise PrintingError(f"node {step.node}{label}: {error}") from None
+            if number in least:
+                if not found.clean:
+                    raise PrintingError(f"node {step.node}: a requirement of an uncertain value")
+                found = replace(found, low=max(found.low, least[number]), zero=False)
+            self.steps.append(found)
+        return self.steps
+
+    def _least(self, required: Requirement) -> float:
+        limit = required.single if self.form is FLOAT32 else required.least
+        return constant(limit).nearest(self.form) * (1.0 - 2.0**-10)
+
+    def _step(self, number: int, step: Step, parts: list[Reference]) -> Reference:
+        if step.operation == "input":
+            axis = self.program.axis(number)
+            low, high = self.box[axis]
+            low = low or self.form.least  # from 0 on
+            return Reference(0.0, low, high, self.signs[axis], self.zeros[axis])
+        if step.operation == "constant":
+            return self._constant(step)
+        if step.operation in ("add", "sub"):
+            return self._sum(number, step, *parts)
+        if step.operation in ("neg", "abs"):
+            (part,) = parts
+            return replace(part, sign=-part.sign if step.operation == "neg" else 1)
+        found = _result(step, parts, self.form)
+        if step.operation == "div" and self._is_leg(*step.operands):
+            found = replace(found, high=min(found.high, 1.0 + 2.0**-10))
+        return self._normal(found)
+
+    def _is_leg(self, part: int, whole: int) -> bool:
+        """Whether `whole` is the root of a sum of terms, none negative, one of them the square of
+        `part` or of what `part` is a leg of.
+        """
+        root = self.program.steps[whole]
+        if root.operation != "sqrt" or not self.steps[part].clean:
+            return False
+        terms, seen = [root.operands[0]], False
+        while terms:
+            number = terms.pop()
+            step = self.program.steps[number]
+            if step.operation == "add":
+                terms += step.operands
+            elif self.steps[number].sign <= 0:
+                return False
+            else:
+                side = step.operands[0] if step.operands else number
+                squared = step.operation == "mul" and step.operands == (side, side)
+                seen |= squared and (side == part or self._is_leg(part, side))
+        return seen
+
+    def _constant(self, step: Step) -> Reference:
+        assert step.constant is not None
+        exact = step.constant.is_exact(self.form)
+        value = step.constant.nearest(self.form)
+        if value == 0:
+            return Reference(0.0, math.inf, 0.0, 1, True)
+        size = abs(value)
+        return Reference(0.0 if exact else 1.0, size, size, 1 if value > 0 else -1, False)
+
+    def _sum(self, number: int, step: Step, a: Reference, b: Reference) -> Reference:
+        affine = affine_sum(self.program, number, self.form)
+        if affine is not None and affine.parts > 1:
+            raise PrintingError("a sum with a constant that the format does not hold")
+        turned = -b.sign if step.operation == "sub" else b.sign
+        alike = a.sign * turned > 0
+        exact = a.count == 0 and b.count == 0 and a.clean and b.clean
+        high = (a.high + b.high) * LARGER
+        low = min(a.low, b.low)
+        if not alike:
+            low *= self.form.unit_roundoff
+        elif not (a.zero and b.zero):
+            low = max(part.low for part in (a, b) if not part.zero)
+        count = 1.0 if exact else max(a.count, b.count) + 1.0
+        tight = exact or (alike and a.tight and b.tight)
+        zero = not alike or (a.zero and b.zero)
+        stray = (a.stray + b.stray) * SECOND
+        found = Reference(count, low, high, a.sign if alike else 0, zero, tight, stray)
+        return self._bounded(found)
+
+    def _normal(self, found: Reference) -> Reference:
+        """The step, with the error of a result that may be subnormal."""
+        if found.low < self.form.least_normal * ROOM:
+            least = self.form.least
+            # a function may err by its units in the last place, others by half of one
+            stray = found.stray + least * (ULP + 1)
+            found = replace(found, low=least, stray=stray, zero=True)
+        return self._bounded(found)
+
+    def _bounded(self, found: Reference) -> Reference:
+        if not found.high + found.stray <= self.form.largest / ROOM:
+            raise PrintingError(f"it may overflow: {found.high:.3g}")
+        if found.count > GREATEST_COUNT:
+            raise PrintingError("too many roundings to bound")
+        return found
+
+
+def _result(step: Step, parts: list[Reference], form: Format) -> Reference:
+    """An operation that is rounded, but for its being normal."""
+    first = parts[0]
+    if step.scale is not None:
+        low, high, stray = (size * step.scale for size in (first.low, first.high, first.stray))
+        return replace(first, low=low, high=high, stray=stray)
+    match step.operation:
+        case "mul":
+            a, b = parts
+            square = step.operands[0] == step.operands[1]
+            return Reference(
+                a.count + b.count + 1.0,
+                a.low * b.low / LARGER,
+                a.high * b.high * LARGER,
+                1 if square else a.sign * b.sign,
+                a.zero or b.zero,
+                a.tight and b.tight,
+                (a.stray * b.high + b.stray * a.high + a.stray * b.stray) * SECOND,
+            )
+        case "div":
+            a, b = parts
+            if b.zero or not b.clean:
+                raise PrintingError("a division by what may be 0, or is an uncertain value")
+            low, high = a.low / b.high / LARGER, a.high / b.low * LARGER
+            count, stray = a.count + b.count + 1.0, a.stray / b.low * SECOND
+            return Reference(count, low, high, a.sign * b.sign, a.zero, a.tight, stray)
+        case "sqrt":
+            if first.sign <= 0 or not first.clean:
+                raise PrintingError("the root of what may be negative, or is an uncertain value")
+            low, high = math.sqrt(first.low) / LARGER, math.sqrt(first.high) * LARGER
+            return Reference(first.count / 2 + 1.0, low, high, 1, first.zero)
+        case name if name in FUNCTIONS:
+            if not all(part.clean for part in parts):
+                raise PrintingError(f"{name} of an uncertain value")
+            return called(name, parts, form)
+    raise PrintingError(f"{step.operation} is no operation of a kernel of signed inputs")
