@@ -21,7 +21,7 @@ def status(kernel: str, graph: Graph) -> str:
     """What the certificate's claims come to when the kernel were printed from this graph."""
     data: Plain = json.loads(json.dumps(certificate("polar-coordinates")))
     left = algebraic(graph)
-    data["programs"][kernel]["graph"] = {field: left[field] for field in ("nodes", "outputs")}
+    data["programs"][kernel]["graph"] = {"nodes": left["nodes"], "outputs": left["outputs"]}
     return check_statement(data, f"kernel-{kernel.replace('_', '-')}").status
 
 
