@@ -70,8 +70,7 @@ class Search:
         self.by_values = self._by_values()
         if self.by_values:
             self._prepare()
-        names = set().union(*[symbols_of(side) for side in self.formula.sides])
-        self.off = OffTheModel(self.scope, frozenset(names))
+        self.off = OffTheModel(self.scope, frozenset(symbols_of(*self.formula.sides)))
 
     def _by_values(self) -> bool:
         plain = all(link.operator in COMPARED for link in self.formula.links)
@@ -83,8 +82,7 @@ class Search:
         return self.by_values and all(link.operator == "=" for link in self.formula.links)
 
     def _prepare(self) -> None:
-        names = set().union(*[symbols_of(side) for side in self.formula.sides])
-        for name in names | set(self.table.symbols):
+        for name in symbols_of(*self.formula.sides) | set(self.table.symbols):
             try:
                 self.scope.symbol(name)
             except (Undecided, Malformed, UndefinedSymbol):
