@@ -30,7 +30,7 @@ EVERYWHERE, SCALED_GAIN = symbols("everywhere scaled_gain")
 UPDATE, LEAST, AHEAD = symbols("update smoothed_update followed_update")
 NEAR, NEAR_GAIN = symbols("near_update near_gain")
 OWN_GAIN, FOLLOWED_GAIN = symbols("smoothed_gain followed_gain")
-SQUARE_ROOT, ROOT = symbols("square_root root")
+SQUARE_ROOT, ROOT, SHIFTED = symbols("square_root root shifted")
 CHANGED, PENCIL, COLUMNS, REST = symbols("changed pencil columns rest")
 
 
@@ -72,7 +72,7 @@ SETTING = Setting(
         **dict.fromkeys(("update", "smoothed_update", "followed_update"), "s s"),
         **dict.fromkeys(("near_update", "everywhere"), "s s"),
         **dict.fromkeys(("smoothed_gain", "followed_gain", "near_gain", "scaled_gain"), "s d"),
-        "square_root": "d d",
+        **dict.fromkeys(("square_root", "shifted"), "d d"),
         **dict.fromkeys(("K", "best", "misfit", "changed", "columns"), "s d"),
         "H": "d s",
         **dict.fromkeys(("truth", "next_truth", "predicted", "updated"), "s 1"),
@@ -114,8 +114,9 @@ SETTING = Setting(
         "pencil": Z**2 * UNIT + Z * (K1 + T * K2 - 2 * UNIT) + UNIT - K1,
         "columns": T * E1 + E2 @ ((Z - 1) * UNIT + K1 + T * K2),
         "rest": J - F,
+        "shifted": UNIT + SQUARE_ROOT,
     },
-    inverses=("S", "K2", "rest"),
+    inverses=("S", "K2", "rest", "shifted"),
 )
 
 LATEX = {
@@ -167,6 +168,7 @@ LATEX = {
     "near_update": "X_d",
     "square_root": r"\Gamma",
     "root": "r",
+    "shifted": r"\Sigma",
     "scaled": "K_A",
     "changed": "K_D",
     "other": "V",

@@ -12,14 +12,22 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     NAME,
     ROOT,
     SETTING,
+    SHIFTED,
     SQUARE_ROOT,
     T,
 )
+from gainproof.derive.fixed_gain.interacting_steps_filter import meaning
 from gainproof.derive.relation import cited, equal, positive
 from gainproof.derive.source import MATRICES
-from gainproof.derive.words.hypotheses import equation
+from gainproof.derive.words.expression import ZERO, Expression, unit
+from gainproof.derive.words.hypotheses import Hypothesis, equation, semidefinite
 from gainproof.derive.words.search import Search
-from gainproof.derive.words.statement import prove_equal
+from gainproof.derive.words.statement import (
+    Square,
+    prove_equal,
+    prove_invertible,
+    prove_order,
+)
 
 AXIS, EXAMPLE = "axis", "example"
 A, R = real("alpha"), real("root")
@@ -93,4 +101,69 @@ def sharing_steps() -> list[Step]:
         joined("sharing-margin", positive(MARGIN), AXIS),
         joined("sharing-chosen", positive(R - R**2 / 2), AXIS),
         joined("sharing-chosen-margin", positive(4 - 2 * (R - R**2 / 2) - R**2), AXIS),
+        *_smoothing(row, direction),
+    ]
+
+
+def _smoothing(row: Expression, direction: Hypothesis) -> list[Step]:
+    """The same for the updated position."""
+    root = semidefinite("square_root")
+    whole = unit("d")
+    positive = prove_order(
+        "shifted-definite",
+        Search(SETTING, [root]),
+        SHIFTED,
+        ZERO,
+        [Square(whole, ("unit", "d"), left_inverse=whole), Square(whole, root)],
+        strict=True,
+    )
+    inverse = prove_invertible(
+        "shifted-inverse", Search(SETTING, [root], [positive]), "shifted", positive
+    )
+    made = SQUARE_ROOT + SQUARE_ROOT @ SQUARE_ROOT / 2
+    number = ROOT + ROOT**2 / 2
+    best = R * (2 + R) / (2 * (1 + R))
+    variance = (2 * A**2 + 2 * R**2 - 3 * A * R**2) / (A * MARGIN)
+    return [
+        positive.step(
+            "For the updated position (NP-S) let the eigenvalues of `T K2` be below 2, and `Sigma "
+            "= I + Gamma`. The gain `K1 = (Gamma + Gamma^2/2) Sigma^-1` has `alpha = r (2 + r)/(2 "
+            "(1 + r))`:",
+            "Insert, and multiply by `Sigma`.",
+        ),
+        meaning("shifted"),
+        inverse.step("", joins=True),
+        prove_equal(
+            "smoothing-gain",
+            Search(
+                SETTING,
+                [direction, equation(K1, made @ SHIFTED.inverse)],
+                heavy=("K1",),
+                aside=[inverse],
+                taken=[(number * row, ("inverse", "shifted-inverse", "right"), whole)],
+            ),
+            (1 + ROOT) * (row @ K1),
+            number * row,
+        ).step("", joins=True),
+        Step(
+            "smoothing-least",
+            "And that is the best `alpha` for this `beta`: by step @axis-updated any other stable "
+            "one has a larger variance of the updated position. So this gain makes the covariance "
+            "of the updated position least in the order of matrices, among those that share the "
+            "eigenvectors and whatever `B` is.",
+            equal(
+                variance - R * (4 + 3 * R) / (2 + R) ** 2,
+                2 * (2 * A * (1 + R) - R * (2 + R)) ** 2 / (A * (2 + R) ** 2 * MARGIN),
+                free=("alpha", "root"),
+            ),
+            "Common denominator. The last line is the margin `4 - 2 alpha - r^2` of the chosen "
+            "one: it is stable for `r^2 < 2` only. At `r^2 = 2` no `alpha` is best, above it "
+            "another root of the same equation is.",
+            EXAMPLE,
+        ),
+        joined(
+            "smoothing-margin",
+            equal(4 - 2 * best - R**2, (2 - R**2) * (2 + R) / (1 + R), free=("root",)),
+            EXAMPLE,
+        ),
     ]

@@ -31,6 +31,9 @@ class Expression:
     def __sub__(self, other: Expression | Number) -> Expression:
         return self + -_wrapped(other)
 
+    def __radd__(self, other: Number) -> Expression:
+        return number(other) + self
+
     def __rsub__(self, other: Number) -> Expression:
         return number(other) - self
 

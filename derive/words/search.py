@@ -8,10 +8,10 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from gainproof.derive.words.expression import Expression, symbol
+from gainproof.derive.words.expression import Expression
 from gainproof.derive.words.gathered import gathered
 from gainproof.derive.words.hypotheses import Hypothesis
-from gainproof.derive.words.polynomial import Polynomial, Word
+from gainproof.derive.words.polynomial import Polynomial
 from gainproof.derive.words.rewriting import (
     Cofactor,
     Order,
@@ -24,11 +24,11 @@ from gainproof.derive.words.rewriting import (
     rule_of,
 )
 from gainproof.derive.words.setting import Setting
+from gainproof.derive.words.sources import element_rules, equations, units
 
 if TYPE_CHECKING:
     from gainproof.derive.words.statement import Statement
 
-SYMMETRIC = ("symmetric", "definite", "semidefinite")
 SHOWN_TERMS = 6
 
 
@@ -40,7 +40,7 @@ class Search:
     replaced first. `rounds`: of completing the rules by their overlaps. `multiples`: equations
     (hypotheses or statements) between two factors, which make rules of their own; `taken`: such
     products that are taken away at once. `numbers`: matrices of one row and column, which are their
-    own transposes.
+    own transposes. `aside`: earlier statements that make no rules and are only taken or multiplied.
     """
 
     setting: Setting
@@ -51,13 +51,14 @@ class Search:
     multiples: Sequence[tuple[Expression, Any, Expression]] = ()
     taken: Sequence[tuple[Expression, Any, Expression]] = ()
     numbers: Sequence[Expression] = ()
+    aside: Sequence[Statement] = ()
     used: set[int] = field(default_factory=set)
 
     @cached_property
     def pool(self) -> list[Hypothesis]:
         """Every hypothesis at hand, those of earlier statements included."""
         found: list[Hypothesis] = []
-        for hypothesis in (*self.given, *(h for s in self.using for h in s.given)):
+        for hypothesis in (*self.given, *(h for s in (*self.using, *self.aside) for h in s.given)):
             if hypothesis not in found:
                 found.append(hypothesis)
         return found
@@ -127,7 +128,9 @@ class Search:
     def rules(self) -> list[Rule]:
         """Rules of all equations, elements first, then completed."""
         order = Order(self.heavy)
-        found = [rule for name in self.setting.elements for rule in self._element(name)]
+        found = [
+            rule for name in self.setting.elements for rule in element_rules(self.setting, name)
+        ]
         for value, whole in self._equations():
             for flag in (False, True):
                 turned = value.T if flag else value
@@ -139,21 +142,10 @@ class Search:
                     found.append(rule)
         return completed(found, self.rounds, order, self.words)
 
-    def _element(self, name: str) -> list[Rule]:
-        """A letter and its transpose are replaced by what they stand for."""
-        meaning = self.setting.expand(self.setting.elements[name])
-        made = []
-        for flag in (False, True):
-            tail = meaning.T if flag else meaning
-            word: Word = ((name, flag),)
-            proof = Cofactor(("element", name), flag, *self._units(tail))
-            made.append(Rule(word, tail, (proof,)))
-        return made
-
     def _equations(self) -> list[tuple[Polynomial, Cofactor]]:
         """Every equation at hand, as it is found in its source."""
         whole = [
-            (value, Cofactor(source, False, *self._units(value)))
+            (value, Cofactor(source, False, *units(self.setting, value)))
             for value, source in self._sources()
         ]
         return [*whole, *(self._product(*entry) for entry in self.multiples)]
@@ -163,42 +155,16 @@ class Search:
     ) -> tuple[Polynomial, Cofactor]:
         """An equation between two factors."""
         source = tuple(self.reference(known))
-        (value,) = (value for value, other in self._sources() if other == source)
+        apart = [entry for statement in self.aside for entry in statement.equations]
+        (value,) = (value for value, other in [*self._sources(), *apart] if other == source)
         cofactor = Cofactor(source, False, self.setting.expand(before), self.setting.expand(after))
         return cofactor.left @ value @ cofactor.right, cofactor
 
     def _sources(self) -> list[tuple[Polynomial, Source]]:
-        setting = self.setting
-        found: list[tuple[Polynomial, Source]] = []
-        for size, columns in setting.blocks.items():
-            letters = [setting.letter(name) for name in columns]
-            for i, one in enumerate(letters):
-                for j, other in enumerate(letters):
-                    value = one.T @ other
-                    if i == j:
-                        value = value - setting.unit(setting.shape(columns[i])[1])
-                    found.append((value, ("blocks", size, i, j)))
-            total = -setting.unit(size)
-            for letter in letters:
-                total = total + letter @ letter.T
-            found.append((total, ("blocks", size)))
-        last: list[tuple[Polynomial, Source]] = []
-        for entry in self.numbers:
-            value = setting.expand(entry)
-            last.append((value - value.T, ("number", Exact(value))))
-        for number, hypothesis in enumerate(self.pool):
-            if hypothesis["kind"] in SYMMETRIC:
-                letter = setting.letter(hypothesis["matrix"])
-                found.append((letter.T - letter, ("given", number)))
-            elif hypothesis["kind"] == "equal":
-                left, right = setting.pair(_read(hypothesis["left"]), _read(hypothesis["right"]))
-                last.append((left - right, ("given", number)))
-        # these come reduced by all others, so that the rules they make are the shortest
-        return [*found, *(e for statement in self.using for e in statement.equations), *last]
-
-    def _units(self, value: Polynomial) -> tuple[Polynomial, Polynomial]:
-        assert value.shape is not None
-        return self.setting.unit(value.shape[0]), self.setting.unit(value.shape[1])
+        """What the rules are made of, each equation with where it comes from."""
+        plain, last = equations(self.setting, self.pool, self.numbers)
+        # the last ones come reduced by all others, so that the rules they make are the shortest
+        return [*plain, *(e for statement in self.using for e in statement.equations), *last]
 
     def _data(self, cofactor: Cofactor) -> dict[str, Any]:
         flipped_too = {"transposed": "yes"} if cofactor.flipped else {}
@@ -214,28 +180,8 @@ class Search:
         if source[0] == "given":
             self.used.add(source[1])
         if source[0] in ("statement", "inverse"):
-            (statement,) = (s for s in self.using if s.id == source[1])
+            (statement,) = (s for s in (*self.using, *self.aside) if s.id == source[1])
             self.used |= {self.pool.index(hypothesis) for hypothesis in statement.given}
         if source[0] == "number":
             return ["number", source[1].value.data()]
         return list(source)
-
-
-@dataclass(frozen=True, eq=False)
-class Exact:
-    """A polynomial as part of a source, told from others by which object it is."""
-
-    value: Polynomial
-
-
-def _read(graph: Mapping[str, Any]) -> Expression:
-    """The formula of a graph."""
-    made: list[Expression] = []
-    for kind, *rest in graph["nodes"]:
-        if kind == "pow":
-            made.append(made[rest[0]] ** int(rest[1]))
-        elif kind in ("number", "symbol"):
-            made.append(Expression(kind, rest[0]) if kind == "number" else symbol(rest[0]))
-        else:
-            made.append(Expression(kind, "", tuple(made[number] for number in rest)))
-    return made[-1]

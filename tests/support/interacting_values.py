@@ -13,16 +13,16 @@ from numpy.typing import NDArray
 from scipy.linalg import solve_discrete_lyapunov, sqrtm
 
 Matrix = NDArray[np.float64]
-KINDS = ("any", "diagonal", "own", "followed", "root", "quiet", "scaled", "filter")
+KINDS = ("any", "diagonal", "own", "followed", "root", "smoothing", "quiet", "scaled", "filter")
 
 
 def matrices(kind: str, seed: int, size: int = 2) -> dict[str, Any]:
     """One set for the setting "blocks": two coordinates or more, all of them stable filters.
 
     "any": full gains; "diagonal": diagonal ones with a row u'; "own", "followed": K1 is the gain of
-    the position that is Kalman's, or that of the predicted position; "root": K1 from the square
-    root of T K2; "quiet": a left vector that hears no noise; "scaled": A commutes with K2;
-    "filter": truth and estimates of one step.
+    the position that is Kalman's, or that of the predicted position; "root", "smoothing": K1 from
+    the square root of T K2, best for the predicted or updated position; "quiet": a left vector that
+    hears no noise; "scaled": A commutes with K2; "filter": truth and estimates of one step.
     """
     rng = np.random.default_rng([seed, KINDS.index(kind), size])
     unit, zero = np.eye(size), np.zeros((size, size))
@@ -47,6 +47,9 @@ def matrices(kind: str, seed: int, size: int = 2) -> dict[str, Any]:
     square_root = np.real(sqrtm(t * k2)) if kind == "root" else rng.standard_normal((size, size))
     if kind == "root":
         k1 = square_root - square_root @ square_root / 2
+    if kind == "smoothing":
+        square_root = np.real(sqrtm(t * k2))
+        k1 = (square_root + square_root @ square_root / 2) @ np.linalg.inv(unit + square_root)
     scale = np.diag(rng.uniform(0.5, 2, size))
     changed = k1 + 0.02 * rng.standard_normal((size, size))
     phi = np.block([[unit, t * unit], [zero, unit]])
