@@ -108,7 +108,7 @@ def jacobian_steps() -> list[Step]:
         ),
         Step(
             "determinant",
-            "The determinant of `J` is `R^2 cos E`: above zero, so that range, elevation and "
+            "The determinant of `J` is `R^2 c_E`: above zero, so that range, elevation and "
             "bearing, in this order, are a right-handed system (with bearing before elevation it "
             "would be below zero).",
             equal(_determinant(j), R**2 * COS_E),
@@ -156,7 +156,7 @@ def inverse_steps() -> list[Step]:
             "frame-turns-too",
             "And with the bearing:",
             equal(_turned(1), _columns("across E", "-across E", "inwards")),
-            "`u_R` turns towards `u_B` by `cos E`, `u_E` away from it by `sin E`; `u_B` turns "
+            "`u_R` turns towards `u_B` by `c_E`, `u_E` away from it by `s_E`; `u_B` turns "
             "towards the vertical axis.",
         ),
     ]

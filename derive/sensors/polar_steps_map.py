@@ -52,11 +52,11 @@ def elevation_steps() -> list[Step]:
         ),
         Step(
             "elevation",
-            "The elevation stands in what follows as its cosine `c_E` and its sine `s_E`. With "
-            "`a = tan(E/2 + pi/4)` they are fractions of polynomials:",
+            "The elevation stands in what follows as its cosine `c_E` and its sine `s_E`. Let "
+            "`a` be the tangent of half the angle from straight down: in `a` they are fractions of "
+            "polynomials:",
             equal(column(COS_E, SIN_E), column(2 * A / (1 + A**2), (A**2 - 1) / (1 + A**2))),
-            "The tangent of half an angle makes every point of the circle but one rational; here "
-            "the angle is counted from straight down.",
+            "The tangent of half an angle makes every point of the circle but one rational.",
         ),
         joined("elevation-circle", equal(COS_E**2 + SIN_E**2, sp.Integer(1))),
         Step(
@@ -70,8 +70,8 @@ def elevation_steps() -> list[Step]:
         joined("elevation-cosine", positive(COS_E)),
         Step(
             "elevation-slopes",
-            "`dE = 2 da/(1 + a^2)`, and with it cosine and sine have the derivatives that are "
-            "theirs.",
+            "With the elevation `a` grows at the rate `(1 + a^2)/2`: then cosine and sine have the "
+            "derivatives that are theirs.",
             equal(
                 column(*(sp.Derivative(each, A) * OF_ELEVATION for each in (COS_E, SIN_E))),
                 column(-SIN_E, COS_E),
@@ -88,9 +88,9 @@ def bearing_steps() -> list[Step]:
     return [
         Step(
             "bearing",
-            "The bearing is taken as `B1 + B2 - pi`, both parts from 0 to below `pi`, with "
-            "`g = tan(B1/2)` and `k = tan(B2/2)` from 0 on, so that the whole circle is there. Its "
-            "cosine and sine are `c_B` and `s_B`.",
+            "The bearing is taken in two parts, `B_1 + B_2` less half a turn, both from 0 to below "
+            "half a turn, so that the whole circle is there. `g` and `k`, from 0 on, are the "
+            "tangents of their halves. Cosine and sine of the bearing are `c_B` and `s_B`.",
             equal(
                 column(COS_B, SIN_B),
                 column(
@@ -115,7 +115,7 @@ def bearing_steps() -> list[Step]:
         ),
         Step(
             "bearing-slopes",
-            "`dB = 2 dg/(1 + g^2)` with `k` held:",
+            "With the bearing `g` grows at the rate `(1 + g^2)/2`, `k` being held:",
             equal(
                 column(*(sp.Derivative(each, G) * OF_BEARING for each in (COS_B, SIN_B))),
                 column(-SIN_B, COS_B),

@@ -133,9 +133,9 @@ def mean_steps() -> list[Step]:
                     R * (KEPT_E * SIN_E),
                 ),
             ),
-            "`cos(E + n) = cos E cos n - sin E sin n` has the mean `lambda_E c_E`, and so on; "
-            "the noises are independent, so that means multiply. That of the range, of any "
-            "distribution with mean 0, does not matter.",
+            "The cosine of a sum is a product of cosines less one of sines, whose mean vanishes: "
+            "of the noisy elevation's cosine the mean is `lambda_E c_E`, and so on. The noises are "
+            "independent, so that means multiply; the range needs only a noise of mean 0.",
         ),
         Step(
             "bias",
@@ -165,7 +165,7 @@ def mean_steps() -> list[Step]:
                 R**2 - (MEAN[0] ** 2 + MEAN[1] ** 2 + MEAN[2] ** 2),
                 R**2 * ((1 - KEPT_E**2) * SIN_E**2 + (1 - KEPT_E**2 * KEPT_B**2) * COS_E**2),
             ),
-            "`1 - lambda^2` is not below zero.",
+            "Neither mean is above 1.",
         ),
         Step(
             "curvature",
