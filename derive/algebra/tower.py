@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.rings import PolyElement, PolyRing
 
+from gainproof.derive.algebra.sum_of_powers import sum_of_powers
 from gainproof.derive.algebra.variables import Fraction, Generator, Parameter, Poly, coupled
 
 __all__ = [
@@ -50,6 +51,13 @@ class Tower:
         self.variables += [entry.symbol for entry in generators]
         self.free = free
         self.ring = PolyRing([*self.variables, *free], sp.QQ, sp.lex)
+        # expressions have real symbols, those of the ring are plain ones
+        self._places = {
+            symbol: number
+            for number, entry in enumerate(self.ring.symbols)
+            for symbol in (entry, sp.Symbol(entry.name, real=True))
+            if entry.name not in elements
+        }
         self.radicands: list[Poly] = []
         self.elements: dict[str, Fraction] = {}
         # steps share many of their expressions
@@ -144,6 +152,9 @@ class Tower:
 
     def _composed(self, value: sp.Expr) -> Fraction:
         """The value of a sum, a product or a power from those of its parts."""
+        whole = sum_of_powers(value, self._places, self.ring)
+        if whole is not None:
+            return Fraction(self.reduce(whole), self.ring.one)
         if isinstance(value, sp.Add):
             total, *others = map(self.fraction, value.args)
             for other in others:

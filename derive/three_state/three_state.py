@@ -59,7 +59,7 @@ def derive_three_state(
     found = turning(c)
     graphs = kernel_graphs(c)
     roots = kernel_tower(c)
-    single = single_pole_towers(c)
+    bent, single = bending_tower(c), single_pole_towers(c)
     latex = {
         **LATEX,
         **{name: rf"\sqrt{{{name[5:]}}}" for tower in single for name in _roots_of_numbers(tower)},
@@ -71,20 +71,18 @@ def derive_three_state(
         model=c.model,
         derivation=Derivation(
             OPENING,
-            (*_steps(c, scale(twin) if twin else None), *_program_steps(c, graphs)),
+            (*_steps(c, bent, scale(twin) if twin else None), *_program_steps(c, graphs)),
             sources if found.value is None else (*sources, ALGEBRA.key),
             latex,
         ),
-        towers={
-            tower.name: tower for tower in (c.tower, bending_tower(c), found.tower, roots, *single)
-        },
+        towers={tower.name: tower for tower in (c.tower, bent, found.tower, roots, *single)},
         programs={name: Program(_inputs(name), graph) for name, graph in graphs.items()},
         module=kernel_module(c, graphs),
         textbook=lambda: textbook_forms(c),
     )
 
 
-def _steps(c: Context, twin: ScaledModel | None) -> tuple[Step, ...]:
+def _steps(c: Context, bent: Tower, twin: ScaledModel | None) -> tuple[Step, ...]:
     return (
         *model_steps(c),
         *spectrum_steps(c),
@@ -94,7 +92,7 @@ def _steps(c: Context, twin: ScaledModel | None) -> tuple[Step, ...]:
         *change_steps(c),
         *curvature_steps(c),
         *end_steps(c),
-        *curvature_end_steps(c, bending_tower(c)),
+        *curvature_end_steps(c, bent),
         *pole_steps(c),
         *single_pole_steps(c),
         *inverse_steps(c),
