@@ -28,6 +28,8 @@ ONE_OF_A_KIND = {
     "position-velocity-random-acceleration",
     "recursion-two-states",
     "alpha-beta",
+    "filter-step",
+    "interacting-gains",
 }
 """A subject of each method. That every step of the others is proved too, `gainproof run` says."""
 NAMES = cases([entry.name for entry in CATALOGUE], lambda name: name in ONE_OF_A_KIND)
