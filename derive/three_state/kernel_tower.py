@@ -20,9 +20,11 @@ from gainproof.derive.relation import Relation, equal, positive
 from gainproof.derive.three_state import towers
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.names import (
+    BETA,
     DELTA,
     ETA,
     GAINS,
+    GAMMA,
     INDEX,
     NU,
     XI,
@@ -86,6 +88,7 @@ def kernel_tower_steps(c: Context) -> list[Step]:
     moved = sp.MatMul(c.model.transition, after, c.model.transition.T, evaluate=False)
     noise = sp.ImmutableDenseMatrix(INDEX**2 * c.model.process_noise)
     claims = {
+        "ratio": (equal(XI, 2 * BETA / GAMMA), {}),
         "prediction": (equal(before, sp.MatAdd(moved, noise, evaluate=False)), {}),
         "gain": (equal(gain * (column[0] + 1), column), {}),
         "update": (equal(after, before - gain * column.T), {}),
