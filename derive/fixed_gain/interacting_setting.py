@@ -16,6 +16,7 @@ UNIT, J = symbols("I J")
 E1, E2 = symbols("E1 E2")
 PHI, H, K, F, K1, K2, B, W = symbols("Phi H K F K1 K2 B W")
 F11, W11, W21, W22 = symbols("F11 W11 W21 W22")
+X11 = symbol("X11")
 ERROR, DRIVE, ACCELERATION, NOISE = symbols("error drive acceleration noise")
 TRUTH, NEXT_TRUTH, OBSERVED = symbols("truth next_truth observed")
 PREDICTED, UPDATED, NEXT_PREDICTED = symbols("predicted updated next_predicted")
@@ -65,7 +66,8 @@ SETTING = Setting(
     {
         **dict.fromkeys(("E1", "E2"), "s d"),
         **dict.fromkeys(
-            ("K1", "K2", "B", "second_noise", "S", "F11", "W11", "W21", "W22", "P11", "P21"), "d d"
+            ("K1", "K2", "B", "second_noise", "S", "F11", "X11", "W11", "W21", "W22", "P11", "P21"),
+            "d d",
         ),
         **dict.fromkeys(("followed", "change", "pencil", "scale", "scaled"), "d d"),
         **dict.fromkeys(("Phi", "F", "W", "P", "other", "weight", "adjoint", "rest"), "s s"),
@@ -91,6 +93,7 @@ SETTING = Setting(
         "F11": UNIT - K1 - T * K2,
         "W11": E1.T @ W @ E1,
         "W21": E2.T @ W @ E1,
+        "X11": (UNIT - K1) @ W11 @ (UNIT - K1).T + K1 @ B @ K1.T,
         "W22": E2.T @ W @ E2,
         "P11": E1.T @ P @ E1,
         "P21": E2.T @ P @ E1,
@@ -135,6 +138,7 @@ LATEX = {
     "K2": "K_2",
     "F": "F",
     "F11": "F_{11}",
+    "X11": "X_{11}",
     "B": "B",
     "S": "S",
     "W": "W",

@@ -20,6 +20,7 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     W11,
     W21,
     W22,
+    X11,
     B,
     F,
     K,
@@ -163,8 +164,8 @@ def covariance_steps() -> list[Step]:
         ).step(
             "In the order of symmetric matrices (`X >= Y` if `X - Y` is positive semidefinite) no "
             "steady covariance is below what the last measurement alone brings in:",
-            "The difference is `F W F'`; of the update, which is the last line, `(I - K1) W11 (I "
-            "- K1)'`.",
+            "The difference is `F W F'`; of the updated position, whose covariance is `X11`, `(I "
+            "- K1) W11 (I - K1)'`.",
         ),
         prove_order(
             "position-floor",
@@ -176,10 +177,11 @@ def covariance_steps() -> list[Step]:
         prove_order(
             "updated-floor",
             Search(SETTING, [semidefinite("W")]),
-            (UNIT - K1) @ W11 @ (UNIT - K1).T + K1 @ B @ K1.T,
+            X11,
             K1 @ B @ K1.T,
             [Square(E1 @ (UNIT - K1).T, semidefinite("W"))],
         ).step("", joins=True),
+        meaning("X11"),
         prove_order(
             "next-definite",
             Search(SETTING, [semidefinite("W"), noise]),

@@ -22,6 +22,7 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     W11,
     W21,
     W22,
+    X11,
     B,
     F,
     J,
@@ -160,11 +161,10 @@ def _axis_variances() -> list[Step]:
         (ALPHA * (4 - 2 * ALPHA - BETA)) * position,
         (2 * ALPHA**2 + 2 * BETA + ALPHA * BETA) * noise,
     )
-    after = (UNIT - K1) @ W11 @ (UNIT - K1).T + K1 @ B @ K1.T
     updated = prove_equal(
         "axis-updated",
         Search(SETTING, given, [first], taken=[((1 - ALPHA) ** 2, first, unit("1"))]),
-        (ALPHA * (4 - 2 * ALPHA - BETA)) * (U @ after @ u),
+        (ALPHA * (4 - 2 * ALPHA - BETA)) * (U @ X11 @ u),
         (2 * ALPHA**2 + 2 * BETA - 3 * ALPHA * BETA) * noise,
     )
     return [
@@ -176,5 +176,8 @@ def _axis_variances() -> list[Step]:
         ),
         third.step("", joins=True),
         first.step("", joins=True),
-        updated.step("And that of the updated position:", "Insert both rows."),
+        updated.step(
+            "And that of the updated position, whose covariance is `X11` (step @updated-floor):",
+            "Insert both rows.",
+        ),
     ]
