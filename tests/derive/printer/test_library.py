@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from gainproof.derive.printer.library import NUMPY, ULP, ball, functions_of
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
 
-COUNTS = [2_000, pytest.param(200_000, marks=pytest.mark.thorough)]
+COUNTS = [2_000, pytest.param(20_000, marks=pytest.mark.thorough)]
 DIGITS = {"float64": 53, "float32": 24}
 LEAST = {"float64": -1022, "float32": -126}
 
