@@ -12,6 +12,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import number, symbols_of
+from gainproof.verify.judge.exact.free_names import free_name
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.deciding import decided
@@ -84,6 +85,7 @@ def framed(
             raise Undecided("a hypothesis with several readings")
         for relation in formula.readings[0].relations:
             stated += scope.relations(relation)
+    _meet_hidden(scope)
     done: set[str] = set()
     while pending := [token for token in scope.used if token not in done]:
         for token in pending:
@@ -112,6 +114,24 @@ def framed(
         frame = _without_implied(frame)
         _refuse_other_model(frame, scope)
     return _with_required(frame, scope.required)
+
+
+def _meet_hidden(scope: Scope) -> None:
+    """Symbols with domains that no formula names count as met where what it names is made of them,
+    as a variance is of the process noise, and gains where stable filters are spoken of.
+    """
+    environment, symbols = scope.environment, scope.setting.symbols
+    met = (symbols[token].quantity or "" for token in scope.used)
+    within = symbols_of(*[environment.quantities[n] for n in met if n in environment.quantities])
+    region = () if environment.region is None else environment.region.relations
+    gains = symbols_of(*[side for rel in region for side in (rel.left, rel.right)])
+    for token, entry in symbols.items():
+        if not entry.domain or entry.shape is not None:
+            continue
+        known = environment.quantities.get(entry.quantity or "")
+        is_gain = known is not None and known.kind == "symbol" and known.name in gains
+        if is_gain or (entry.role == "free" and free_name(token) in within):
+            scope.symbol(token)
 
 
 def _spoken_of(boxes: Mapping[str, Box], conditions: Iterable[Rel]) -> dict[str, Box]:

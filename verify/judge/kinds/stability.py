@@ -20,13 +20,17 @@ CRITERION = "all poles inside the unit circle, by the Hurwitz criterion"
 
 def judge_stability(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether the filter is stable where, and for the sense `exact` only where, the conditions
-    hold; for `unstable`, nowhere there.
+    hold; for `unstable`, nowhere there. Raises Undecided where a condition speaks of a variance or
+    a lag.
     """
     region = scope.environment.region
     if region is None:
         raise Undecided("only a setting of kind fixed_gain has free gains")
     stated = (*resolved(reading.relations, scope), *resolved(reading.conditions, scope))
     frame = strictly(framed(claim, scope))
+    if scope.uses_steady():
+        # its value rests on stability, which would then be proved from itself
+        raise Undecided("conditions of stability on what only a stable filter has")
     stable, needed = region.relations, tuple(scope.needed)
     match claim.sense or "exact":
         case "sufficient":

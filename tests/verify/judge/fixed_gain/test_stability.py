@@ -112,3 +112,21 @@ def test_one_direction(latex: str, sense: str, wanted: str) -> None:
 def test_conditions_that_hold_nowhere_are_no_proof() -> None:
     fields = "text = 'x'\ndomain = '\\alpha > 1'\nsense = 'sufficient'\n" + MV
     assert verdict("stability", fields).verdict == "undecided"
+
+
+@pytest.mark.parametrize(
+    "fields",
+    [
+        "latex = 'p_{11} = p_{11}'",
+        r"latex = '\alpha > 0'" + "\ngiven = ['p_{11} > 0']",
+        r"latex = '\alpha > 0'" + "\ndomain = 'e_{12} > 0'",
+        r"latex = '\alpha > -100 \text{ and } p_{11} = p_{11}'" + "\nsense = 'sufficient'",
+        r"latex = 'e_{12} = \frac{a_c}{\beta}T^2'" + "\nsense = 'sufficient'",
+    ],
+)
+def test_stability_is_not_proved_from_what_only_stable_filters_have(fields: str) -> None:
+    """alpha = 3, beta = 1 is unstable, and its formulas for variance and lag have values."""
+    assert radius((3.0, 1.0)) > 1
+    found = verdict("stability", fields)
+    assert found.verdict == "undecided", found.reason
+    assert "only a stable filter has" in found.reason

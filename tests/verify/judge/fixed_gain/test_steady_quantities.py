@@ -168,3 +168,40 @@ process_noise = [["0", "0"], ["0", "q"]]
     check(judged("identity", f"p = {noise} + {more}", symbols, own), "proved")
     check(judged("identity", f"p = {noise} + 2 {more}", symbols, own), "refuted")
     check(judged("identity", f"p = {noise}", symbols, own), "refuted")
+
+
+ONE = {
+    r"\alpha": "{ quantity = 'filter_gain.1', meaning = 'gain' }",
+    "B": "{ quantity = 'measurement_noise_variance', meaning = 'variance of the noise' }",
+    "P": "{ quantity = 'predicted_covariance.1.1', meaning = 'entry' }",
+    "q": "{ unit = 'm^2', meaning = 'process noise', domain = 'q > 0' }",
+}
+DRIVEN = "kind = 'fixed_gain'\nstates = 1\nprocess_noise = [['q']]"
+
+
+@pytest.mark.parametrize(
+    ("kind", "latex", "wanted"),
+    [
+        ("inequality", "P > 0", "proved"),
+        ("inequality", r"P > \frac{\alpha}{2-\alpha}B", "proved"),
+        ("inequality", r"P > \frac{2\alpha}{2-\alpha}B", "conditional"),
+        # the premise holds for q = 0 alone
+        ("implication", r"P = \frac{\alpha}{2-\alpha}B \Rightarrow \alpha = 1", "undecided"),
+    ],
+)
+def test_the_domain_of_a_noise_holds_where_no_formula_names_it(
+    kind: str, latex: str, wanted: str
+) -> None:
+    check(judged(kind, f"latex = '{latex}'", ONE, DRIVEN), wanted)
+
+
+def test_the_domain_of_a_gain_holds_where_no_condition_names_it() -> None:
+    symbols = {
+        r"\alpha": r"{ quantity = 'filter_gain.1', meaning = 'gain', domain = '0 < \alpha < 1' }",
+        r"\beta": "{ quantity = 'filter_gain.2', meaning = 'gain' }",
+    }
+    fields = r"latex = '0 < \beta < 2'" + "\nsense = 'sufficient'"
+    setting = "kind = 'fixed_gain'\nstates = 2"
+    check(judged("stability", fields, symbols, setting), "proved")
+    wider = symbols | {r"\alpha": symbols[r"\alpha"].replace("< 1", "< 2")}
+    check(judged("stability", fields, wider, setting), "conditional")
