@@ -3,7 +3,6 @@
 A statement whose "tower" is a setting (`setting`) is about matrices of sizes that have names and
 no values. Its claim is an implication: the hypotheses under "given" (`relations`) make it true,
 whatever matrices and sizes stand for the letters. Formulas in claims are graphs (`expression`).
-Every hypothesis must be needed.
 
     matrix_equal       an equation of matrices, shown by cofactors (`combination`)
     matrix_order       X >= Y or X > Y in the order of symmetric matrices, by squares (`definite`)
@@ -12,6 +11,12 @@ Every hypothesis must be needed.
 
 `decide` gives the claims and evidence of each. A proof may use earlier statements of its setting,
 never later ones. Nothing is searched for here: what a proof uses, and where, stands in it.
+
+Every hypothesis must be used: the proof names it, or names a statement that has it, and its
+equation does not drop out of the cofactors whatever it says (`combination`). That keeps slips out
+and does not promise that the claim needs it: equations that follow from others, two that say the
+same, products of an equation with itself and traces that cancel still let a proof use more than it
+needs. Such a claim says less than it could, and nothing false.
 """
 
 from __future__ import annotations

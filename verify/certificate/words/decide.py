@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from types import MappingProxyType
-from typing import Protocol
 
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.plain import Plain
@@ -16,6 +16,7 @@ from gainproof.verify.certificate.words.definite import (
     require_vanishing,
 )
 from gainproof.verify.certificate.words.expression import expand_matrix, expand_pair
+from gainproof.verify.certificate.words.premises import Statement, undecided
 from gainproof.verify.certificate.words.relations import (
     Conclusion,
     Ground,
@@ -24,19 +25,6 @@ from gainproof.verify.certificate.words.relations import (
 )
 from gainproof.verify.certificate.words.setting import Setting
 from gainproof.verify.certificate.words.trace import require_traces
-
-
-class Statement(Protocol):
-    """A statement of a certificate: its id, kind, claim and evidence."""
-
-    @property
-    def id(self) -> str: ...
-    @property
-    def kind(self) -> str: ...
-    @property
-    def claim(self) -> Plain: ...
-    @property
-    def evidence(self) -> Plain: ...
 
 
 def prove(setting: Setting, statement: Statement, earlier: Sequence[Statement]) -> Conclusion:
@@ -50,6 +38,14 @@ def prove(setting: Setting, statement: Statement, earlier: Sequence[Statement]) 
         if isinstance(conclusion, Conclusion):
             return conclusion
         raise RejectedError(str(conclusion))
+    # Premises first, in their order: a chain of them may be as long as the certificate.
+    for number in undecided(setting, statement, earlier):
+        with suppress(RejectedError):  # kept, and said again where the premise is used
+            _decide(setting, earlier[number], earlier[:number])
+    return _decide(setting, statement, earlier)
+
+
+def _decide(setting: Setting, statement: Statement, earlier: Sequence[Statement]) -> Conclusion:
     try:
         found = _prove(setting, statement, earlier)
     except RejectedError as rejection:
@@ -61,14 +57,15 @@ def prove(setting: Setting, statement: Statement, earlier: Sequence[Statement]) 
 
 def _prove(setting: Setting, statement: Statement, earlier: Sequence[Statement]) -> Conclusion:
     place = statement.id
+    numbers = {other.id: number for number, other in enumerate(earlier)}
 
     def premise(identifier: str) -> Conclusion:
-        for number, other in enumerate(earlier):
-            if other.id == identifier:
-                if other.kind not in KINDS:
-                    raise RejectedError(f"{identifier!r} is no matrix statement")
-                return prove(setting, other, earlier[:number])
-        raise RejectedError(f"there is no earlier statement {identifier!r} in this setting")
+        if identifier not in numbers:
+            raise RejectedError(f"there is no earlier statement {identifier!r} in this setting")
+        number = numbers[identifier]
+        if earlier[number].kind not in KINDS:
+            raise RejectedError(f"{identifier!r} is no matrix statement")
+        return prove(setting, earlier[number], earlier[:number])
 
     if statement.kind not in KINDS:
         raise MalformedError(f"{place}: {statement.kind!r} is not decided in a setting of matrices")
@@ -85,7 +82,8 @@ def _prove(setting: Setting, statement: Statement, earlier: Sequence[Statement])
 
 def _ground(setting: Setting, given: Plain, premise: Premise, place: str) -> Ground:
     hypotheses = read_hypotheses(given, setting, place)
-    return Ground(setting, tuple(schema.items(given, place)), hypotheses, premise)
+    numbers = tuple(map(setting.numbered, schema.items(given, place)))
+    return Ground(setting, numbers, hypotheses, premise)
 
 
 def _equal(statement: Statement, ground: Ground) -> Conclusion:
@@ -95,7 +93,7 @@ def _equal(statement: Statement, ground: Ground) -> Conclusion:
     place = statement.id
     claim = schema.record(statement.claim, ("left", "right", "given"), f"{place}.claim")
     left, right = expand_pair(claim["left"], claim["right"], ground.setting, f"{place}.claim")
-    difference = left.plus(right.negative(), ground.setting.meter, place)
+    difference = left.minus(right, ground.setting.meter, place)
     evidence = schema.table(statement.evidence, f"{place}.evidence")
     if "side" in evidence:
         evidence = schema.record(evidence, ("cofactors", "definite", "side"), f"{place}.evidence")
@@ -117,7 +115,7 @@ def _order(statement: Statement, ground: Ground) -> Conclusion:
     larger, smaller = expand_pair(
         claim["larger"], claim["smaller"], ground.setting, f"{place}.claim"
     )
-    difference = larger.plus(smaller.negative(), ground.setting.meter, place)
+    difference = larger.minus(smaller, ground.setting.meter, place)
     assert difference.shape is not None
     if difference.shape[0] != difference.shape[1]:
         raise RejectedError(f"{place}: an order is one of square matrices")
@@ -154,7 +152,7 @@ def _invertible(statement: Statement, ground: Ground) -> Conclusion:
         fields = schema.record(evidence, ("left_inverse", "cofactors"), f"{place}.evidence")
         left = setting.polynomial(fields["left_inverse"], shape, f"{place}.evidence")
         product = left.times(letter, setting.meter, place)
-        rest = setting.unit(shape[0]).plus(product.negative(), setting.meter, place)
+        rest = setting.unit(shape[0]).minus(product, setting.meter, place)
         require_combination(rest, fields["cofactors"], ground, f"{place}.evidence")
     return Conclusion("matrix_invertible", ground.given, letter, letter=number)
 

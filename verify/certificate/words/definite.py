@@ -84,7 +84,7 @@ def squares(value: Plain, shape: Shape, ground: Ground, place: str) -> list[Squa
         if not factor.terms or next(iter(factor.terms.values())) < 0:
             # minus the factor has the same square
             raise RejectedError(f"{here}: the first term of a factor is positive")
-        product = factor.transposed().times(middle, meter, here).times(factor, meter, here)
+        product = factor.transposed(meter).times(middle, meter, here).times(factor, meter, here)
         found.append(Square(weight.times(product, meter, here), factor, strict))
     return found
 
@@ -97,7 +97,7 @@ def require_order(
     found = squares(evidence["squares"], difference.shape, ground, f"{place}.squares")
     rest = difference
     for square in found:
-        rest = rest.plus(square.value.negative(), ground.setting.meter, place)
+        rest = rest.minus(square.value, ground.setting.meter, place)
     require_combination(rest, evidence["cofactors"], ground, f"{place}.cofactors")
     return found
 
@@ -127,7 +127,7 @@ def require_full_rank(
         factor = _strict(found, pair[0], place).factor
         assert factor.shape is not None
         inverse = setting.polynomial(pair[1], (shape[0], factor.shape[0]), place)
-        rest = rest.plus(inverse.times(factor, meter, place).negative(), meter, place)
+        rest = rest.minus(inverse.times(factor, meter, place), meter, place)
     require_combination(rest, fields["cofactors"], ground, place)
 
 
@@ -141,14 +141,14 @@ def require_vanishing(
     meter = ground.setting.meter
     if evidence["side"] not in ("left", "right"):
         raise MalformedError(f'{place}: "side" is "left" or "right"')
-    factor = difference if evidence["side"] == "left" else difference.transposed()
+    factor = difference if evidence["side"] == "left" else difference.transposed(meter)
     middle, strict = known_definite(evidence["definite"], ground, place)
     if not strict:
         raise RejectedError(f"{place}: the matrix in the middle is not positive definite")
-    product = factor.transposed().times(middle, meter, place).times(factor, meter, place)
+    product = factor.transposed(meter).times(middle, meter, place).times(factor, meter, place)
     assert product.shape is not None
     total = combination(evidence["cofactors"], product.shape, ground, place)
-    if product.plus(total.negative(), meter, place).terms:
+    if product.minus(total, meter, place).terms:
         raise RejectedError(f"{place}: the product is not shown to vanish")
 
 

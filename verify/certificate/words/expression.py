@@ -93,11 +93,11 @@ def _operation(kind: str, values: list[Polynomial], setting: Setting, place: str
                 total = total.times(value, meter, place)
         return total
     if kind == "neg" and len(values) == 1:
-        return values[0].negative()
+        return values[0].negative(meter)
     if kind == "div" and len(values) == 2:
         return values[0].times(_reciprocal(values[1], setting, place), meter, place)
     if kind == "transpose" and len(values) == 1:
-        return values[0].transposed()
+        return values[0].transposed(meter)
     if kind == "inverse" and len(values) == 1:
         return _inverse(values[0], setting, place)
     raise MalformedError(f"{place}: {kind[:20]!r} of {len(values)} is not a node here")

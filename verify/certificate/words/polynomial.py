@@ -24,6 +24,10 @@ from gainproof.verify.certificate.rejection import (
 MAXIMUM_WORD = 48
 MAXIMUM_WORD_TERMS = 4_000
 
+# What a term costs, in letters, before its word is looked at, and how many bits cost one letter.
+_TERM = 4
+_BITS = 64
+
 Word: TypeAlias = tuple[int, ...]
 Powers: TypeAlias = tuple[int, ...]
 Terms: TypeAlias = Mapping[tuple[Powers, Word], Fraction]
@@ -39,43 +43,56 @@ class Polynomial:
     terms: Terms
     shape: Shape | None
 
+    def effort(self) -> int:
+        """What it costs to write every term once, in the units of the meter."""
+        return sum(
+            _TERM + len(powers) + len(word) + _bits(coefficient) // _BITS
+            for (powers, word), coefficient in self.terms.items()
+        )
+
     def plus(self, other: Polynomial, meter: Meter, place: str) -> Polynomial:
         """The sum. Raises RejectedError unless both have one shape."""
         if self.shape != other.shape:
             raise RejectedError(f"{place}: {_said(self)} and {_said(other)} are added")
-        meter.spend(len(self.terms) + len(other.terms))
+        meter.spend(len(self.terms) + other.effort())
         terms = dict(self.terms)
         for key, coefficient in other.terms.items():
-            total = terms.pop(key, Fraction(0)) + coefficient
-            if total:
-                terms[key] = _short(total, place)
+            _add(terms, key, coefficient, meter, place)
         return Polynomial(_few(terms, place), self.shape)
 
+    def minus(self, other: Polynomial, meter: Meter, place: str) -> Polynomial:
+        """The difference. Raises RejectedError unless both have one shape."""
+        return self.plus(other.negative(meter), meter, place)
+
     def times(self, other: Polynomial, meter: Meter, place: str) -> Polynomial:
-        """The product. Raises RejectedError unless the shapes fit."""
+        """The product. Raises RejectedError unless the shapes fit, or if it grows too long: before
+        any term is formed if words do or the effort is too much, row by row if terms do.
+        """
         shape = self.shape or other.shape
         if self.shape is not None and other.shape is not None:
             if self.shape[1] != other.shape[0]:
                 raise RejectedError(f"{place}: {_said(self)} is multiplied by {_said(other)}")
             shape = (self.shape[0], other.shape[1])
-        meter.spend(len(self.terms) * len(other.terms))
+        if _longest(self) + _longest(other) > MAXIMUM_WORD:
+            raise RejectedError(f"{place}: a word of more than {MAXIMUM_WORD} letters")
+        rows, columns = len(self.terms), len(other.terms)
+        meter.spend(rows + columns + columns * self.effort() + rows * other.effort())
         terms: dict[tuple[Powers, Word], Fraction] = {}
         for (powers, word), coefficient in self.terms.items():
             for (more, after), factor in other.terms.items():
                 key = (_sum(powers, more, place), word + after)
-                if len(key[1]) > MAXIMUM_WORD:
-                    raise RejectedError(f"{place}: a word of more than {MAXIMUM_WORD} letters")
-                total = terms.pop(key, Fraction(0)) + coefficient * factor
-                if total:
-                    terms[key] = _short(total, place)
-        return Polynomial(_few(terms, place), shape)
+                _add(terms, key, coefficient * factor, meter, place)
+            _few(terms, place)
+        return Polynomial(terms, shape)
 
-    def negative(self) -> Polynomial:
+    def negative(self, meter: Meter) -> Polynomial:
         """Minus the polynomial."""
+        meter.spend(self.effort())
         return Polynomial({key: -value for key, value in self.terms.items()}, self.shape)
 
-    def transposed(self) -> Polynomial:
+    def transposed(self, meter: Meter) -> Polynomial:
         """The transpose: words backwards, each letter transposed. (A B)' = B' A'."""
+        meter.spend(self.effort())
         terms = {
             (powers, tuple(letter ^ 1 for letter in reversed(word))): value
             for (powers, word), value in self.terms.items()
@@ -92,6 +109,30 @@ def _sum(powers: Powers, more: Powers, place: str) -> Powers:
     if total and max(map(abs, total)) > MAXIMUM_POWER:
         raise RejectedError(f"{place}: a power beyond {MAXIMUM_POWER}")
     return total
+
+
+def _add(
+    terms: dict[tuple[Powers, Word], Fraction],
+    key: tuple[Powers, Word],
+    value: Fraction,
+    meter: Meter,
+    place: str,
+) -> None:
+    before = terms.pop(key, None)
+    if before is not None:
+        # what has gathered may have far more digits than what is added
+        meter.spend(_bits(before) // _BITS)
+        value += before
+    if value:
+        terms[key] = _short(value, place)
+
+
+def _bits(value: Fraction) -> int:
+    return value.numerator.bit_length() + value.denominator.bit_length()
+
+
+def _longest(value: Polynomial) -> int:
+    return max((len(word) for _, word in value.terms), default=0)
 
 
 def _short(value: Fraction, place: str) -> Fraction:

@@ -50,7 +50,7 @@ class Conclusion:
     """
 
     kind: str
-    given: tuple[Plain, ...]
+    given: tuple[int, ...]
     difference: Polynomial
     strict: bool = False
     letter: int = -1
@@ -62,10 +62,12 @@ Premise = Callable[[str], Conclusion]
 
 @dataclass(frozen=True, slots=True)
 class Ground:
-    """What one statement stands on: its hypotheses, of which `used` were needed."""
+    """What one statement stands on: its hypotheses, of which `used` were named by the proof;
+    `given`: their numbers in the setting, which are compared at once, however long they are.
+    """
 
     setting: Setting
-    given: tuple[Plain, ...]
+    given: tuple[int, ...]
     hypotheses: tuple[Hypothesis, ...]
     premise: Premise
     used: set[int] = field(default_factory=set)
@@ -84,14 +86,14 @@ class Ground:
         found = self.premise(schema.text(identifier, place))
         if found.kind != kind:
             raise RejectedError(f"{place}: {identifier!r} is no statement of kind {kind}")
-        for hypothesis in found.given:
-            if hypothesis not in self.given:
-                raise RejectedError(f"{place}: {identifier!r} has a hypothesis that is not given")
-            self.used.add(self.given.index(hypothesis))
+        if not set(found.given) <= set(self.given):
+            raise RejectedError(f"{place}: {identifier!r} has a hypothesis that is not given")
+        self.used.update(map(self.given.index, found.given))
         return found
 
     def equation(self, source: Plain, place: str) -> Polynomial:
         """left - right of the source's equation, zero wherever the hypotheses hold."""
+        meter = self.setting.meter
         entries = schema.items(source, place)
         kind = entries[0] if entries else ""
         if kind == "given" and len(entries) == 2:
@@ -100,15 +102,15 @@ class Ground:
             number = self.setting.index(schema.name(entries[1], place), place)
             if number not in self.setting.elements:
                 raise RejectedError(f"{place}: {entries[1]} stands for nothing but itself")
-            meaning = self.setting.elements[number].negative()
-            return self.setting.letter(number).plus(meaning, self.setting.meter, place)
+            meaning = self.setting.elements[number]
+            return self.setting.letter(number).minus(meaning, meter, place)
         if kind == "blocks" and len(entries) in (2, 4):
             return self._blocks(entries[1], entries[2:], place)
         if kind == "statement" and len(entries) == 2:
             return self.earlier(entries[1], "matrix_equal", place).difference
         if kind == "number" and len(entries) == 2:
             value = self.setting.polynomial(entries[1], ("1", "1"), place)
-            return value.plus(value.transposed().negative(), self.setting.meter, place)
+            return value.minus(value.transposed(meter), meter, place)
         if kind == "inverse" and len(entries) == 3 and entries[2] in ("left", "right"):
             found = self.earlier(entries[1], "matrix_invertible", place)
             return self._inverse(found.letter, str(entries[2]), place)
@@ -118,8 +120,8 @@ class Ground:
         found = self.hypothesis(number, (*SYMMETRIC, "equal"), place)
         if found.equation is not None:
             return found.equation
-        letter = self.setting.letter(found.letter)
-        return letter.transposed().plus(letter.negative(), self.setting.meter, place)
+        letter, meter = self.setting.letter(found.letter), self.setting.meter
+        return letter.transposed(meter).minus(letter, meter, place)
 
     def _blocks(self, size: Plain, pair: list[Plain], place: str) -> Polynomial:
         setting, meter = self.setting, self.setting.meter
@@ -128,16 +130,17 @@ class Ground:
             raise RejectedError(f"{place}: the size {name!r} has no blocks")
         columns = [setting.letter(number) for number in setting.blocks[name]]
         if not pair:
-            total = setting.unit(name).negative()
+            total = setting.unit(name).negative(meter)
             for column in columns:
-                total = total.plus(column.times(column.transposed(), meter, place), meter, place)
+                square = column.times(column.transposed(meter), meter, place)
+                total = total.plus(square, meter, place)
             return total
         i, j = (schema.integer(entry, 0, len(columns) - 1, place) for entry in pair)
-        product = columns[i].transposed().times(columns[j], meter, place)
+        product = columns[i].transposed(meter).times(columns[j], meter, place)
         if i != j:
             return product
         width = setting.shapes[setting.blocks[name][i]][1]
-        return product.plus(setting.unit(width).negative(), meter, place)
+        return product.minus(setting.unit(width), meter, place)
 
     def _inverse(self, letter: int, side: str, place: str) -> Polynomial:
         setting = self.setting
@@ -147,8 +150,8 @@ class Ground:
         one, other = setting.letter(letter), setting.letter(found[0])
         pair = (one, other) if side == "right" else (other, one)
         product = pair[0].times(pair[1], setting.meter, place)
-        unit = setting.unit(setting.shapes[letter][0]).negative()
-        return product.plus(unit, setting.meter, place)
+        unit = setting.unit(setting.shapes[letter][0])
+        return product.minus(unit, setting.meter, place)
 
 
 def read_hypotheses(value: Plain, setting: Setting, place: str) -> tuple[Hypothesis, ...]:
@@ -156,7 +159,7 @@ def read_hypotheses(value: Plain, setting: Setting, place: str) -> tuple[Hypothe
     entries = schema.items(value, place)
     if len(entries) > MAXIMUM_HYPOTHESES:
         raise MalformedError(f"{place}: more than {MAXIMUM_HYPOTHESES} hypotheses")
-    if any(entry in entries[:number] for number, entry in enumerate(entries)):
+    if len(set(map(setting.numbered, entries))) < len(entries):
         raise MalformedError(f"{place}: a hypothesis is given twice")
     return tuple(
         _hypothesis(schema.table(entry, place), setting, f"{place}[{number}]")
@@ -168,7 +171,10 @@ def _hypothesis(entry: Mapping[str, Plain], setting: Setting, place: str) -> Hyp
     if entry.get("kind") == "equal":
         fields = schema.record(dict(entry), ("kind", "left", "right"), place)
         left, right = expand_pair(fields["left"], fields["right"], setting, place)
-        return Hypothesis("equal", -1, left.plus(right.negative(), setting.meter, place))
+        gap = left.minus(right, setting.meter, place)
+        if not gap.terms:
+            raise RejectedError(f"{place}: the hypothesis is 0 = 0")
+        return Hypothesis("equal", -1, gap)
     fields = schema.record(dict(entry), ("kind", "matrix"), place)
     kind = schema.text(fields["kind"], place)
     if kind not in PROPERTIES:

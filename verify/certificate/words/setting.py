@@ -28,6 +28,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from json import dumps
 
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.plain import Plain
@@ -62,6 +63,7 @@ class Setting:
     meter: Meter
     used: set[str] = field(default_factory=set)
     decided: dict[str, tuple[object, object]] = field(default_factory=dict)
+    numbers: dict[str, int] = field(default_factory=dict)
 
     @property
     def no_powers(self) -> Powers:
@@ -84,6 +86,10 @@ class Setting:
         """One letter."""
         self.used.add(self.names[number])
         return Polynomial({(self.no_powers, (2 * number,)): Fraction(1)}, self.shapes[number])
+
+    def numbered(self, value: Plain) -> int:
+        """A number of its own for a hypothesis; the same one wherever the same is written."""
+        return self.numbers.setdefault(dumps(value, sort_keys=True), len(self.numbers))
 
     def index(self, name: str, place: str) -> int:
         """The number of a letter. Raises RejectedError for an unknown name."""

@@ -24,10 +24,11 @@ def stated(setting: Setting, kind: str, place: str, claim: Plain, evidence: Plai
     elif kind == "definition":
         sides = schema.record(claim, ("left", "right"), where)
         left, right = expand_pair(sides["left"], sides["right"], setting, where)
+        spoken = left.letters()
         if not any(
             left == setting.letter(number) and right == meaning
             for number, meaning in setting.elements.items()
-            if number in left.letters()
+            if number in spoken
         ):
             raise RejectedError(f"{place}: the setting has no such element")
     else:
