@@ -37,8 +37,8 @@ SMALL = {
 }
 """The powers of Lambda and 1/alpha by which a second derivative tends to a number, and that number.
 
-For a small index alpha is like 2 Lambda^(1/3), and what grows like c Lambda^k bends like
-c k (k - 1) Lambda^(k - 2); gamma, M13, M22 and X22, for which k is 1, bend by their next terms.
+For a small index alpha is like 2 Lambda^(1/3), and what grows like c Lambda^n bends like
+c n (n - 1) Lambda^(n - 2); gamma, M13, M22 and X22, for which n is 1, bend by their next terms.
 """
 
 
@@ -54,8 +54,8 @@ def curvature_end_steps(c: Context, plain: Tower) -> list[Step]:
             "The second derivatives grow beyond all bounds near a vanishing index, like products "
             "of negative powers of the index and powers of `alpha`, which is like twice its cube "
             "root.",
-            "`Lambda^k` bends like `k (k - 1) Lambda^(k - 2)`: insert the powers of step "
-            "@small-alpha and the steps after it. Where `k` is 1 there, in `gamma`, `M13`, `M22` "
+            "`Lambda^n` bends like `n (n - 1) Lambda^(n - 2)`: insert the powers of step "
+            "@small-alpha and the steps after it. Where `n` is 1 there, in `gamma`, `M13`, `M22` "
             "and `X22`, the next terms bend, which are like `Lambda^(4/3)`.",
         ),
         *_limits(

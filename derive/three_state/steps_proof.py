@@ -117,8 +117,8 @@ def proof_steps(c: Context) -> list[Step]:
             Relation("stable", {"model": model, "gain": list(GAINS)}),
             "The test of Schur and Cohn: the three pairs of numbers that it forms from "
             "`c(z) = z^3 + c2 z^2 + c1 z + c0` are positive. They are `1 - c0` and `1 + c0`; with "
-            "`a = 1 - c0^2` and `f = c1 - c0 c2` then `a - f` and `a + f`; with `m = c2 - c0 c1` "
-            "at last `(a - f)(a + f - m)` and `(a - f)(a + f + m)`. (In the half plane it is that "
+            "`d = 1 - c0^2` and `f = c1 - c0 c2` then `d - f` and `d + f`; with `e = c2 - c0 c1` "
+            "at last `(d - f)(d + f - e)` and `(d - f)(d + f + e)`. (In the half plane it is that "
             "of Hurwitz: `xi`, `eta`, `delta` and `tau` are positive.)",
             hint=shown_signs.schur_cohn(c),
         ),

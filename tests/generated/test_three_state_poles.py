@@ -31,7 +31,8 @@ def eigenvalues(family: str, index: float) -> list[Any]:
     gain = doubling.steady_state(state_space(THREE_STATES[family], index)).state.gain
     alpha, beta, gamma = (fraction(row[0]) for row in gain)
     # det(z I - F (I - K H)) by its traces
-    coefficients = [Fraction(1), alpha + beta + gamma / 2 - 3, 3 - 2 * alpha - beta + gamma / 2, alpha - 1]
+    second, first = alpha + beta + gamma / 2 - 3, 3 - 2 * alpha - beta + gamma / 2
+    coefficients = [Fraction(1), second, first, alpha - 1]
     with mp.workdps(80):
         numbers = [mp.mpf(c.numerator) / c.denominator for c in coefficients]
         return list(mp.polyroots(numbers, maxsteps=400, extraprec=400))
