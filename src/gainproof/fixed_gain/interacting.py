@@ -3,26 +3,35 @@
 The state is n positions, then n velocities; the positions are measured. K1 carries the innovations
 to the positions (no unit), K2 to the velocities (1/s), T is the interval in s; a non-interacting
 filter has K1 = diag(alpha), K2 = diag(beta/T). F (I - K H) carries the error of the prediction on.
-Source: the lecture's slide on interacting filters (6 x 6 with n = 3). Nothing here has a proved
-bound: eigenvalues are NumPy's, the covariance is a sum of positive terms that is doubled until it
-stands.
+Source: the lecture's slide on interacting filters (6 x 6 with n = 3). Stability is decided exactly
+(`exact_stability`). No other number here has a proved bound: eigenvalues are NumPy's, the
+covariance is a sum of positive terms that is doubled until it stands.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gainproof.fixed_gain import exact_stability
 from gainproof.fixed_gain.arguments import Reals, real
+from gainproof.fixed_gain.matrix_arguments import (
+    Loop,
+    about_one,
+    covariance,
+    interval_of,
+    loop,
+    square,
+)
 
 DOUBLINGS = 60
 """A modulus of 1 - 2^-52 to the power 2^60 is nothing."""
-SYMMETRIC = 1e-12
 SINGULAR = 2.0**-48
 """Smallest over largest singular value below which a matrix is taken to be singular."""
+LOST = 2.0**-20
+"""Share of a covariance that rounding the gains' sums may move before none is given."""
 
 
 class Covariances(NamedTuple):
@@ -34,42 +43,32 @@ class Covariances(NamedTuple):
     smoothed: Reals
 
 
-@dataclass(frozen=True)
-class _Loop:
-    """F, K, H of one filter, checked."""
-
-    transition: Reals
-    gain: Reals
-    measurement: Reals
-
-    @property
-    def rest(self) -> Reals:
-        """I - K H."""
-        return np.eye(len(self.transition)) - self.gain @ self.measurement
-
-    @property
-    def closed(self) -> Reals:
-        """F (I - K H)."""
-        return np.asarray(self.transition @ self.rest)
-
-
 def poles(
     position_gain: ArrayLike, velocity_gain: ArrayLike, interval: float
 ) -> NDArray[np.complex128]:
     """The 2n eigenvalues of F (I - K H), that of largest modulus first.
 
-    position_gain: K1, n x n. velocity_gain: K2, n x n, 1/s. interval: T, s, above 0.
+    position_gain: K1, n x n. velocity_gain: K2, n x n, 1/s. interval: T, s, above 0. Entries of K1
+    and T K2 are at most 1e100.
 
-    ValueError for matrices that are not square or not of one size, for NaN and infinity, and for an
-    interval that is not positive; TypeError for what is no real number.
+    ValueError for matrices that are not square or not of one size, for NaN and infinity, for larger
+    entries, and for an interval that is not positive; TypeError for what is no real number.
     """
-    found = np.linalg.eigvals(_loop(position_gain, velocity_gain, interval).closed)
+    return _eigenvalues(loop(position_gain, velocity_gain, interval))
+
+
+def _eigenvalues(given: Loop) -> NDArray[np.complex128]:
+    found = np.linalg.eigvals(given.closed)
     return np.asarray(found[np.argsort(-np.abs(found), kind="stable")], np.complex128)
 
 
 def is_stable(position_gain: ArrayLike, velocity_gain: ArrayLike, interval: float) -> bool:
-    """Whether all eigenvalues of F (I - K H), as computed, have moduli below 1."""
-    return bool(np.abs(poles(position_gain, velocity_gain, interval)[0]) < 1)
+    """Whether all eigenvalues of F (I - K H) have moduli below 1: exactly, for the floats given.
+
+    On the border it is not stable. Errors as `poles`. Long integers: fit for a few coordinates.
+    """
+    given = loop(position_gain, velocity_gain, interval)
+    return exact_stability.stable(given.position_gain, given.velocity_gain, given.interval)
 
 
 def covariances(
@@ -83,92 +82,93 @@ def covariances(
     measurement_covariance: B, n x n, symmetric, no eigenvalue below 0, m^2. Other arguments as
     `poles`.
 
-    ValueError besides for a filter that is not stable, with the largest modulus, and for a B that
+    ValueError besides for a filter that is not stable (as `is_stable` decides), for one so near the
+    border that float64 has no covariance of it, for a covariance beyond float64, and for a B that
     is not of that kind.
     """
-    loop = _loop(position_gain, velocity_gain, interval)
-    noise = _covariance(measurement_covariance, len(loop.gain) // 2)
-    largest = float(np.abs(np.linalg.eigvals(loop.closed)).max())
-    if not largest < 1:
-        raise ValueError(
-            "not a stable filter: the eigenvalues of F (I - K H) must have moduli below 1, the "
-            f"largest is {largest!s}"
-        )
-    column = loop.transition @ loop.gain
-    predicted = _doubled(loop.closed, column @ noise @ column.T)
-    smoothed = loop.rest @ predicted @ loop.rest.T + loop.gain @ noise @ loop.gain.T
-    return Covariances(predicted, (smoothed + smoothed.T) / 2)
+    given = loop(position_gain, velocity_gain, interval)
+    noise, exponent = covariance(measurement_covariance, len(given.position_gain))
+    _require_stable(given)
+    closed = given.closed
+    carried = _doubled(closed, np.eye(len(closed)))
+    sizes = float(np.abs(carried).max()) * max(1.0, float(np.abs(given.gain).max())) ** 2
+    if not 2.0**-52 * sizes < LOST:
+        raise ValueError("too near the border of stability for a covariance in float64")
+    column = given.transition @ given.gain
+    predicted = _doubled(closed, column @ noise @ column.T)
+    smoothed = given.rest @ predicted @ given.rest.T + given.gain @ noise @ given.gain.T
+    both = predicted, (smoothed + smoothed.T) / 2
+    return Covariances(*(_with_units(matrix, given.interval, exponent) for matrix in both))
 
 
-def lag(velocity_gain: ArrayLike, interval: float, acceleration: ArrayLike) -> Reals:
+def lag(
+    velocity_gain: ArrayLike,
+    interval: float,
+    acceleration: ArrayLike,
+    position_gain: ArrayLike | None = None,
+) -> Reals:
     """Steady error of the predicted position behind a constant acceleration: T K2^-1 a_c, in m.
 
     velocity_gain: K2, n x n, 1/s. interval: T, s. acceleration: a_c, n numbers, m/s^2. It is the
-    steady error of a stable filter; whether it is one depends on K1 as well (see `is_stable`).
+    steady error of a stable filter; whether it is one depends on K1 as well: with `position_gain`
+    that is decided, without it what is asked of K2 alone, a determinant above 0.
 
     ValueError for a K2 that is singular to working precision (then there is no such steady error:
-    behind some acceleration the error grows), and for shapes that do not fit.
+    behind some acceleration the error grows), for a K2 or K1 and K2 that are not stable, for a lag
+    beyond float64, and for shapes that do not fit.
     """
-    gain = _square("velocity_gain", velocity_gain)
+    gain = square("velocity_gain", velocity_gain)
     course = real("acceleration", acceleration)
     if course.shape != (len(gain),):
         raise ValueError(
             f"acceleration must have shape ({len(gain)},) for a velocity_gain {gain.shape}, "
             f"got {course.shape}"
         )
-    step = _interval(interval)
-    sizes = np.linalg.svd(gain, compute_uv=False)
+    step = interval_of(interval)
+    scaled, exponent = about_one(gain)
+    sizes = np.linalg.svd(scaled, compute_uv=False)
     if not sizes[-1] > SINGULAR * sizes[0]:
+        least, most = (float(np.ldexp(sizes[place], exponent)) for place in (-1, 0))
         raise ValueError(
             "velocity_gain is singular: its least singular value is "
-            f"{sizes[-1]!s}, its largest {sizes[0]!s}; the lag T K2^-1 a_c does not exist"
+            f"{least!s}, its largest {most!s}; the lag T K2^-1 a_c does not exist"
         )
-    return np.asarray(step * np.linalg.solve(gain, course), np.float64)
-
-
-def _loop(position_gain: ArrayLike, velocity_gain: ArrayLike, interval: float) -> _Loop:
-    first, second = (
-        _square("position_gain", position_gain),
-        _square("velocity_gain", velocity_gain),
-    )
-    if first.shape != second.shape:
+    if position_gain is not None:
+        _require_stable(loop(position_gain, gain, step))
+    elif not exact_stability.determinant(gain) > 0:
         raise ValueError(
-            "position_gain and velocity_gain must have one shape, got "
-            f"{first.shape} and {second.shape}"
+            "no filter with this velocity_gain is stable: its determinant must be above 0, got "
+            f"{float(np.linalg.det(scaled)):.6g} for velocity_gain over 2^{exponent}"
         )
-    one, zero = np.eye(len(first)), np.zeros_like(first)
-    transition = np.block([[one, _interval(interval) * one], [zero, one]])
-    return _Loop(transition, np.vstack([first, second]), np.hstack([one, zero]))
+    pull, more = about_one(course)
+    front, most_of = np.frexp(step)
+    with np.errstate(over="ignore"):
+        found = np.ldexp(front * np.linalg.solve(scaled, pull), int(most_of) + more - exponent)
+    if not np.isfinite(found).all():
+        raise ValueError("the lag T K2^-1 a_c is beyond float64")
+    return np.asarray(found, np.float64)
 
 
-def _square(name: str, value: ArrayLike) -> Reals:
-    matrix = real(name, value)
-    if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1] or not matrix.size:
-        raise ValueError(f"{name} must be a square matrix, got shape {matrix.shape}")
-    return matrix
-
-
-def _interval(value: float) -> float:
-    step = real("interval", value)
-    if step.shape or not step > 0:
-        raise ValueError(f"interval must be one number above 0, in s, got {value!r}")
-    return float(step)
-
-
-def _covariance(value: ArrayLike, size: int) -> Reals:
-    noise = _square("measurement_covariance", value)
-    if len(noise) != size:
+def _require_stable(given: Loop) -> None:
+    if not exact_stability.stable(given.position_gain, given.velocity_gain, given.interval):
+        largest = float(np.abs(_eigenvalues(given)[0]))
         raise ValueError(
-            f"measurement_covariance must have shape {(size, size)} as the gains have, got "
-            f"{noise.shape}"
+            "not a stable filter: the eigenvalues of F (I - K H) must have moduli below 1, which "
+            f"is decided exactly; the largest, as rounded, is {largest!s}"
         )
-    top = float(np.abs(noise).max())
-    if np.abs(noise - noise.T).max() > SYMMETRIC * top:
-        raise ValueError("measurement_covariance must be symmetric, got one that is not")
-    least = float(np.linalg.eigvalsh(noise)[0])
-    if least < -SYMMETRIC * top:
-        raise ValueError(f"measurement_covariance must have no eigenvalue below 0, got {least!s}")
-    return (noise + noise.T) / 2
+
+
+def _with_units(matrix: Reals, interval: float, exponent: int) -> Reals:
+    """Velocities over T, and B's power of two."""
+    half = len(matrix) // 2
+    front, power = np.frexp(interval)
+    times = np.repeat([0, 1], half)
+    count = times[:, np.newaxis] + times
+    with np.errstate(over="ignore"):
+        found = np.ldexp(matrix / front**count, exponent - int(power) * count)
+    if not np.isfinite(found).all():
+        raise ValueError("the covariance is beyond float64 in these units")
+    return np.asarray(found)
 
 
 def _doubled(closed: Reals, noise: Reals) -> Reals:
