@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -93,8 +94,6 @@ def _altered(statement: dict[str, Any]) -> dict[str, Any]:
             _double(claim["left"])
         case "matrix_order":
             claim["larger"], claim["smaller"] = claim["smaller"], claim["larger"]
-            claim["relation"] = ">"
-            changed["evidence"].setdefault("rank", {"left_inverses": [], "cofactors": []})
         case "matrix_invertible":
             claim["given"] = []
         case other:
@@ -168,6 +167,8 @@ def test_every_altered_step_fails_alone(name: str) -> None:
         result = decide(document, number, statement, Expectation(None, None, None, None))
         assert result.status == "rejected", statement.id
         assert "given up" not in result.reason, statement.id
+        if statement.kind == "matrix_order":  # not for its form: the squares do not make it up
+            assert "terms are left over" in result.reason, statement.id
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -183,18 +184,32 @@ def test_altered_steps_fail_and_only_they(name: str) -> None:
     assert not report.accepted
     wanted = _wanted(certificate)
     wanted |= {certificate["statements"][number]["id"]: "rejected" for number in chosen}
-    found = {result.id: result.status for result in report.statements}
-    for entry in certificate["statements"]:
-        # a statement on matrices may rest on earlier ones, and then fails with them
-        untouched = wanted[entry["id"]] != "rejected"
-        if untouched and _rests_on(entry, {name for name in found if found[name] == "rejected"}):
-            wanted[entry["id"]] = found[entry["id"]]
-    assert found == wanted
+    for entry in certificate["statements"]:  # a premise comes before what rests on it
+        if any(wanted[premise] == "rejected" for premise in _premises(entry["evidence"])):
+            wanted[entry["id"]] = "rejected"
+    assert {result.id: result.status for result in report.statements} == wanted
 
 
-def _rests_on(entry: dict[str, Any], others: set[str]) -> bool:
-    evidence = json.dumps(entry["evidence"])
-    return entry["kind"].startswith("matrix_") and any(f'"{name}"' in evidence for name in others)
+def test_a_premise_is_a_reference_and_no_other_word() -> None:
+    """What the test above expects to fall is told by this alone."""
+    evidence = {
+        "cofactors": [[["statement", "first"], ["inverse", "second", "left"], ["inverse", 3]]],
+        "third": {"id": "fourth", "because": ["given", 0]},
+    }
+    assert sorted(_premises(evidence)) == ["first", "second"]
+
+
+def _premises(evidence: Any) -> Iterator[str]:
+    """The ids of the statements that the evidence refers to."""
+    match evidence:
+        case ["statement", str(name)] | ["inverse", str(name), "left" | "right"]:
+            yield name
+        case dict():
+            for part in evidence.values():
+                yield from _premises(part)
+        case list():
+            for part in evidence:
+                yield from _premises(part)
 
 
 @pytest.mark.parametrize("name", NAMES)
