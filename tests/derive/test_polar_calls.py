@@ -26,7 +26,9 @@ def status(kernel: str, graph: Graph) -> str:
 
 
 def call_of(graph: Graph, name: str) -> list[Any]:
-    return graph["nodes"][graph["names"][name]]
+    names = graph.get("names")
+    assert names is not None
+    return graph["nodes"][names[name]]
 
 
 @pytest.mark.parametrize("kernel", ["to_polar", "to_polar_in_plane"])
