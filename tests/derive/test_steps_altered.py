@@ -34,6 +34,9 @@ ONE_OF_A_KIND = {
 }
 """A subject of each method. That every step of the others is proved too, `gainproof run` says."""
 NAMES = cases([entry.name for entry in CATALOGUE], lambda name: name in ONE_OF_A_KIND)
+PROVED_TOO = {"random-jerk", "polar-coordinates"}
+"""Of two more the towers have no like: roots in a coupled pair, and angles. As they are, only."""
+PROVED = cases([entry.name for entry in CATALOGUE], lambda n: n in ONE_OF_A_KIND | PROVED_TOO)
 
 
 @cache
@@ -144,7 +147,7 @@ def _shift_value(claim: dict[str, Any], field: str) -> None:
         _shift(claim[field])
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PROVED)
 def test_every_step_is_proved(name: str) -> None:
     certificate = _certificate(name)
     report = check(certificate)
