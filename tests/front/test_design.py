@@ -155,6 +155,14 @@ def test_units(capsys: Capture) -> None:
     ("arguments", "told"),
     [
         (("--gains", "0.5", "3.2"), "beta < 4 - 2 alpha fails: beta = 3.2, 4 - 2 alpha = 3;"),
+        (("--gains", "1e-2000057", "1"), "a gain must be a number that float64 holds"),
+        (("--gains", "1", "1e400"), "a gain must be a number that float64 holds"),
+        (("--lag", "2", "--interval", "1e155", "--acceleration", "1"), "is beyond float64"),
+        (
+            ("--states", "3", "--lag", "2", "--interval", "1e103", "--jerk", "1"),
+            "is beyond float64",
+        ),
+        (("--lag", "2", "--plot", "a\0b.csv"), "--plot takes the name of a file, got 'a\\x00b"),
         (("--gains", "0.5", "x"), "a gain is a number, got 'x'"),
         (("--gains", "nan", "1"), "a gain must be finite, got 'nan'"),
         (("--gains", "0.5"), "--gains takes alpha and beta, or alpha, beta and gamma, got 1"),

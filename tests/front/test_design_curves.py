@@ -66,3 +66,8 @@ def test_a_picture_and_its_numbers_come_out_the_same(capsys: Capture, tmp_path: 
         made.append([path.read_bytes(), path.with_suffix(".csv").read_bytes()])
     assert made[0] == made[1]
     assert b"chosen_given" in made[0][1]
+
+
+def test_no_folder_of_figures_has_a_nul_byte(capsys: Capture) -> None:
+    assert cli.main(["figure", "suzuki", "2", "--out", "a\0b"]) == 2
+    assert "--out takes the name of a folder, got 'a\\x00b'" in capsys.readouterr().err

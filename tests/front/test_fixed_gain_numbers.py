@@ -13,6 +13,7 @@ import pytest
 
 from gainproof.fixed_gain import three_states, two_states
 from gainproof.fixed_gain.settling import samples_to_settle
+from gainproof.fixed_gain.stability import is_stable
 from gainproof.verify.oracles.fixed_gain import (
     ball,
     predicted,
@@ -125,7 +126,9 @@ def test_settling_counts_powers_of_the_largest_modulus() -> None:
     counted = samples_to_settle(poles)
     for row, count in zip(poles, counted, strict=True):
         largest = abs(row).max()
-        if largest < 1:
+        if largest == 0:
+            assert count == 2  # x_2 = A^2 x_0 = 0, and A is not 0
+        elif largest < 1:
             assert largest**count <= 0.01 * (1 + 1e-12)
             assert count == 1 or largest ** (count - 1) > 0.01 * (1 - 1e-12)
         else:
@@ -138,3 +141,34 @@ def test_settling_counts_powers_of_the_largest_modulus() -> None:
         samples_to_settle(0.5)
     with pytest.raises(ValueError, match="poles must be finite"):
         samples_to_settle([float("nan")])
+    with pytest.raises(TypeError, match="poles must be numbers"):
+        samples_to_settle(["a"])
+
+
+def test_a_start_is_gone_after_as_many_samples_as_poles_at_0() -> None:
+    """F (I - K H) of alpha = beta = 1 and of alpha = 1, beta = 3/2, gamma = 1 written out."""
+    two = np.array([[-1.0, 1.0], [-1.0, 1.0]])
+    assert not (two @ two).any()
+    assert samples_to_settle(two_states.poles(1, 1)) == 2
+    moving = np.array([[1, 1, 0.5], [0, 1, 1], [0, 0, 1]])
+    three = moving @ np.array([[0, 0, 0], [-1.5, 1, 0], [-1, 0, 1]])
+    assert (three @ three).any()
+    assert not (three @ three @ three).any()
+    assert samples_to_settle(three_states.poles(1, 1.5, 1)) == 3
+
+
+@pytest.mark.filterwarnings("error")
+def test_huge_numbers_are_decided_or_refused_without_a_warning() -> None:
+    assert not is_stable(1e155, 1e155, -1e155)
+    for function, gains in (
+        (two_states.poles, (1e308, 1e308)),
+        (two_states.poles, (1e155, 1.0)),
+        (three_states.poles, (1.0, [1.0, 1e308], 1.0)),
+    ):
+        with pytest.raises(ValueError, match="poles are computed for gains from -1e100 to 1e100"):
+            function(*gains)  # type: ignore[operator]
+    assert np.isfinite(two_states.poles(1e100, -1e100)).all()
+    assert np.isfinite(three_states.poles(1e100, -1e100, 1e100)).all()
+    if np.finfo(np.longdouble).max > np.finfo(np.float64).max:
+        with pytest.raises(ValueError, match="alpha must be a number that float64 holds"):
+            two_states.variances(np.longdouble("1e4000"), 0.3)

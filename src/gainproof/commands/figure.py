@@ -30,6 +30,8 @@ def run(options: argparse.Namespace) -> int:
     from gainproof.bad_input import BadInputError
     from gainproof.figures import catalogue, writing
 
+    if "\0" in (options.out or ""):
+        raise BadInputError(f"--out takes the name of a folder, got {options.out!r}")
     if options.name is None:
         return _list(options)
     entry = catalogue.find(options.source, options.name)

@@ -23,13 +23,14 @@ def answered(options: argparse.Namespace) -> int:
     states = _states(options)
     units = _units(options, states)
     made, belongs = _made(options, states)
+    told = plain(made, units, belongs)  # before a file is written: units may be refused
     drawn: dict[str, Any] = {}
     if options.plot:
         from gainproof.design.plot_files import write_plot
 
         drawn["files"] = write_plot(made, options.plot)
     if options.json:
-        print(json.dumps({**plain(made, units, belongs), **drawn}, indent=1))
+        print(json.dumps({**told, **drawn}, indent=1))
     else:
         print(page(made, units, belongs))
         for name in drawn.get("files", ()):
@@ -58,6 +59,8 @@ def _made(options: argparse.Namespace, states: int) -> tuple[Sheet, tuple[Belong
         printed = tuple(belonging.printed(text) for text in options.gains)
         gains = tuple(each.value for each in printed)
         own = row_of("given", "gains given", gains)
+        if not math.isfinite(own.lag):
+            raise ValueError(f"the lag, one over {gains[-1]!s}, is beyond float64")
         beside = sheet(states, "lag", 1 / gains[-1])
         belongs = belonging.belonging(printed)
     except ValueError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
 
@@ -49,7 +50,10 @@ def printed(text: str) -> Printed:
     exponent = number.as_tuple().exponent
     if not isinstance(exponent, int):
         raise ValueError(f"a gain must be finite, got {text!r}")
-    return Printed(text, float(number), float(Decimal(5).scaleb(exponent - 1)))
+    value = float(number)
+    if not math.isfinite(value) or (number and not value):
+        raise ValueError(f"a gain must be a number that float64 holds, got {text!r}")
+    return Printed(text, value, float(f"5e{exponent - 1}"))
 
 
 def belonging(gains: tuple[Printed, ...]) -> tuple[Belonging, ...]:

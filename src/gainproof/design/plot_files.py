@@ -21,6 +21,8 @@ def write_plot(sheet: Sheet, name: str) -> list[str]:
     Raises BadInputError for another ending, where there is nothing to draw, where Matplotlib is
     missing, or where a file cannot be written.
     """
+    if "\0" in name:
+        raise BadInputError(f"--plot takes the name of a file, got {name!r}")
     path = Path(name)
     ending = path.suffix.lower()
     if ending not in ENDINGS:

@@ -36,11 +36,16 @@ def real(name: str, value: ArrayLike) -> Reals:
         ) from None
     if array.dtype.kind not in "iuf":
         raise TypeError(f"{name} must be real numbers, got {array.dtype}")
-    array = array.astype(np.float64)
+    wide = array
+    with np.errstate(over="ignore"):
+        array = array.astype(np.float64)
     fine = np.isfinite(array)
     if not fine.all():
         first = int(np.argmin(fine))
-        came = array.flat[first]
+        came = wide.flat[first]
+        if np.isfinite(came):
+            place = place_of(first, array.shape)
+            raise ValueError(f"{name} must be a number that float64 holds, got {came!s}{place}")
         raise ValueError(f"{name} must be finite, got {came!s}{place_of(first, array.shape)}")
     return array
 

@@ -21,6 +21,9 @@ GAINS = ("alpha", "beta", "gamma")
 NEAR = 2.0**-40
 """Sides that differ by less than this share are compared in exact fractions."""
 
+LARGEST = 1e100
+"""Magnitude of gains whose squares and cubes are far from overflow."""
+
 
 @dataclass(frozen=True)
 class Condition:
@@ -38,7 +41,7 @@ class Condition:
         """Where it holds: by floats where they differ clearly, else by exact fractions."""
         if self.less is _zero:
             return np.asarray(self.greater(*gains) > 0)
-        with np.errstate(over="ignore", under="ignore"):
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             left, right = (np.asarray(side(*gains), float) for side in (self.less, self.greater))
             gap, size = right - left, sum(np.abs(gain) for gain in gains)
         fine = np.array(np.broadcast_to(gap > 0, np.shape(gains[0])))
@@ -127,6 +130,21 @@ def checked(gains: Sequence[ArrayLike]) -> tuple[Reals, ...]:
     if len(gains) not in CONDITIONS:
         raise TypeError(f"two or three gains are wanted (alpha, beta, gamma), got {len(gains)}")
     return finite(dict(zip(GAINS, gains, strict=False)))
+
+
+def moderate(gains: Sequence[ArrayLike]) -> tuple[Reals, ...]:
+    """Any gains up to 1e100 in magnitude. ValueError with the first that is beyond."""
+    arrays = checked(gains)
+    for name, values in zip(GAINS, arrays, strict=False):
+        fine = np.abs(values) <= LARGEST
+        if not fine.all():
+            first = int(np.argmin(fine))
+            where = place_of(first, values.shape)
+            raise ValueError(
+                f"poles are computed for gains from -1e100 to 1e100, got {name} = "
+                f"{float(values.flat[first])!s}{where}"
+            )
+    return arrays
 
 
 def _number(value: Any) -> str:

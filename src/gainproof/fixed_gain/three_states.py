@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.fixed_gain.kernel_reach import gap, put_together, require_reach, within
-from gainproof.fixed_gain.stability import CONDITIONS, checked, stable_gains
+from gainproof.fixed_gain.stability import CONDITIONS, moderate, stable_gains
 from gainproof.generated import alpha_beta_gamma
 from gainproof.generated.alpha_beta_gamma import Lags, Variances
 
@@ -102,11 +102,13 @@ def poles(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> NDArray[np.com
     """The three closed-loop poles, that of largest modulus first; complex, shape (..., 3).
 
     Eigenvalues of F (I - K H), by NumPy and without a proved bound: near a threefold pole they err
-    by the cube root of 2^-52. Any finite gains are taken.
+    by the cube root of 2^-52. Any gains up to 1e100 in magnitude.
+    The threefold pole at 0 (alpha = 1, beta = 3/2, gamma = 1) is exact.
     """
-    gains = checked((alpha, beta, gamma))
+    gains = moderate((alpha, beta, gamma))
     column = np.stack(gains, axis=-1)[..., :, np.newaxis]
     rest = np.eye(3) - column * np.array([1.0, 0.0, 0.0])
     found = np.asarray(np.linalg.eigvals(TRANSITION @ rest), np.complex128)
+    found[(gains[0] == 1) & (gains[1] == 1.5) & (gains[2] == 1)] = 0
     order = np.argsort(-np.abs(found), axis=-1, kind="stable")
     return np.take_along_axis(found, order, axis=-1)

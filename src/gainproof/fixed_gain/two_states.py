@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.fixed_gain.kernel_reach import gap, put_together, require_reach, within
-from gainproof.fixed_gain.stability import CONDITIONS, checked, stable_gains
+from gainproof.fixed_gain.stability import CONDITIONS, moderate, stable_gains
 from gainproof.generated import alpha_beta
 from gainproof.generated.alpha_beta import Lags, Variances
 
@@ -54,11 +54,11 @@ def _lags_beyond(alpha: Reals, beta: Reals) -> Lags:
 def poles(alpha: ArrayLike, beta: ArrayLike) -> NDArray[np.complex128]:
     """Both closed-loop poles, the one of larger modulus first; complex, shape (..., 2).
 
-    The roots of z^2 - (2 - alpha - beta) z + 1 - alpha. Any finite gains: what is not stable has
-    poles, too. A pole is rounded by some 2^-52 of 1 + (alpha + beta)/2, and where both nearly agree
+    The roots of z^2 - (2 - alpha - beta) z + 1 - alpha. Any gains up to 1e100 in magnitude: what
+    is not stable has poles, too. A pole is rounded by some 2^-52 of 1 + (alpha + beta)/2, and where both nearly agree
     by the root of that.
     """
-    gains = checked((alpha, beta))
+    gains = moderate((alpha, beta))
     fine = within(alpha_beta._CLOSED_LOOP_POLES, gains)
     both = put_together(fine, gains, _parts, _parts_beyond)
     half_sum, discriminant = (np.asarray(each) for each in both)
