@@ -35,7 +35,7 @@ ONE_OF_A_KIND = {
 """A subject of each method. That every step of the others is proved too, `gainproof run` says."""
 NAMES = cases([entry.name for entry in CATALOGUE], lambda name: name in ONE_OF_A_KIND)
 PROVED_TOO = {"random-jerk", "polar-coordinates"}
-"""Of two more the towers have no like: roots in a coupled pair, and angles. As they are, only."""
+"""Two whose towers have no like among these: a coupled pair of roots, and nine parameters."""
 PROVED = cases([entry.name for entry in CATALOGUE], lambda n: n in ONE_OF_A_KIND | PROVED_TOO)
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Callable
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import mpmath as mp
@@ -13,29 +15,86 @@ from kernel_truth import THREE_STATES, truth_at
 from printed_kernels import PrintedKernel, printed_kernels
 
 from gainproof.verify.oracles import doubling
+from gainproof.verify.oracles.matrices import identity, matrix, product, subtract
 from gainproof.verify.oracles.multiprecision import fraction
 from gainproof.verify.oracles.state_space import state_space
 
 KERNELS = {k.family: k for k in printed_kernels() if k.name == "closed_loop_poles"}
-TURNS = {
-    "acceleration_increments": (4 * 2**0.5, 12 * 3**0.5),
-    "wiener_acceleration": (4 * 2**0.5, 12 * 3**0.5),
-    "random_jerk": (6.17278, None),
-    "continuous_white_jerk": (5.96680, 31.6),
-}
+NEVER_REAL = "random_jerk"
+"""Its pair is complex for every index."""
 POINTS = (1e-9, 0.01, 0.7, 5.0, 6.5, 30.0, 40.0, 1e5)
 
 
+def power_sums(family: str, index: float) -> list[Fraction]:
+    """Of the eigenvalues p, sum p^k for k = 0..4: the traces of the powers of F (I - K H), for the
+    gain to which the Riccati equation runs.
+    """
+    model = state_space(THREE_STATES[family], index)
+    gain = matrix(doubling.steady_state(model).state.gain, fraction)
+    unit = identity(3, Fraction(1))
+    loop = product(model.transition, subtract(unit, product(gain, model.measurement)))
+    powers = [unit]
+    for _ in range(4):
+        powers.append(product(powers[-1], loop))
+    return [sum((power[i][i] for i in range(3)), Fraction(0)) for power in powers]
+
+
+def symmetric_sums(power: list[Fraction]) -> tuple[Fraction, Fraction, Fraction]:
+    """Sum, sum of products of two, product of the eigenvalues: Newton's identities."""
+    first = power[1]
+    second = (first * power[1] - power[2]) / 2
+    return first, second, (second * power[1] - first * power[2] + power[3]) / 3
+
+
 def eigenvalues(family: str, index: float) -> list[Any]:
-    """Of F (I - K H), for the gain to which the Riccati equation runs."""
-    gain = doubling.steady_state(state_space(THREE_STATES[family], index)).state.gain
-    alpha, beta, gamma = (fraction(row[0]) for row in gain)
-    # det(z I - F (I - K H)) by its traces
-    second, first = alpha + beta + gamma / 2 - 3, 3 - 2 * alpha - beta + gamma / 2
-    coefficients = [Fraction(1), second, first, alpha - 1]
+    first, second, third = symmetric_sums(power_sums(family, index))
     with mp.workdps(80):
-        numbers = [mp.mpf(c.numerator) / c.denominator for c in coefficients]
+        numbers = [mp.mpf(c.numerator) / c.denominator for c in (1, -first, second, -third)]
         return list(mp.polyroots(numbers, maxsteps=400, extraprec=400))
+
+
+def discriminant(family: str, index: float) -> Fraction:
+    """Product of the squared differences of the eigenvalues, negative where two are complex: the
+    determinant of Hankel's matrix of the power sums, a square of Vandermonde's.
+    """
+    s = power_sums(family, index)
+    return (
+        s[0] * (s[2] * s[4] - s[3] * s[3])
+        - s[1] * (s[1] * s[4] - s[3] * s[2])
+        + s[2] * (s[1] * s[3] - s[2] * s[2])
+    )
+
+
+def sums_of_pairs(family: str, index: float) -> Fraction:
+    """(p + q)(q + r)(r + p): while p and q are complex of the sign of p + q, as the rest is a
+    modulus squared.
+    """
+    first, second, third = symmetric_sums(power_sums(family, index))
+    return first * second - third
+
+
+def crossing(
+    value: Callable[[str, float], Fraction], family: str, low: float, high: float
+) -> float:
+    """Where it changes sign between two indices, by halving."""
+    rising = value(family, high) > 0
+    assert (value(family, low) > 0) is not rising
+    for _ in range(24):  # to a millionth of the range
+        centre = (low + high) / 2
+        low, high = (low, centre) if (value(family, centre) > 0) == rising else (centre, high)
+    return low
+
+
+@cache
+def turns(family: str) -> tuple[float, float | None]:
+    """The indices at which the half sum of the pair vanishes and at which it becomes real."""
+    assert discriminant(family, 1.0) < 0
+    assert discriminant(family, 12.0) < 0
+    middle = crossing(sums_of_pairs, family, 1.0, 12.0)
+    if family == NEVER_REAL:
+        assert all(discriminant(family, 10.0**power) < 0 for power in range(-6, 7))
+        return middle, None
+    return middle, crossing(discriminant, family, 12.0, 100.0)
 
 
 @pytest.mark.parametrize("family", sorted(THREE_STATES))
@@ -49,9 +108,9 @@ def test_they_are_the_eigenvalues(family: str) -> None:
         assert found.modulus == pytest.approx(abs(mine[1] * mine[2]) ** 0.5, rel=1e-12)
 
 
-@pytest.mark.parametrize("family", sorted(TURNS))
+@pytest.mark.parametrize("family", sorted(THREE_STATES))
 def test_signs_change_where_they_should(family: str) -> None:
-    middle, turn = TURNS[family]
+    middle, turn = turns(family)
     poles = KERNELS[family].function
     assert poles(middle * 0.999).half_sum > 0 > poles(middle * 1.001).half_sum
     if turn is None:
@@ -70,11 +129,11 @@ def near(kernel: PrintedKernel, output: str, index: float) -> Fraction:
     return abs(Fraction(float(getattr(kernel.function(index), output))) / top - 1)
 
 
-@pytest.mark.parametrize("family", sorted(TURNS))
+@pytest.mark.parametrize("family", sorted(THREE_STATES))
 def test_no_digit_is_lost_next_to_a_sign(family: str) -> None:
     """The floats round the index at which a value vanishes, relative to the value itself."""
     kernel = KERNELS[family]
-    for place, output in zip(TURNS[family], ("half_sum", "quarter_discriminant"), strict=True):
+    for place, output in zip(turns(family), ("half_sum", "quarter_discriminant"), strict=True):
         if place is None:
             continue
         low, high = place * 0.99, place * 1.01
