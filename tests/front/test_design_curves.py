@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 
 from gainproof import cli
+from gainproof.design.curves import curves
+from gainproof.design.drawing import draw
+from gainproof.design.sheet import Sheet, row_of, sheet
 
 Capture = pytest.CaptureFixture[str]
 
@@ -43,7 +46,13 @@ def test_the_plot_marks_the_choice_on_each_curve(capsys: Capture, tmp_path: Path
 
 
 @pytest.mark.parametrize(
-    "arguments", [("--lag", "1e29"), ("--lag", "0.2500001"), ("--gains", "1.9", "0.05", "0.01")]
+    "arguments",
+    [
+        ("--lag", "1e30"),
+        ("--lag", "1e29"),
+        ("--lag", "0.2500001"),
+        ("--gains", "1.9", "0.05", "0.01"),
+    ],
 )
 def test_curves_end_where_filters_do(
     capsys: Capture, tmp_path: Path, arguments: tuple[str, ...]
@@ -66,6 +75,22 @@ def test_a_picture_and_its_numbers_come_out_the_same(capsys: Capture, tmp_path: 
         made.append([path.read_bytes(), path.with_suffix(".csv").read_bytes()])
     assert made[0] == made[1]
     assert b"chosen_given" in made[0][1]
+
+
+def test_gains_of_ones_own_are_inside_the_axes() -> None:
+    """alpha = 1.99 and beta = 0.01 have a variance far above every curve."""
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    given = row_of("given", "gains given", (1.99, 0.01))
+    made = Sheet(2, "gains", (1.99, 0.01), (given, *sheet(2, "lag", 100.0).rows))
+    paper = Figure()
+    draw(curves(made), paper, 2)
+    (axes,) = paper.axes
+    bottom, top = axes.get_ylim()
+    left, right = axes.get_xlim()
+    assert bottom < given.predicted < top
+    assert left < given.lag < right
 
 
 def test_no_folder_of_figures_has_a_nul_byte(capsys: Capture) -> None:

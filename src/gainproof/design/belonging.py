@@ -8,7 +8,7 @@ from decimal import Decimal, InvalidOperation
 
 import numpy as np
 
-from gainproof.design.named_filter import NamedFilter, missing
+from gainproof.design.named_filter import NamedFilter, missing, out_of_reach
 from gainproof.design.named_filters import named_filters
 
 POINTS = 33
@@ -31,7 +31,7 @@ class Printed:
 @dataclass(frozen=True)
 class Belonging:
     """A filter with these gains or not: its gains where the last one is as it is printed, and how
-    far the others are from what is printed.
+    far the others are from what is printed. `not_compared`: why it could not be looked at.
     """
 
     name: str
@@ -39,6 +39,7 @@ class Belonging:
     fits: bool
     gains: tuple[float, ...]
     off: tuple[float, ...]
+    not_compared: str = ""
 
 
 def printed(text: str) -> Printed:
@@ -67,6 +68,11 @@ def belonging(gains: tuple[Printed, ...]) -> tuple[Belonging, ...]:
     found = []
     for each in named_filters(len(gains)):
         if missing(each, "lag", 1 / last.value) is None:
+            beyond = out_of_reach(each, 1 / last.value)
+            if beyond is not None:
+                reason = f"{beyond}, here it is {1 / last.value!s}"
+                found.append(Belonging(each.name, each.title, False, (), (), reason))
+                continue
             middle = each.by_lag(np.asarray(1 / last.value))
             shown = tuple(float(gain) for gain in middle)
             off = tuple(abs(x - given.value) for x, given in zip(shown, others, strict=False))
@@ -79,11 +85,9 @@ def _fits(each: NamedFilter, others: list[Printed], last: Printed) -> bool:
     low, high = last.ends
     limit = each.lag_above[0]
     points = np.linspace(max(low, last.value / 2), high, POINTS)
-    points = points[points * limit < 1]
-    try:
-        curve = each.by_lag(1 / points)
-    except ValueError:
-        curve = each.by_lag(1 / np.array([last.value]))
+    lags = 1 / points[points * limit < 1]
+    lags = lags[(lags >= each.reach[0]) & (lags <= each.reach[1])]
+    curve = each.by_lag(lags if lags.size else 1 / np.array([last.value]))
     inside = np.ones(max(len(curve[0]) - 1, 1), np.bool_)
     for gain, values in zip(others, curve, strict=False):
         bottom, top = gain.ends

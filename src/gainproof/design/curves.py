@@ -31,9 +31,11 @@ def curves(sheet: Sheet) -> Table:
     filters = named_filters(sheet.states)
     least = min(each.lag_above[0] for each in filters)
     low = max(min(row.lag for row in rows) / FACTOR, least * 1.02)
-    high = min(max(row.lag for row in rows) * FACTOR, LARGEST)
+    high = max(min(max(row.lag for row in rows) * FACTOR, LARGEST), low)
     chosen = [row.lag for row in rows]
-    lags = np.unique(np.concatenate([np.geomspace(low, high, POINTS), chosen]))
+    # the last point of a geometric row may round beyond its end
+    sampled = np.clip(np.geomspace(low, high, POINTS), low, high)
+    lags = np.unique(np.concatenate([sampled, chosen]))
     columns = [Column("lag", "e_fin over a_c T^2, of three states over j T^3", lags)]
     for each in filters:
         meaning = f"variance of the predicted position over B, {each.title}"
@@ -55,7 +57,10 @@ def curves(sheet: Sheet) -> Table:
 def _variance(each: NamedFilter, lags: Reals) -> Reals:
     found = np.full(lags.shape, np.nan)
     # a shade off the end, where a variance is beyond all paper
-    fine = lags > each.lag_above[0] * 1.0005
+    fine = (lags > each.lag_above[0] * 1.0005) & (lags >= each.reach[0]) & (lags <= each.reach[1])
+    if each.variance_by_lag is not None:
+        found[fine] = each.variance_by_lag(lags[fine])
+        return found
     gains = each.by_lag(lags[fine])
     if each.states == 2:
         found[fine] = two_states.variances(*gains).predicted_11

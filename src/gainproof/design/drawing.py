@@ -54,7 +54,10 @@ def draw(table: Table, sheet: Figure, states: int) -> None:
     shown = np.concatenate([table[name] for name in names])
     shown = shown[np.isfinite(shown)]
     marked = np.concatenate([table[MARK + name] for name in own])
-    top = max(np.nanmax(marked) * 30, float(np.nanmin(shown)) * 100)
-    axes.set_ylim(float(shown.min()) * 0.8, min(float(shown.max()) * 1.25, top))
+    highest = float(np.nanmax(marked))
+    # gains of one's own may lie above every curve
+    least = min(float(shown.min(initial=np.inf)), float(np.nanmin(marked)))
+    most = max(float(shown.max(initial=0.0)), highest)
+    axes.set_ylim(least * 0.8, min(most * 1.25, max(highest * 30, least * 100)))
     axes.set_xlim(float(lags[0]), float(lags[-1]))
     axes.legend()

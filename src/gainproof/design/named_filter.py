@@ -23,6 +23,9 @@ class NamedFilter:
     by_lag: gains of lags (e_fin over a T^2, of three states over j T^3). by_alpha: gains of alphas,
     a tuple for each filter with that gain. by_index: gains of tracking indices, None for a filter
     that is no steady state of a Kalman filter; `family` is the derivation that it belongs to.
+    variance_by_lag: variance of the predicted position over B where a kernel gives it, which keeps
+    its digits next to a border where those of the gains are lost. reach: least and largest lag that
+    by_lag takes. It is the steady state of a Kalman filter for lags above `kalman_above`.
     It exists for lags above `lag_above` and for 0 < alpha < `alpha_below`, or, `closed`, up to
     that; `lag_reason` and `alpha_reason` say why.
     """
@@ -39,11 +42,19 @@ class NamedFilter:
     alpha_reason: str
     family: str = ""
     closed: bool = False
+    variance_by_lag: Callable[[Reals], Reals] | None = None
+    reach: tuple[float, float] = (0.0, np.inf)
+    kalman_above: float = 0.0
 
 
 def first_outputs(kernel: Callable[..., Any], count: int) -> Callable[[Reals], Gains]:
     """The first outputs of a kernel of one input."""
     return lambda given: tuple(np.asarray(each) for each in kernel(given)[:count])
+
+
+def output(kernel: Callable[..., Any], place: int) -> Callable[[Reals], Reals]:
+    """One output of a kernel of one input."""
+    return lambda given: np.asarray(kernel(given)[place])
 
 
 def with_alpha(kernel: Callable[..., Any], count: int) -> Callable[[Reals], Sequence[Gains]]:
@@ -69,6 +80,14 @@ def inverse(
 
 def as_one(gains: Callable[[Reals], Gains]) -> Callable[[Reals], Sequence[Gains]]:
     return lambda alpha: (gains(alpha),)
+
+
+def out_of_reach(each: NamedFilter, lag: float) -> str | None:
+    """Why no kernel computes a filter of this lag that there is; None where one does."""
+    low, high = each.reach
+    if low <= lag <= high:
+        return None
+    return f"lags are computed from {low:.6g} to {high:.6g}"
 
 
 def missing(each: NamedFilter, kind: str, value: float) -> str | None:

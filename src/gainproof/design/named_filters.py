@@ -17,6 +17,7 @@ from gainproof.design.named_filter import (
     as_one,
     first_outputs,
     inverse,
+    output,
     with_alpha,
 )
 from gainproof.generated import (
@@ -55,6 +56,9 @@ NAMED: tuple[NamedFilter, ...] = (
         (1.0, "1"),
         "steady states of a Kalman filter have no other",
         "random-velocity",
+        variance_by_lag=output(alpha_beta.random_velocity_by_lag, 2),
+        reach=alpha_beta._RANDOM_VELOCITY_BY_LAG.inputs[0].double,
+        kalman_above=1.0,
     ),
     NamedFilter(
         "RA",
@@ -68,6 +72,8 @@ NAMED: tuple[NamedFilter, ...] = (
         (1.0, "1"),
         "with alpha = 1 it is not stable",
         "random-acceleration",
+        variance_by_lag=output(alpha_beta.random_acceleration_by_lag, 2),
+        reach=alpha_beta._RANDOM_ACCELERATION_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
         "MV",
@@ -81,6 +87,8 @@ NAMED: tuple[NamedFilter, ...] = (
         (0.5, "1/2"),
         "alpha = sqrt(beta) - beta/2 is never more",
         closed=True,
+        variance_by_lag=output(alpha_beta.minimum_variance_by_lag, 2),
+        reach=alpha_beta._MINIMUM_VARIANCE_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
         "NP-S",
@@ -93,6 +101,8 @@ NAMED: tuple[NamedFilter, ...] = (
         "from there on none smooths better than a single measurement",
         (1.0, "1"),
         "from there on none smooths better than a single measurement",
+        variance_by_lag=output(alpha_beta.minimum_smoothed_variance_by_lag, 2),
+        reach=alpha_beta._MINIMUM_SMOOTHED_VARIANCE_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
         "RA",
@@ -106,6 +116,8 @@ NAMED: tuple[NamedFilter, ...] = (
         (1.0, "1"),
         "with alpha = 1 it is not stable",
         "acceleration-increments",
+        variance_by_lag=output(alpha_beta_gamma.random_acceleration_by_lag, 3),
+        reach=alpha_beta_gamma._RANDOM_ACCELERATION_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
         "RJ",
@@ -119,6 +131,7 @@ NAMED: tuple[NamedFilter, ...] = (
         (1.0, "1"),
         "there the tracking index is infinite",
         "random-jerk",
+        reach=alpha_beta_gamma._RANDOM_JERK_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
         "MV",
@@ -131,6 +144,8 @@ NAMED: tuple[NamedFilter, ...] = (
         "there gamma is 8, on the border of stability",
         (2.0, "2"),
         "there gamma is 8, on the border of stability",
+        variance_by_lag=output(alpha_beta_gamma.minimum_variance_by_lag, 3),
+        reach=alpha_beta_gamma._MINIMUM_VARIANCE_BY_LAG.inputs[0].double,
     ),
 )
 

@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from gainproof.design.belonging import Belonging
-from gainproof.design.sheet import Absent, Row, Sheet
+from gainproof.design.sheet import NOT_TOLD, Absent, Row, Sheet
 from gainproof.design.units import Units, in_units
 
 GAINS = ("alpha", "beta", "gamma")
@@ -71,9 +71,14 @@ def _cells(row: Row) -> list[str]:
         number(row.smoothed),
         number(row.lag),
         poles(row.poles),
-        modulus(max(map(abs, row.poles))),
-        f"{row.samples:.0f}" if row.samples < 1e6 else f"{row.samples:.3g}",
+        "not told" if row.distance is None else modulus(row.distance),
+        "not told" if row.samples is None else settles(row.samples),
     ]
+
+
+def settles(samples: float) -> str:
+    """Whole samples; three digits of very many."""
+    return f"{samples:.0f}" if samples < 1e6 else f"{samples:.3g}"
 
 
 def _table(head: Sequence[list[str]], rows: list[list[str]]) -> Iterator[str]:
@@ -99,19 +104,25 @@ def _unit_table(sheet: Sheet, units: Units) -> Iterator[str]:
     yield f"with {told}:"
     yield ""
     rows = [(row.name, in_units(sheet, row, units)) for row in sheet.found]
-    kinds = list(rows[0][1]) if rows else []
+    kinds = max((list(found) for _, found in rows), key=len, default=[])
     if not kinds:
         yield f"a lag in metres takes both an interval and the {motion}"
         return
     head = ["filter", *(HEADINGS[kind] for kind in kinds)]
-    cells = [[name, *(number(found[kind]) for kind in kinds)] for name, found in rows]
+    cells = [[name, *(_told(found.get(kind)) for kind in kinds)] for name, found in rows]
     yield from _table([head], cells)
+
+
+def _told(value: float | None) -> str:
+    return "not told" if value is None else number(value)
 
 
 def _notes(sheet: Sheet) -> Iterator[str]:
     for row in sheet.found:
         if row.note:
             yield from _wrapped(f"{row.name} of lag {number(row.lag)}: {row.note}")
+        if row.distance is None:
+            yield from _wrapped(f"{row.name} of lag {number(row.lag)}: {NOT_TOLD}")
 
 
 def _absent(sheet: Sheet) -> Iterator[str]:
@@ -127,8 +138,12 @@ def _belonging(belongs: Sequence[Belonging]) -> Iterator[str]:
             f"Within the digits given these are the gains of: {', '.join(fitting)}."
         )
     else:
-        yield "Within the digits given these are the gains of none of the named filters."
+        compared = " compared" if any(each.not_compared for each in belongs) else ""
+        yield f"Within the digits given these are the gains of none of the named filters{compared}."
     for each in belongs:
+        if each.not_compared:
+            yield from _wrapped(f"  {each.name}: not compared: {each.not_compared}")
+            continue
         *others, last = each.gains
         parts = zip(GAINS, others, each.off, strict=False)
         shown = ", ".join(f"{n} = {g:.10g} (off by {d:.2g})" for n, g, d in parts)
@@ -144,9 +159,9 @@ def number(value: float) -> str:
     return f"{value:.6g}"
 
 
-def modulus(value: float) -> str:
+def modulus(distance: float) -> str:
     """Four digits; next to 1 of the distance to it."""
-    return f"{value:.4g}" if value < 0.9999 else f"1 - {1 - value:.2g}"
+    return f"{1 - distance:.4g}" if distance > 1e-4 else f"1 - {distance:.2g}"
 
 
 def poles(values: Sequence[complex]) -> str:

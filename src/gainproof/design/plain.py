@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from gainproof.design.belonging import Belonging
-from gainproof.design.sheet import Absent, Row, Sheet
+from gainproof.design.sheet import NOT_TOLD, Absent, Row, Sheet
 from gainproof.design.units import Units, in_units
 
 GAINS = ("alpha", "beta", "gamma")
@@ -16,7 +16,8 @@ GAINS = ("alpha", "beta", "gamma")
 def plain(sheet: Sheet, units: Units, belongs: Sequence[Belonging] = ()) -> dict[str, Any]:
     """The sheet: "filters" in order, each with its numbers, or with "absent", the reason.
 
-    Infinity comes as text. Units that were stated are under "units", what they make of a filter
+    Infinity comes as text. What gains as rounded do not tell is None, and "not_told" says so.
+    Units that were stated are under "units", what they make of a filter
     under its "in_units".
     """
     value = list(sheet.value) if isinstance(sheet.value, tuple) else sheet.value
@@ -37,7 +38,8 @@ def plain(sheet: Sheet, units: Units, belongs: Sequence[Belonging] = ()) -> dict
             {
                 "name": each.name,
                 "title": each.title,
-                "within_the_digits": each.fits,
+                "within_the_digits": None if each.not_compared else each.fits,
+                **({"not_compared": each.not_compared} if each.not_compared else {}),
                 "gains_at_this_lag": dict(zip(GAINS, each.gains, strict=False)),
                 "off": dict(zip(GAINS, each.off, strict=False)),
             }
@@ -57,10 +59,13 @@ def _filter(sheet: Sheet, row: Row | Absent, units: Units) -> dict[str, Any]:
         "smoothed_variance": _number(row.smoothed),
         "lag": _number(row.lag),
         "poles": [[pole.real, pole.imag] for pole in row.poles],
-        "largest_modulus": max(map(abs, row.poles)),
+        "largest_modulus": None if row.distance is None else 1 - row.distance,
+        "distance_to_1": row.distance,
         "stable": row.stable,
-        "samples_to_one_per_cent": _number(row.samples),
+        "samples_to_one_per_cent": None if row.samples is None else _number(row.samples),
     }
+    if row.distance is None:
+        found["not_told"] = NOT_TOLD
     if row.note:
         found["note"] = row.note
     if units.stated:

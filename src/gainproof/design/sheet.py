@@ -7,19 +7,25 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gainproof.design.named_filter import NamedFilter, missing
+from gainproof.design import decay
+from gainproof.design.named_filter import NamedFilter, missing, out_of_reach
 from gainproof.design.named_filters import named_filters
 from gainproof.fixed_gain import three_states, two_states
 from gainproof.fixed_gain.settling import samples_to_settle
-from gainproof.fixed_gain.stability import is_stable
+from gainproof.fixed_gain.stability import is_stable, stable_gains
 
+NOT_TOLD = (
+    "largest modulus and settling cannot be told: they are too near the border of stability for "
+    "gains in float64"
+)
 KINDS = ("lag", "tracking index", "alpha", "gains")
 
 
 @dataclass(frozen=True)
 class Row:
     """One filter: gains, variances of the predicted and the smoothed position over B, lag (e_fin
-    over a_c T^2, of three states over that of a jerk, T^3), closed-loop poles, samples until 1 %.
+    over a_c T^2, of three states over that of a jerk, T^3), closed-loop poles, what the largest
+    modulus leaves to 1, samples until 1 %; these two are None where gains as rounded do not tell.
     """
 
     name: str
@@ -30,7 +36,8 @@ class Row:
     lag: float
     poles: tuple[complex, ...]
     stable: bool
-    samples: float
+    distance: float | None
+    samples: float | None
     note: str = ""
 
 
@@ -76,10 +83,26 @@ def sheet(states: int, kind: str, value: float) -> Sheet:
     return Sheet(states, kind, value, tuple(rows))
 
 
-def row_of(name: str, title: str, gains: Sequence[float], note: str = "") -> Row:
-    """A filter's numbers from its gains. ValueError where they are not stable, or nearly not."""
+def row_of(
+    name: str,
+    title: str,
+    gains: Sequence[float],
+    note: str = "",
+    variance: float | None = None,
+    at: float | None = None,
+) -> Row:
+    """A filter's numbers from its gains; `variance` of the predicted position and the lag `at`
+    where they are known apart from them. ValueError where gains are not stable, or nearly not.
+    """
     gains = tuple(float(gain) for gain in gains)
-    if len(gains) == 2:
+    if variance is not None and at is not None:
+        stable_gains(*gains)
+        alpha = gains[0]
+        predicted, lag = variance, at
+        # a sum of two squares: of (I - K H) P (I - K H)' + K K' the first entry
+        smoothed = (1 - alpha) ** 2 * variance + alpha**2
+        poles = two_states.poles(*gains) if len(gains) == 2 else three_states.poles(*gains)
+    elif len(gains) == 2:
         v2, lag2 = two_states.variances(*gains), two_states.lags(*gains)
         predicted, smoothed = float(v2.predicted_11), float(v2.updated_11)
         lag, poles = float(lag2.predicted_position_lag), two_states.poles(*gains)
@@ -87,10 +110,14 @@ def row_of(name: str, title: str, gains: Sequence[float], note: str = "") -> Row
         v3, lag3 = three_states.variances(*gains), three_states.lags(*gains)
         predicted, smoothed = float(v3.predicted_11), float(v3.updated_11)
         lag, poles = float(lag3.predicted_position_lag), three_states.poles(*gains)
-    samples = float(samples_to_settle(poles))
-    stable = bool(is_stable(*gains))
     known = tuple(complex(pole) for pole in poles)
-    return Row(name, title, gains, predicted, smoothed, lag, known, stable, samples, note)
+    left: float | None = 1 - max(map(abs, known))
+    count: float | None = float(samples_to_settle(poles))
+    if max(map(abs, known)) > decay.CLEAR:
+        left = decay.distance(gains)
+        count = None if left is None else decay.samples(left)
+    stable = bool(is_stable(*gains))
+    return Row(name, title, gains, predicted, smoothed, lag, known, stable, left, count, note)
 
 
 def _rows(each: NamedFilter, kind: str, value: float) -> Iterator[Row | Absent]:
@@ -100,6 +127,10 @@ def _rows(each: NamedFilter, kind: str, value: float) -> Iterator[Row | Absent]:
         if reason is not None:
             yield Absent(each.name, each.title, f"does not exist: {reason}; got {value!s}")
             return
+    beyond = out_of_reach(each, value) if kind == "lag" else None
+    if beyond is not None:
+        yield Absent(each.name, each.title, f"not computed: {beyond}; got {value!s}")
+        return
     given = np.asarray(value)
     try:
         if kind == "alpha":
@@ -114,9 +145,10 @@ def _rows(each: NamedFilter, kind: str, value: float) -> Iterator[Row | Absent]:
         return
     notes = ("the slow one of the two of this alpha", "the fast one of the two of this alpha")
     for gains, note in zip(several, notes if len(several) == 2 else ("",), strict=True):
-        if gains[0] >= 1 and kind == "lag" and each.by_index is not None:
+        if kind == "lag" and value <= each.kalman_above:
             note = "alpha is not below 1: stable, yet no steady state of a Kalman filter"
-        yield _safe(each, [float(gain) for gain in gains], note)
+        at = value if kind == "lag" else None
+        yield _safe(each, [float(gain) for gain in gains], note, at)
 
 
 def _at_lag_of(each: NamedFilter, reference: Row | None) -> Row | Absent:
@@ -127,12 +159,21 @@ def _at_lag_of(each: NamedFilter, reference: Row | None) -> Row | Absent:
     if reason_missing is not None:
         reason = f"at the lag of {reference.name}, {reference.lag!s}, it does not exist: "
         return Absent(each.name, each.title, reason + reason_missing)
+    beyond = out_of_reach(each, reference.lag)
+    if beyond is not None:
+        told = f"not computed at the lag of {reference.name}, {reference.lag!s}: {beyond}"
+        return Absent(each.name, each.title, told)
     gains = [float(gain) for gain in each.by_lag(np.asarray(reference.lag))]
-    return _safe(each, gains, f"has no tracking index: at the lag of {reference.name}")
+    note = f"has no tracking index: at the lag of {reference.name}"
+    return _safe(each, gains, note, reference.lag)
 
 
-def _safe(each: NamedFilter, gains: list[float], note: str) -> Row | Absent:
+def _safe(each: NamedFilter, gains: list[float], note: str, at: float | None) -> Row | Absent:
+    """A row; of a lag with the variance of the lag's own kernel, not that of rounded gains."""
+    variance = None
+    if at is not None and each.variance_by_lag is not None:
+        variance = float(each.variance_by_lag(np.asarray(at)))
     try:
-        return row_of(each.name, each.title, gains, note)
+        return row_of(each.name, each.title, gains, note, variance, at)
     except ValueError as error:
         return Absent(each.name, each.title, f"not computed, gains as rounded: {error}")

@@ -40,7 +40,7 @@ def in_units(sheet: Sheet, row: Row, units: Units) -> Mapping[str, float]:
     if units.deviation is not None:
         found["predicted_deviation_m"] = _product(units.deviation, row.predicted**0.5)
         found["smoothed_deviation_m"] = _product(units.deviation, row.smoothed**0.5)
-    if units.interval is not None:
+    if units.interval is not None and row.samples is not None:
         found["settling_s"] = _product(row.samples, units.interval)
     return found
 

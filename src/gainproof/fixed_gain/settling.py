@@ -17,8 +17,8 @@ def samples_to_settle(poles: ArrayLike, share: float = PER_CENT) -> NDArray[np.f
 
     poles: complex, the last axis holds those of one filter, as `poles` of two and three states
     give them. Whole numbers as floats, at least 1; infinity where a pole is not inside the unit
-    circle. It says how fast a start decays in the end; a filter with a double pole takes longer. Where
-    all n poles are 0 it is n: then the start is gone, and not before.
+    circle. It says how fast a start decays in the end; a filter with a double pole takes longer.
+    Where all n poles are 0 it is n: then the start is gone, and not before.
 
     ValueError where `share` is not between 0 and 1, for NaN and for no pole; TypeError for what is
     no number.

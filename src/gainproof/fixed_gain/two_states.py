@@ -55,8 +55,8 @@ def poles(alpha: ArrayLike, beta: ArrayLike) -> NDArray[np.complex128]:
     """Both closed-loop poles, the one of larger modulus first; complex, shape (..., 2).
 
     The roots of z^2 - (2 - alpha - beta) z + 1 - alpha. Any gains up to 1e100 in magnitude: what
-    is not stable has poles, too. A pole is rounded by some 2^-52 of 1 + (alpha + beta)/2, and where both nearly agree
-    by the root of that.
+    is not stable has poles, too. A pole is rounded by some 2^-52 of 1 + (alpha + beta)/2, and where
+    both nearly agree by the root of that.
     """
     gains = moderate((alpha, beta))
     fine = within(alpha_beta._CLOSED_LOOP_POLES, gains)
