@@ -144,3 +144,31 @@ def test_notes_are_decided_by_the_lag(capsys: Capture) -> None:
     assert "note" not in data(capsys, "--lag", "0.50000000001")["RA"]
     assert "alpha is not below 1" in data(capsys, "--lag", "1")["RV"]["note"]
     assert "note" not in data(capsys, "--lag", "1.0000000000000002")["RV"]
+
+
+def test_gains_beyond_the_kernels_are_refused_with_the_coordinate(capsys: Capture) -> None:
+    """8 (alpha beta - gamma (1 - alpha/2))/gamma^2 of gamma = 6e-11 is 4/3.6e-21."""
+    assert cli.main(["design", "--gains", "1", "0.5", "6e-11"]) == 2
+    told = capsys.readouterr().err
+    assert "whose hurwitz determinant is 1.11111e+21, the kernels take 1e-20 to 1e+20" in told
+
+
+def answer(capsys: Capture, *arguments: str, status: int = 0) -> str:
+    assert cli.main(["design", *arguments]) == status
+    return capsys.readouterr().out
+
+
+def test_numbers_next_to_their_limits_are_told_apart(capsys: Capture) -> None:
+    """0.5000001 is not 0.5, where RA does not exist; a modulus below 1 is not printed as 1."""
+    text = answer(capsys, "--lag", "0.5000001")
+    assert text.startswith("alpha-beta filters at lag 0.5000001\n")
+    assert "1 - 4e-07" in text
+    most = answer(capsys, "--tracking-index", "1e300")
+    assert "RA, random acceleration, not computed, gains as rounded: not a stable filter" in most
+    assert "MV of lag 1: has no tracking index: at the lag of RV" in most
+    least = " ".join(answer(capsys, "--tracking-index", "1e-300", status=1).split())
+    assert "beyond the reach of the kernels: alpha = 1.41421" in least
+    assert "has no tracking index, and no filter before it has a lag to be shown at" in least
+    assert "not computed: lags are computed from 0.6036 to 1e+30; got 1e+31" in answer(
+        capsys, "--lag", "1e31", status=1
+    )

@@ -115,7 +115,7 @@ def test_gains_that_are_not_stable_have_no_variance_and_no_lag(function: object)
 
 
 def test_stable_gains_that_no_kernel_reaches_are_named() -> None:
-    with pytest.raises(ValueError, match=r"too close to the border of stability.*alpha = 1e-200"):
+    with pytest.raises(ValueError, match=r"beyond the reach of the kernels: alpha = 1e-200"):
         two_states.variances([0.1, 1e-200], [0.1, 1e-100])
     with pytest.raises(ValueError, match=r"alpha = 1e-300, .* at index \(1, 1\)"):
         three_states.variances([[0.1, 1.2], [0.1, 1e-300]], 0.1, [[1e-3, 1e-3], [1e-3, 1e-310]])

@@ -71,7 +71,13 @@ def require_reach(signature: Any, given: Sequence[Reals], gains: Sequence[Reals]
     came = ", ".join(
         f"{name} = {gain.flat[first]!s}" for name, gain in zip(GAINS, gains, strict=False)
     )
-    text = f"stable gains too close to the border of stability for the kernels: {came}"
+    beyond = next(
+        f"{domain.name.replace('_', ' ')} is {values.flat[first]:.6g}, the kernels take "
+        f"{domain.double[0]:g} to {domain.double[1]:g}"
+        for domain, values in zip(signature.inputs, given, strict=True)
+        if not domain.double[0] <= values.flat[first] <= domain.double[1]
+    )
+    text = f"stable gains, yet beyond the reach of the kernels: {came}, whose {beyond}"
     raise UnreachedError(text, first)
 
 
