@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import flint
+import mpmath as mp
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -15,6 +17,15 @@ from gainproof.derive.printer.program import FUNCTIONS, Program, Step
 COUNTS = [2_000, pytest.param(20_000, marks=pytest.mark.thorough)]
 DIGITS = {"float64": 53, "float32": 24}
 LEAST = {"float64": -1022, "float32": -126}
+TRUE: Mapping[str, Callable[..., flint.arb]] = {
+    "sin": flint.arb.sin,
+    "cos": flint.arb.cos,
+    "atan2": flint.arb.atan2,
+    "hypot": lambda x, y: (x * x + y * y).sqrt(),
+    "exp": flint.arb.exp,
+    "expm1": flint.arb.expm1,
+}
+"""Of python-flint, nothing of the module that is judged; a test holds that against mpmath."""
 
 
 def arguments(name: str, dtype: str, count: int) -> list[NDArray[Any]]:
@@ -62,13 +73,31 @@ def test_functions_err_by_no_more(name: str, dtype: str, count: int) -> None:
 def units(name: str, place: list[float], value: float, dtype: str) -> float:
     """The error in units in the last place of the true value, in a format's numbers."""
     with flint.ctx.workprec(1200 if name in ("hypot", "atan2") else 400):
-        exact = ball(name, [flint.arb(x) for x in place])
+        exact = TRUE[name](*map(flint.arb, place))
         if exact == 0:
             assert value == 0
             return 0.0
         exponent = max(int(np.floor(np.log2(abs(float(exact.mid()))))), LEAST[dtype])
         unit = flint.arb(2) ** (exponent + 1 - DIGITS[dtype])
         return float((abs(value - exact) / unit).upper())
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_both_truths_are_those_of_mpmath(name: str) -> None:
+    """At 50 digits and in all quadrants: that of this test, and the printer's by which it bounds.
+
+    mpmath shares no code with python-flint.
+    """
+    given = arguments(name, "float64", 200)
+    for place in zip(*(row.tolist() for row in given), strict=True):
+        with mp.workdps(50), flint.ctx.workprec(1200 if name in ("hypot", "atan2") else 400):
+            true = getattr(mp, name)(*place)
+            for found in (
+                ball(name, [flint.arb(x) for x in place]),
+                TRUE[name](*map(flint.arb, place)),
+            ):
+                error = mp.mpf(found.mid().str(60, radius=False)) - true
+                assert abs(error) <= abs(true) * mp.mpf(10) ** -45, place
 
 
 def test_names_are_those_of_numpy() -> None:
