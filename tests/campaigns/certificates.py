@@ -137,9 +137,7 @@ def _as_others(
     name: str, certificate: Data, expected: Mapping[str, Data]
 ) -> Iterator[tuple[str, str, bool]]:
     """What is tried, in words, and whether it was accepted: another subject's, whole or a part."""
-    for other, wanted in expected.items():
-        if other == name:
-            continue
+    for other, wanted in ((o, w) for o, w in expected.items() if o != name):
         accepted = recheck(certificate, wanted)["accepted"]
         yield "offered for another subject", f"as {other}", accepted
         for part in PARTS:
@@ -162,18 +160,20 @@ def weakened(certificate: Data) -> Iterator[tuple[str, Data]]:
     """The certificate with the domain of one parameter made smaller in several ways."""
     for tower, entry in certificate["towers"].items():
         for number, parameter in enumerate(entry["parameters"]):
-            if "any" in parameter:
-                continue
-            end = "above" if "above" in parameter else "from"
-            bound = int(parameter[end])
-            above = (
-                [str(bound)] if end == "from" else [f"{bound * 10**6 + 1}/{10**6}", f"{bound + 1}"]
-            )
-            for new_end, new in [*(("above", value) for value in above), ("from", f"{bound + 1}")]:
-                smaller = {"symbol": parameter["symbol"], new_end: new}
+            for end, bound in _smaller_ends(parameter):
+                smaller = {"symbol": parameter["symbol"], end: bound}
                 weaker = deepcopy(certificate)
                 weaker["towers"][tower]["parameters"][number] = smaller
                 yield f"{tower}, {smaller}", weaker
+
+
+def _smaller_ends(parameter: Mapping[str, str]) -> list[tuple[str, str]]:
+    """Lower ends within a parameter's domain."""
+    if "any" in parameter:
+        return [("above", "0")]
+    bound = int(parameter["from" if "from" in parameter else "above"])
+    above = [f"{bound * 10**6 + 1}/{10**6}", bound + 1] if "above" in parameter else [bound]
+    return [*(("above", str(value)) for value in above), ("from", str(bound + 1))]
 
 
 def digest() -> str:

@@ -12,11 +12,13 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "support"))
 
-from judged_statements import GIVEN_UP, OF_ONE_INDEX, ROOTED_FAMILIES, judged
+from judged_statements import OF_ONE_INDEX, judged, undecided, unjudged
 
 
 def main() -> int:
-    """Prints each family's count and seconds; 1 if a verdict is another than expected."""
+    """Prints each family's count and seconds, and by name what is not decided; 1 if a verdict is
+    another than expected.
+    """
     known = [entry.name for entry in OF_ONE_INDEX]
     parser = argparse.ArgumentParser(description="judge every statement of the derivations")
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"default: {', '.join(known)}")
@@ -34,10 +36,15 @@ def main() -> int:
                 failures += 1
                 sys.stdout.write(f" {wrong}\n")
         seconds = time.perf_counter() - start
-        alone = ["the kernels"] if name in ROOTED_FAMILIES else []
-        alone += [statement for family, statement in sorted(GIVEN_UP) if family == name]
-        left = f"; the checker alone decides {', '.join(alone)}" if alone else ""
-        sys.stdout.write(f"\r\x1b[K{name}: {count} statements, {seconds:.0f} s{left}\n")
+        # both have the checker of certificates alone
+        words = [f"{count} statements judged, {seconds:.0f} s"]
+        if left := undecided(name):
+            words.append(f"of these undecided, as known: {', '.join(left)}")
+        if left := unjudged(name):
+            words.append(
+                f"not judged, of towers with a coupled pair: {len(left)}, {', '.join(left)}"
+            )
+        sys.stdout.write(f"\r\x1b[K{name}: {'; '.join(words)}\n")
     return 1 if failures else 0
 
 

@@ -10,7 +10,6 @@ from typing import Any
 from catalogue_subjects import certificate, derived
 
 from gainproof.derive.catalogue import CATALOGUE, Entry
-from gainproof.verify.judge.derivations.fixed_point import ROOTED
 from gainproof.verify.judge.derivations.relation import judge_statement
 from gainproof.verify.judge.derivations.surroundings import Surroundings, surroundings
 from gainproof.verify.judge.setting.quantities import steady_state
@@ -22,10 +21,13 @@ SEVERAL = ("position-velocity", "recursion", "interacting", "polar")
 OF_ONE_INDEX: tuple[Entry, ...] = tuple(
     entry for entry in CATALOGUE if not entry.name.startswith(SEVERAL)
 )
-# their kernels hold a fixed point over an index that holds roots: the checker alone
-ROOTED_FAMILIES = ("random-jerk", "continuous-white-jerk")
-# what the judge searches for and gives up, after tens of seconds: the checker alone
-GIVEN_UP = {("continuous-white-jerk", "discriminant")}
+# what the judge searches for and gives up, after tens of seconds, and kernels that hold a fixed
+# point over an index that holds roots: the checker alone
+GIVEN_UP = {
+    ("continuous-white-jerk", "discriminant"),
+    ("continuous-white-jerk", "kernel-closed-loop-poles"),
+    ("random-jerk", "kernel-closed-loop-poles"),
+}
 # whole they take more than five seconds: a campaign
 SAMPLED = ("random-jerk", "continuous-white-jerk")
 OF_A_KIND = 2
@@ -33,16 +35,18 @@ SLOW_OF_SAMPLED = ("concave",)  # seconds each in the sampled families
 
 
 def sample(name: str, seed: int) -> list[int]:
-    """Numbers of statements: up to `OF_A_KIND` of every kind, none of those known to take long.
-
-    No kernels where these have the checker alone.
+    """Numbers of statements: up to `OF_A_KIND` of every kind, none of those known to take long
+    or to have the checker alone.
     """
     chooser = random.Random(f"{name} {seed}")
     kinds: dict[str, list[int]] = {}
     for number, statement in enumerate(certificate(name)["statements"]):
         kind, known = statement["kind"], statement["id"]
-        alone = (kind == "program" and name in ROOTED_FAMILIES) or _of_a_pair(name, statement)
-        if not (alone or (name, known) in GIVEN_UP or known.startswith(SLOW_OF_SAMPLED)):
+        if not (
+            _of_a_pair(name, statement)
+            or (name, known) in GIVEN_UP
+            or known.startswith(SLOW_OF_SAMPLED)
+        ):
             kinds.setdefault(kind, []).append(number)
     return sorted(
         number
@@ -57,8 +61,21 @@ def _of_a_pair(name: str, statement: Mapping[str, Any]) -> bool:
     return any("coupled" in generator for generator in tower["generators"])
 
 
+def unjudged(name: str) -> list[str]:
+    """Ids of the statements of towers with a coupled pair: `judged` leaves them out."""
+    statements = certificate(name)["statements"]
+    return [statement["id"] for statement in statements if _of_a_pair(name, statement)]
+
+
+def undecided(name: str) -> list[str]:
+    """Ids of statements that are judged and, as is known, left undecided."""
+    return sorted(statement for family, statement in GIVEN_UP if family == name)
+
+
 def judged(name: str, numbers: Sequence[int] | None = None) -> Iterator[tuple[str, str]]:
-    """The id of each chosen statement and what is wrong with its verdict, or nothing."""
+    """The id of each chosen statement that is judged and what is wrong with its verdict, or
+    nothing. Of those in `unjudged` there is none.
+    """
     written = certificate(name)
     degree = DEGREES.get(name)
     model = derived(name).model if degree is None else None
@@ -74,7 +91,6 @@ def judged(name: str, numbers: Sequence[int] | None = None) -> Iterator[tuple[st
         statement = statements[number]
         kind, known = statement["kind"], (name, statement["id"])
         if _of_a_pair(name, statement):
-            yield statement["id"], ""
             continue
         finding = judge_statement(
             kind,
@@ -83,8 +99,6 @@ def judged(name: str, numbers: Sequence[int] | None = None) -> Iterator[tuple[st
             around=around(statement["tower"]),
         )
         expected = {"definition": "definition", "cited": "remark"}.get(kind, "proved")
-        if kind == "program" and finding.reason == ROOTED and name in ROOTED_FAMILIES:
-            expected = finding.verdict
         if known in GIVEN_UP:
             expected = "undecided"
         wrong = "" if finding.verdict == expected else f"{finding.verdict}: {finding.reason}"
