@@ -95,6 +95,7 @@ def test_the_variance_next_to_a_border_is_that_of_the_lag(capsys: Capture) -> No
         gamma = 1 / ball(lag)
         # alpha = beta^2/(2 gamma); then alpha (alpha + beta + gamma/2) = 2 beta by bisection
         low, high = ball(Fraction(3, 2)), ball(Fraction(2))
+        alpha = beta = low
         for _ in range(300):
             beta = (low + high) / 2
             alpha = beta**2 / (2 * gamma)
