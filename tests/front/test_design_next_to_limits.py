@@ -121,6 +121,25 @@ def test_named_filters_give_the_variance_of_their_gains_elsewhere(capsys: Captur
                 assert each["smoothed_variance"] == pytest.approx(float(after.mid()), rel=1e-12)
 
 
+def test_the_variance_next_to_a_border_is_that_of_the_alpha(capsys: Capture) -> None:
+    """NP-S: 2 sqrt(beta) (1 - alpha) = 2 alpha - beta, in balls; MV's fast one too."""
+    alpha = Fraction(1 - 2.0**-50)
+    with flint.ctx.workprec(400):
+        left = 1 - ball(alpha)
+        root = (left**2 + 2 * ball(alpha)).sqrt() - left
+        truth = float(predicted([ball(alpha), root**2])[0, 0].mid())
+    found = data(capsys, "--alpha", repr(float(alpha)))["NP-S"]
+    assert found["predicted_variance"] == pytest.approx(truth, rel=1e-13)
+    with flint.ctx.workprec(400):
+        small = ball(Fraction(1e-7))
+        beta = (1 + (1 - 2 * small).sqrt()) ** 2
+        truth = float(predicted([small, beta])[0, 0].mid())
+    assert cli.main(["design", "--alpha", "1e-7", "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)["filters"]
+    (fast,) = (row for row in rows if "fast" in row.get("note", ""))
+    assert fast["predicted_variance"] == pytest.approx(truth, rel=1e-13)
+
+
 def test_a_filter_beyond_its_kernel_takes_no_other_with_it(capsys: Capture) -> None:
     """1/1.6568 = 0.60357 lies between RV's border 0.60355 and its kernel's end."""
     found = data(capsys, "--gains", "1", "1.6568")

@@ -24,7 +24,8 @@ class NamedFilter:
     a tuple for each filter with that gain. by_index: gains of tracking indices, None for a filter
     that is no steady state of a Kalman filter; `family` is the derivation that it belongs to.
     variance_by_lag: variance of the predicted position over B where a kernel gives it, which keeps
-    its digits next to a border where those of the gains are lost. reach: least and largest lag that
+    its digits next to a border where those of the gains are lost; variances_by_alpha the same, for
+    each filter of an alpha. reach: least and largest lag that
     by_lag takes. It is the steady state of a Kalman filter for lags above `kalman_above`.
     It exists for lags above `lag_above` and for 0 < alpha < `alpha_below`, or, `closed`, up to
     that; `lag_reason` and `alpha_reason` say why.
@@ -43,6 +44,7 @@ class NamedFilter:
     family: str = ""
     closed: bool = False
     variance_by_lag: Callable[[Reals], Reals] | None = None
+    variances_by_alpha: Callable[[Reals], Sequence[Reals]] | None = None
     reach: tuple[float, float] = (0.0, np.inf)
     kalman_above: float = 0.0
 
@@ -55,6 +57,11 @@ def first_outputs(kernel: Callable[..., Any], count: int) -> Callable[[Reals], G
 def output(kernel: Callable[..., Any], place: int) -> Callable[[Reals], Reals]:
     """One output of a kernel of one input."""
     return lambda given: np.asarray(kernel(given)[place])
+
+
+def only(function: Callable[[Reals], Reals]) -> Callable[[Reals], Sequence[Reals]]:
+    """One filter for each alpha."""
+    return lambda alpha: (function(alpha),)
 
 
 def with_alpha(kernel: Callable[..., Any], count: int) -> Callable[[Reals], Sequence[Gains]]:

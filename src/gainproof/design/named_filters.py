@@ -17,6 +17,7 @@ from gainproof.design.named_filter import (
     as_one,
     first_outputs,
     inverse,
+    only,
     output,
     with_alpha,
 )
@@ -42,6 +43,18 @@ def _both_minima(alpha: Reals) -> Sequence[Gains]:
     return tuple((given, np.where(double, 1.0, beta)) for beta in both)
 
 
+def _variances_of_both(alpha: Reals) -> Sequence[Reals]:
+    """Of `_both_minima`; at alpha = 1/2 that of lag 1."""
+    given = np.asarray(alpha)
+    double = given == 0.5
+    middle = alpha_beta.minimum_variance_by_lag(1.0).minimum_variance_predicted_11
+    if double.all():
+        return (np.full(given.shape, middle),)
+    found = alpha_beta.minimum_variance_by_gain(np.where(double, 0.25, given))
+    both = found.slow_minimum_variance_predicted_11, found.fast_minimum_variance_predicted_11
+    return tuple(np.where(double, middle, each) for each in both)
+
+
 _least = first_outputs(alpha_beta_gamma.minimum_variance_by_lag, 3)
 NAMED: tuple[NamedFilter, ...] = (
     NamedFilter(
@@ -57,6 +70,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "steady states of a Kalman filter have no other",
         "random-velocity",
         variance_by_lag=output(alpha_beta.random_velocity_by_lag, 2),
+        variances_by_alpha=only(output(alpha_beta.random_velocity_by_gain, 1)),
         reach=alpha_beta._RANDOM_VELOCITY_BY_LAG.inputs[0].double,
         kalman_above=1.0,
     ),
@@ -73,6 +87,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "with alpha = 1 it is not stable",
         "random-acceleration",
         variance_by_lag=output(alpha_beta.random_acceleration_by_lag, 2),
+        variances_by_alpha=only(output(alpha_beta.random_acceleration_by_gain, 1)),
         reach=alpha_beta._RANDOM_ACCELERATION_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
@@ -88,6 +103,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "alpha = sqrt(beta) - beta/2 is never more",
         closed=True,
         variance_by_lag=output(alpha_beta.minimum_variance_by_lag, 2),
+        variances_by_alpha=_variances_of_both,
         reach=alpha_beta._MINIMUM_VARIANCE_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
@@ -102,6 +118,7 @@ NAMED: tuple[NamedFilter, ...] = (
         (1.0, "1"),
         "from there on none smooths better than a single measurement",
         variance_by_lag=output(alpha_beta.minimum_smoothed_variance_by_lag, 2),
+        variances_by_alpha=only(output(alpha_beta.minimum_smoothed_variance_by_gain, 1)),
         reach=alpha_beta._MINIMUM_SMOOTHED_VARIANCE_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
@@ -117,6 +134,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "with alpha = 1 it is not stable",
         "acceleration-increments",
         variance_by_lag=output(alpha_beta_gamma.random_acceleration_by_lag, 3),
+        variances_by_alpha=only(output(alpha_beta_gamma.random_acceleration_by_gain, 2)),
         reach=alpha_beta_gamma._RANDOM_ACCELERATION_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
@@ -131,6 +149,7 @@ NAMED: tuple[NamedFilter, ...] = (
         (1.0, "1"),
         "there the tracking index is infinite",
         "random-jerk",
+        variances_by_alpha=only(output(alpha_beta_gamma.random_jerk_by_gain, 2)),
         reach=alpha_beta_gamma._RANDOM_JERK_BY_LAG.inputs[0].double,
     ),
     NamedFilter(

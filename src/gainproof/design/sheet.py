@@ -132,23 +132,34 @@ def _rows(each: NamedFilter, kind: str, value: float) -> Iterator[Row | Absent]:
         yield Absent(each.name, each.title, f"not computed: {beyond}; got {value!s}")
         return
     given = np.asarray(value)
+    variances: Sequence[float | None] = (None,)
     try:
         if kind == "alpha":
             several = each.by_alpha(given)
+            if each.variances_by_alpha is None:
+                variances = (None,) * len(several)
+            else:
+                variances = [float(found) for found in each.variances_by_alpha(given)]
         elif kind == "tracking index":
             assert each.by_index is not None
             several = (each.by_index(given),)
         else:
             several = (each.by_lag(given),)
+            if each.variance_by_lag is not None:
+                variances = (float(each.variance_by_lag(given)),)
     except ValueError as error:
         yield Absent(each.name, each.title, f"not computed: {error}")
         return
     notes = ("the slow one of the two of this alpha", "the fast one of the two of this alpha")
-    for gains, note in zip(several, notes if len(several) == 2 else ("",), strict=True):
+    told = notes if len(several) == 2 else ("",)
+    for gains, note, variance in zip(several, told, variances, strict=True):
         if kind == "lag" and value <= each.kalman_above:
             note = "alpha is not below 1: stable, yet no steady state of a Kalman filter"
-        at = value if kind == "lag" else None
-        yield _safe(each, [float(gain) for gain in gains], note, at)
+        known = [float(gain) for gain in gains]
+        if kind == "alpha":
+            yield _safe(each, known, note, 1 / known[-1], variance)
+        else:
+            yield _safe(each, known, note, value if kind == "lag" else None, variance)
 
 
 def _at_lag_of(each: NamedFilter, reference: Row | None) -> Row | Absent:
@@ -165,14 +176,15 @@ def _at_lag_of(each: NamedFilter, reference: Row | None) -> Row | Absent:
         return Absent(each.name, each.title, told)
     gains = [float(gain) for gain in each.by_lag(np.asarray(reference.lag))]
     note = f"has no tracking index: at the lag of {reference.name}"
-    return _safe(each, gains, note, reference.lag)
+    by_lag = each.variance_by_lag
+    variance = None if by_lag is None else float(by_lag(np.asarray(reference.lag)))
+    return _safe(each, gains, note, reference.lag, variance)
 
 
-def _safe(each: NamedFilter, gains: list[float], note: str, at: float | None) -> Row | Absent:
-    """A row; of a lag with the variance of the lag's own kernel, not that of rounded gains."""
-    variance = None
-    if at is not None and each.variance_by_lag is not None:
-        variance = float(each.variance_by_lag(np.asarray(at)))
+def _safe(
+    each: NamedFilter, gains: list[float], note: str, at: float | None, variance: float | None
+) -> Row | Absent:
+    """A row; with the variance of the lag's or alpha's own kernel, not that of rounded gains."""
     try:
         return row_of(each.name, each.title, gains, note, variance, at)
     except ValueError as error:
