@@ -38,8 +38,8 @@ class Process:
     @classmethod
     async def started(cls, module: str, settings: Mapping[str, str]) -> Process:
         """A process that runs a module, with these environment variables and no others."""
-        return cls(
-            await asyncio.create_subprocess_exec(
+        starting = asyncio.ensure_future(
+            asyncio.create_subprocess_exec(
                 sys.executable,
                 # -P: a file of the working folder called like a module must not take its place
                 *("-P", "-m", module),
@@ -52,6 +52,12 @@ class Process:
                 start_new_session=os.name == "posix",
             )
         )
+        try:
+            return cls(await asyncio.shield(starting))
+        except asyncio.CancelledError:
+            # broken off while it starts it would be nobody's, and outlive the loop
+            await cls(await starting).end()
+            raise
 
     async def ask(
         self, request: Mapping[str, Any], tell: Callable[[str], object], *, last: bool = False

@@ -193,7 +193,7 @@ def test_an_interrupted_run_leaves_no_half_written_file(
     process.send_signal(number)
     _, errors = process.communicate(timeout=30)
     assert process.returncode == 130, errors
-    assert errors.decode().splitlines()[-1] == "gainproof: interrupted"
+    assert errors.decode().splitlines()[-1] == "gainproof: interrupted", errors.decode()
     assert not (tmp_path / "report").exists()
     for path in (tmp_path / "cache").glob("*"):
         json.loads(path.read_bytes().partition(b"\n")[2])
