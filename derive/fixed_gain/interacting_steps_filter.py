@@ -7,7 +7,6 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     DRIVE,
     E1,
     E2,
-    ERROR,
     K1,
     K2,
     NAME,
@@ -35,7 +34,6 @@ from gainproof.derive.words.statement import Statement, prove_equal
 
 SEEN = equation(OBSERVED, H @ TRUTH + NOISE)
 MOVED = equation(NEXT_TRUTH, PHI @ TRUTH + DRIVE)
-ERROR_IS = equation(ERROR, TRUTH - PREDICTED)
 
 
 def meaning(name: str) -> Step:
