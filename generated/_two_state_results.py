@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from gainproof.generated._runtime import Real
+    from gainproof.generated._signature import Real
 
 
 class Gains(NamedTuple):

@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from gainproof.generated._runtime import Domain, Signature, evaluate, near_cbrt
+from gainproof.generated._bits import near_cbrt
+from gainproof.generated._runtime import evaluate
+from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from gainproof.generated._runtime import Arrays, Real
+    from gainproof.generated._signature import Arrays, Real
 
 __all__ = [
     "Coordinates",

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gainproof.generated._runtime import Domain, Signature, choose, evaluate, mask_of
+from gainproof.generated._bits import choose, mask_of
+from gainproof.generated._runtime import evaluate
+from gainproof.generated._signature import Domain, Signature
 from gainproof.generated._two_state_results import (
     AlphaFromBeta,
     BetaFromAlpha,
@@ -33,7 +35,7 @@ from gainproof.generated._two_state_results import (
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from gainproof.generated._runtime import Arrays, Real
+    from gainproof.generated._signature import Arrays, Real
 
 __all__ = [
     "AlphaFromBeta",

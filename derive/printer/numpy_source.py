@@ -27,10 +27,8 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
     arithmetics = [Arithmetic(kernel) for kernel in module.kernels]
     chooses = any(arithmetic.chooses for arithmetic in arithmetics)
     nears = any(arithmetic.nears for arithmetic in arithmetics)
-    taken = f"Domain, Signature, {'choose, ' if chooses else ''}evaluate"
-    taken += f"{', mask_of' if chooses else ''}{', near_cbrt' if nears else ''}"
-    if any(kernel.requirements for kernel in module.kernels):
-        taken = taken.replace("Domain, ", "Domain, Required, ")
+    bits = (["choose", "mask_of"] if chooses else []) + (["near_cbrt"] if nears else [])
+    required = "Required, " if any(kernel.requirements for kernel in module.kernels) else ""
     lines = [
         f"# Made by: {_one_line(module.command)}",
         f"# From: {_one_line(module.derivation)}",
@@ -42,13 +40,15 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         "import numpy as np",
         "",
-        f"from gainproof.generated._runtime import {taken}",
+        *([f"from gainproof.generated._bits import {', '.join(bits)}"] if bits else ()),
+        "from gainproof.generated._runtime import evaluate",
+        f"from gainproof.generated._signature import Domain, {required}Signature",
         *(_imported(module.results, results) if module.results else ()),
         "",
         "if TYPE_CHECKING:",
         "    from numpy.typing import ArrayLike",
         "",
-        "    from gainproof.generated._runtime import Arrays, Real",
+        "    from gainproof.generated._signature import Arrays, Real",
         "",
         *_all(results + names),
         "",
@@ -73,7 +73,7 @@ def results_source(module: Module) -> str:
         "from typing import TYPE_CHECKING, NamedTuple",
         "",
         "if TYPE_CHECKING:",
-        "    from gainproof.generated._runtime import Real",
+        "    from gainproof.generated._signature import Real",
     ]
     for kernel in module.kernels:
         lines += ["", "", *_result(kernel)]

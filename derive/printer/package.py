@@ -6,19 +6,24 @@ import textwrap
 from collections.abc import Mapping
 from pathlib import Path
 
-RUNTIME = Path(__file__).with_name("runtime.py")
-LIST, CODE = "__init__.py", "_runtime.py"
-"""Names of the two files."""
+SHIPPED = Path(__file__).with_name("shipped")
+PLACE, HERE = "gainproof.generated", "gainproof.derive.printer.shipped"
+"""The package in which the kernels lie, and the one in which what they share is kept."""
+LIST = "__init__.py"
+CODE = ("_bits.py", "_guards.py", "_outputs.py", "_runtime.py", "_signature.py")
+"""Names of the files."""
 
 
 def shared_files(titles: Mapping[str, str]) -> dict[str, str]:
-    """Text of both files by name; `titles` of all modules are by module name."""
-    return {LIST: _list(titles), CODE: runtime_source()}
+    """Text of the files by name; `titles` of all modules are by module name."""
+    return {LIST: _list(titles), **{name: code_source(name) for name in CODE}}
 
 
-def runtime_source() -> str:
-    """The text of the module that the kernels share, the same whatever the platform's newline."""
-    return RUNTIME.read_text(encoding="utf-8")
+def code_source(name: str) -> str:
+    """The text of a file that the kernels share, the same whatever the platform's newline; it
+    differs from that in `shipped` by the package alone.
+    """
+    return (SHIPPED / name).read_text(encoding="utf-8").replace(HERE, PLACE)
 
 
 def _list(titles: Mapping[str, str]) -> str:

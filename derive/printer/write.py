@@ -14,7 +14,7 @@ from gainproof.derive.printer.package import shared_files
 def all_files(
     modules: Sequence[Module], certificates: Mapping[str, Mapping[str, Any]]
 ) -> dict[str, bytes]:
-    """Content by file name: `__init__.py`, `_runtime.py`, modules, certificates, shared results.
+    """Content by file name: `__init__.py`, code that kernels share, modules, certificates, results.
 
     `certificates` are by module name. KeyError for a module without one, ValueError for two
     modules of one name, a certificate of no module, or modules that share a file of results and

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from gainproof import cli, drift, generated_files, places
+from gainproof.derive.printer.package import CODE
 
 Capture = pytest.CaptureFixture[str]
 
@@ -44,7 +45,7 @@ def test_one_subject_alone_leaves_the_others_and_the_shared_files(tmp_path: Path
 def test_subjects_agree_on_the_files_that_they_share() -> None:
     parts = [{"module": m, "title": m, "files": {"_shared.py": "x", m: m}} for m in ("a", "b")]
     files = generated_files.together(parts)
-    assert sorted(files) == ["__init__.py", "_runtime.py", "_shared.py", "a", "b"]
+    assert sorted(files) == sorted(["__init__.py", *CODE, "_shared.py", "a", "b"])
     other = {"module": "c", "title": "c", "files": {"_shared.py": "y"}}
     with pytest.raises(ValueError, match=r"c: its _shared\.py differs"):
         generated_files.together([*parts, other])

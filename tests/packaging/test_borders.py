@@ -32,10 +32,16 @@ ARROWS = (
     # the printer works on plain graphs: no computer algebra behind a printed number
     Border("derive/printer", ("gainproof.derive",), frozenset({"numpy", "mpmath", "flint"})),
     # copied into generated/: it may lean on NumPy alone
-    Border("derive/printer/runtime.py", (), frozenset({"numpy"})),
+    Border("derive/printer/shipped", ("gainproof.derive.printer.shipped",), frozenset({"numpy"})),
     Border(
         "generated",
-        ("gainproof.generated._runtime", "gainproof.generated._two_state_results"),
+        tuple(
+            f"gainproof.generated.{name}"
+            for name in (
+                *("_bits", "_guards", "_outputs", "_runtime", "_signature"),
+                "_two_state_results",
+            )
+        ),
         frozenset({"numpy"}),
     ),
     Border("verify", ("gainproof.verify",), frozenset({"flint", "lark", "mpmath"})),
@@ -142,7 +148,7 @@ def test_every_folder_is_walked_once() -> None:
         ("derive/families/x.py", "from gainproof import verify"),
         ("derive/families/x.py", "import scipy"),
         ("derive/printer/x.py", "import sympy"),
-        ("derive/printer/runtime.py", "from gainproof.derive.printer.graph import GraphBuilder"),
+        ("derive/printer/shipped/x.py", "from gainproof.derive.printer.graph import GraphBuilder"),
         ("generated/x.py", "import mpmath"),
         ("generated/x.py", "from gainproof.generated import random_velocity"),
         ("generated/x.py", "from gainproof.generated._runtimes import x"),

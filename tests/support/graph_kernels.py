@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.printer.kernel import Input, Kernel, Limit, Module, Output, closed
 from gainproof.derive.printer.numpy_source import module_source
+from gainproof.derive.printer.package import HERE, PLACE
 
 Point = float | Mapping[str, float]
 Place = TypeVar("Place", float, Mapping[str, float])
@@ -82,9 +83,7 @@ def function_of(kernel: Kernel) -> Callable[..., tuple[NDArray[np.floating[Any]]
 
 def module_of(kernel: Kernel) -> dict[str, Any]:
     """The names of the printed module."""
-    text = text_of(kernel).replace(
-        "gainproof.generated._runtime", "gainproof.derive.printer.runtime"
-    )
+    text = text_of(kernel).replace(f"{PLACE}._", f"{HERE}._")
     space: dict[str, Any] = {"__name__": "made"}
     exec(compile(text, "made.py", "exec"), space)  # noqa: S102  # our own printer's text
     return space

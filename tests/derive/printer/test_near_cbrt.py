@@ -12,8 +12,9 @@ import pytest
 from graph_kernels import KINDS
 from numpy.typing import NDArray
 
-from gainproof.derive.printer import near_cbrt, runtime
+from gainproof.derive.printer import near_cbrt
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
+from gainproof.derive.printer.shipped import _bits
 
 
 def near(form: Format, x: float) -> Fraction:
@@ -74,11 +75,11 @@ def test_the_run_time_computes_it(form: Format) -> None:
     exponents = np.random.default_rng(1).uniform(form.least_exponent, form.greatest_exponent, 2000)
     x = np.array(2.0**exponents, kind)
     out = np.empty_like(x)
-    found = runtime.near_cbrt(x, out, form is FLOAT32)
+    found = _bits.near_cbrt(x, out, form is FLOAT32)
     assert found is out
     for number, value in zip(x.tolist(), out.tolist(), strict=True):
         assert Fraction(value) == near(form, number)
-    assert np.array_equal(runtime.near_cbrt(x, x, form is FLOAT32), out)  # in place
+    assert np.array_equal(_bits.near_cbrt(x, x, form is FLOAT32), out)  # in place
 
 
 def ends(x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -13,7 +13,8 @@ from graph_kernels import function_of, kernel_of
 from numpy.lib.stride_tricks import as_strided
 
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.runtime import SIZE, choose, mask_of
+from gainproof.derive.printer.shipped._bits import choose, mask_of
+from gainproof.derive.printer.shipped._runtime import SIZE
 
 
 @cache

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from gainproof.derive.printer.canonical_json import WIDTH, canonical_json
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Module
-from gainproof.derive.printer.package import RUNTIME
+from gainproof.derive.printer.package import CODE, code_source
 from gainproof.derive.printer.write import all_files
 
 
@@ -25,8 +25,9 @@ def module(name: str) -> Module:
 
 def test_all_files() -> None:
     files = all_files([module("b"), module("a")], {"a": {"x": [1]}, "b": {}})
-    assert list(files) == ["__init__.py", "_runtime.py", "a.py", "a.json", "b.py", "b.json"]
-    assert files["_runtime.py"] == RUNTIME.read_bytes()
+    assert list(files) == ["__init__.py", *CODE, "a.py", "a.json", "b.py", "b.json"]
+    assert all(files[name] == code_source(name).encode("utf-8") for name in CODE)
+    assert b"shipped" not in b"".join(files.values())
     assert files["a.json"] == b'{"x": [1]}\n'
     assert b"`a`: The module a\n- `b`" in files["__init__.py"]
     assert all(b"\r" not in content and content.endswith(b"\n") for content in files.values())

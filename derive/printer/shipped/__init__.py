@@ -1,0 +1,1 @@
+"""What is copied beside the printed kernels: NumPy and these files alone, no more of ours."""

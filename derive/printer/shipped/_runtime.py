@@ -1,0 +1,149 @@
+"""Blocks of the kernels beside this file, from inputs to outputs.
+
+A kernel takes real numbers or arrays of them, float64 or float32 as they are; integers and lists
+become float64. Every input is checked before any given output array is touched, and no warning of
+NumPy escapes. The arithmetic runs in blocks through a few buffers that are used again and again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from gainproof.derive.printer.shipped._guards import admit
+from gainproof.derive.printer.shipped._outputs import checked, overlap
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.derive.printer.shipped._signature import Array, Real, Signature
+
+SIZE = 65536  # elements of a block: calls cost little beside it, a few buffers stay in the cache
+
+
+def evaluate(
+    kernel: Signature, given: Sequence[ArrayLike], out: tuple[Real, ...] | None
+) -> tuple[Any, ...]:
+    """The outputs of a kernel: numbers for numbers, else arrays of the inputs' common shape.
+
+    TypeError for inputs that are not real numbers of the types above; ValueError for inputs
+    outside their domain (NaN included), shapes that do not fit, or arrays in `out` that are not as
+    many as the outputs, of another shape or type, read-only, or that share memory.
+    """
+    inputs = _as_real(kernel, given)
+    shape = _common_shape(kernel, inputs)
+    flat = [_constant(x, shape) if x.size == 1 else _flat(x, shape) for x in inputs]
+    kind = inputs[0].dtype
+    with np.errstate(all="ignore"):
+        if out is None:
+            results = [np.empty(shape, kind) for _ in kernel.outputs]
+        else:
+            results = checked(kernel, out, shape, kind)
+            size = results[0].size
+            for start in range(0, size, SIZE):
+                parts = _parts(flat, start, min(start + SIZE, size), size)
+                admit(kernel, parts, start, inputs, shape)
+            flat = [x.copy() if _elsewhere(x, results) else x for x in flat]
+        _run(kernel, flat, results, inputs, out is None)
+    if out is None and shape == ():
+        return tuple(y[()] for y in results)
+    return tuple(results)
+
+
+def _run(
+    kernel: Signature,
+    flat: Sequence[Array],
+    results: Sequence[Array],
+    inputs: Sequence[Array],
+    guard: bool,
+) -> None:
+    size, kind = results[0].size, flat[0].dtype
+    single = kind == np.float32
+    length = min(size, SIZE)
+    # an output that is not contiguous is filled through a buffer
+    direct = [y.flags.c_contiguous for y in results]
+    targets: list[Array] = [
+        np.asarray(y).reshape(-1) if straight else np.empty(length, kind)
+        for y, straight in zip(results, direct, strict=True)
+    ]
+    work: list[Array] = [np.empty(length, kind) for _ in range(kernel.work)]
+    # inputs that an output takes the place of: kept block by block, while they are read
+    copies = {
+        place: np.empty(length, kind)
+        for place, x in enumerate(flat)
+        if any(overlap(y, x) for y in results)
+    }
+    starts = range(0, size, SIZE)
+    # what was admitted last is still in the cache: it is computed first
+    for start in starts if guard else reversed(starts):
+        stop = min(start + SIZE, size)
+        parts = _parts(flat, start, stop, size)
+        if guard:
+            admit(kernel, parts, start, inputs, results[0].shape)
+        filled = [
+            y[start:stop] if straight else y[: stop - start]
+            for y, straight in zip(targets, direct, strict=True)
+        ]
+        for place, held in copies.items():
+            np.copyto(held[: stop - start], parts[place])
+            parts[place] = held[: stop - start]
+        kernel.block(parts, filled, [w[: stop - start] for w in work], single)
+        for y, straight, result in zip(filled, direct, results, strict=True):
+            if not straight:
+                np.asarray(result).flat[start:stop] = y
+
+
+def _parts(flat: Sequence[Array], start: int, stop: int, size: int) -> list[Array]:
+    """The block of each input; of a constant as much as the block is long."""
+    return [x[start:stop] if x.size == size else x[: stop - start] for x in flat]
+
+
+def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
+    """The inputs as arrays of one type, float64 unless all are float32."""
+    arrays = [np.asarray(x) for x in given]
+    for domain, x in zip(kernel.inputs, arrays, strict=True):
+        if x.dtype.kind not in "iu" and x.dtype.type not in (np.float64, np.float32):
+            raise TypeError(
+                f"{kernel.name}: {domain.name} must be real numbers of type float64 or float32, "
+                f"or integers, got {x.dtype}"
+            )
+    single = all(x.dtype.type is np.float32 for x in arrays)
+    kind: np.dtype[Any] = np.dtype(np.float32 if single else np.float64)
+    return [x.astype(kind, copy=False) for x in arrays]
+
+
+def _common_shape(kernel: Signature, inputs: Sequence[Array]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(x.shape for x in inputs))
+    except ValueError:
+        each = zip(kernel.inputs, inputs, strict=True)
+        shapes = ", ".join(f"{domain.name} {x.shape}" for domain, x in each)
+        raise ValueError(
+            f"{kernel.name}: inputs must have shapes that broadcast, got {shapes}"
+        ) from None
+
+
+def _flat(x: Array, shape: tuple[int, ...]) -> Array:
+    contiguous: Array = np.ascontiguousarray(np.broadcast_to(x, shape))
+    return contiguous.reshape(-1)
+
+
+def _constant(x: Array, shape: tuple[int, ...]) -> Array:
+    """One number as often as a block takes it."""
+    size = 1
+    for count in shape:
+        size *= count
+    return np.full(min(size, SIZE), x.reshape(-1)[0], x.dtype)
+
+
+def _elsewhere(x: Array, results: Sequence[Array]) -> bool:
+    """Whether an input shares memory with an output other than by being the same array: then it is
+    not read and written element by element, and the whole of it has to be kept.
+    """
+    shared = [y for y in results if overlap(y, x)]
+    return any(
+        y.size != x.size or not y.flags.c_contiguous or y.ctypes.data != x.ctypes.data
+        for y in shared
+    )
