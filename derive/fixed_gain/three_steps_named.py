@@ -67,6 +67,18 @@ def _acceleration() -> list[Step]:
         ),
         joined("random-acceleration-twice", equal(sp.Subs(ALPHA, X, 4 / X), ALPHA), tower=RA),
         Step(
+            "random-acceleration-index",
+            "The margin is `4 sqrt(1 - alpha)`. With the tracking index of its Kalman filter, "
+            "`gamma/sqrt(1 - alpha)`, therefore, `d` is 8 over the index: next to the border the "
+            "index tells what rounded gains do not.",
+            equal(
+                row(MARGIN**2, (2 * MARGIN / GAMMA) ** 2),
+                row(16 * (1 - ALPHA), 64 * (1 - ALPHA) / GAMMA**2),
+            ),
+            "Insert.",
+            tower=RA,
+        ),
+        Step(
             "random-acceleration-roots",
             "Its poles in closed form: one is `(x - 2)/(x + 2)`, of the stable ones `sqrt(1 - "
             "alpha)`; the others are the zeros of the second factor.",

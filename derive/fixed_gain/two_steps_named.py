@@ -89,6 +89,18 @@ def _acceleration() -> list[Step]:
         ),
         joined("random-acceleration-border", equal(sp.Subs(MARGIN, X, 1), sp.Integer(0)), tower=RA),
         Step(
+            "random-acceleration-index",
+            "The margin is `4 sqrt(1 - alpha)`. With the tracking index of its Kalman filter, "
+            "`beta/sqrt(1 - alpha)`, therefore, `y` is 4 over the index: next to the border the "
+            "index tells what rounded gains do not.",
+            equal(
+                row(MARGIN**2, (MARGIN / BETA) ** 2),
+                row(16 * (1 - ALPHA), 16 * (1 - ALPHA) / BETA**2),
+            ),
+            "Insert.",
+            tower=RA,
+        ),
+        Step(
             "random-acceleration-twice",
             "Each `alpha` below 1 belongs to two solutions of the relation, `x` and `1/x`: the one "
             "with the larger `beta` is unstable. So the relation and `0 < alpha < 1` alone do not "

@@ -140,6 +140,31 @@ def test_the_variance_next_to_a_border_is_that_of_the_alpha(capsys: Capture) -> 
     assert fast["predicted_variance"] == pytest.approx(truth, rel=1e-13)
 
 
+@pytest.mark.parametrize("index", ["0.5", "3", "1e9", "1e14", "1.8e15"])
+def test_the_variance_next_to_a_border_is_that_of_the_index(capsys: Capture, index: str) -> None:
+    """RA: w = sqrt(1 - alpha) by bisection of 2 (1 - w)^2 = index w, of three states of
+    2 (1 - w)^3 = index w (1 + w), in balls.
+    """
+    for states in (2, 3):
+        with flint.ctx.workprec(500):
+            low, high = flint.arb(0), flint.arb(1)
+            for _ in range(400):
+                w = flint.arb(((low + high) / 2).mid())
+                grows = w if states == 2 else w * (1 + w)
+                below = float((2 * (1 - w) ** states - ball(Fraction(float(index))) * grows).mid())
+                low, high = (w, high) if below > 0 else (low, w)
+            gains = [1 - low**2, 2 * (1 - low) ** 2, 2 * (1 - low) ** 3 / (1 + low)][:states]
+            truth = float(predicted(gains)[0, 0].mid())
+        found = data(capsys, "--tracking-index", index, "--states", str(states))["RA"]
+        assert found["predicted_variance"] == pytest.approx(truth, rel=1e-14)
+
+
+def test_an_index_beyond_the_kernels_is_named(capsys: Capture) -> None:
+    found = data(capsys, "--tracking-index", "1e30", "--states", "3")
+    assert "variances are computed up to an index of 8e20" in found["RA"]["absent"]
+    assert "gains" in found["RJ"]
+
+
 def test_a_filter_beyond_its_kernel_takes_no_other_with_it(capsys: Capture) -> None:
     """1/1.6568 = 0.60357 lies between RV's border 0.60355 and its kernel's end."""
     found = data(capsys, "--gains", "1", "1.6568")

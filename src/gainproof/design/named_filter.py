@@ -25,8 +25,9 @@ class NamedFilter:
     that is no steady state of a Kalman filter; `family` is the derivation that it belongs to.
     variance_by_lag: variance of the predicted position over B where a kernel gives it, which keeps
     its digits next to a border where those of the gains are lost; variances_by_alpha the same, for
-    each filter of an alpha. reach: least and largest lag that
-    by_lag takes. It is the steady state of a Kalman filter for lags above `kalman_above`.
+    each filter of an alpha, and variance_by_index, of a filter that comes to a border as its index
+    grows. reach: least and largest lag that by_lag takes. It is the steady state of a Kalman filter
+    for lags above `kalman_above`.
     It exists for lags above `lag_above` and for 0 < alpha < `alpha_below`, or, `closed`, up to
     that; `lag_reason` and `alpha_reason` say why.
     """
@@ -45,6 +46,7 @@ class NamedFilter:
     closed: bool = False
     variance_by_lag: Callable[[Reals], Reals] | None = None
     variances_by_alpha: Callable[[Reals], Sequence[Reals]] | None = None
+    variance_by_index: Callable[[Reals], Reals] | None = None
     reach: tuple[float, float] = (0.0, np.inf)
     kalman_above: float = 0.0
 

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from gainproof.design import border
 from gainproof.design.named_filter import (
     Gains,
     NamedFilter,
@@ -88,6 +89,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "random-acceleration",
         variance_by_lag=output(alpha_beta.random_acceleration_by_lag, 2),
         variances_by_alpha=only(output(alpha_beta.random_acceleration_by_gain, 1)),
+        variance_by_index=border.two_states,
         reach=alpha_beta._RANDOM_ACCELERATION_BY_LAG.inputs[0].double,
     ),
     NamedFilter(
@@ -135,6 +137,7 @@ NAMED: tuple[NamedFilter, ...] = (
         "acceleration-increments",
         variance_by_lag=output(alpha_beta_gamma.random_acceleration_by_lag, 3),
         variances_by_alpha=only(output(alpha_beta_gamma.random_acceleration_by_gain, 2)),
+        variance_by_index=border.three_states,
         reach=alpha_beta_gamma._RANDOM_ACCELERATION_BY_LAG.inputs[0].double,
     ),
     NamedFilter(

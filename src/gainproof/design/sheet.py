@@ -143,6 +143,8 @@ def _rows(each: NamedFilter, kind: str, value: float) -> Iterator[Row | Absent]:
         elif kind == "tracking index":
             assert each.by_index is not None
             several = (each.by_index(given),)
+            if each.variance_by_index is not None and is_stable(*several[0]):
+                variances = (float(each.variance_by_index(given)),)
         else:
             several = (each.by_lag(given),)
             if each.variance_by_lag is not None:
@@ -156,10 +158,7 @@ def _rows(each: NamedFilter, kind: str, value: float) -> Iterator[Row | Absent]:
         if kind == "lag" and value <= each.kalman_above:
             note = "alpha is not below 1: stable, yet no steady state of a Kalman filter"
         known = [float(gain) for gain in gains]
-        if kind == "alpha":
-            yield _safe(each, known, note, 1 / known[-1], variance)
-        else:
-            yield _safe(each, known, note, value if kind == "lag" else None, variance)
+        yield _safe(each, known, note, value if kind == "lag" else 1 / known[-1], variance)
 
 
 def _at_lag_of(each: NamedFilter, reference: Row | None) -> Row | Absent:
@@ -184,7 +183,7 @@ def _at_lag_of(each: NamedFilter, reference: Row | None) -> Row | Absent:
 def _safe(
     each: NamedFilter, gains: list[float], note: str, at: float | None, variance: float | None
 ) -> Row | Absent:
-    """A row; with the variance of the lag's or alpha's own kernel, not that of rounded gains."""
+    """A row; with the variance of the lag, alpha or index itself, not that of rounded gains."""
     try:
         return row_of(each.name, each.title, gains, note, variance, at)
     except ValueError as error:
