@@ -1,4 +1,4 @@
-"""One cache for all tests, apart from the user's own."""
+"""One cache for all tests, apart from the user's own; sizes of random samples."""
 
 from __future__ import annotations
 
@@ -6,10 +6,25 @@ import os
 from collections.abc import Iterator
 
 import pytest
+import samples
 from catalogue_subjects import prepare_all
 
 from gainproof import workers
 from gainproof.cache import FOLDER_VARIABLE
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Thorough runs draw larger samples; the environment is what other processes have too."""
+    if samples.thorough(config.getoption("-m")):
+        os.environ.setdefault(samples.VARIABLE, str(samples.THOROUGH))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Under `-m thorough` whatever draws samples is asked again, now with the larger ones."""
+    if samples.thorough(config.getoption("-m")):
+        for item in filter(samples.draws, items):
+            item.add_marker(pytest.mark.thorough)
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -7,6 +7,7 @@ import tomllib
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.draft import draft
 from gainproof.draft_symbols import symbols_met
@@ -185,7 +186,7 @@ PIECES = (
 )  # fmt: skip
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=samples(120), deadline=None)
 @given(st.lists(st.sampled_from(PIECES), max_size=60))
 def test_any_text_leaves_a_readable_draft(pieces: list[str]) -> None:
     data = tomllib.loads(draft("".join(pieces), "a.tex", "a").text)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.time_varying import (
     PROCESS_NOISES,
@@ -133,7 +134,7 @@ def test_a_start_of_ones_own() -> None:
 
 
 @EVERY
-@settings(max_examples=24, deadline=None)
+@settings(max_examples=samples(24), deadline=None)
 @given(st.floats(-7, 6).map(lambda e: 10.0**e))
 def test_hand_over(name: str, index: float) -> None:
     last = int(hand_over_sample(index, name))
@@ -206,8 +207,8 @@ def test_what_is_refused() -> None:
 
 @pytest.mark.parametrize("schedule", [gain_schedule, three_states.gain_schedule])
 def test_a_schedule_of_no_sample_is_none(schedule: Callable[..., Any]) -> None:
-    for samples in (0, -1):
+    for number in (0, -1):
         with pytest.raises(ValueError, match="samples should be a whole number from 1 on, got"):
-            schedule(1.0, samples)
+            schedule(1.0, number)
     with pytest.raises(TypeError):
         schedule(1.0, 2.5)

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from recursion_triples import model, three_positions, unit_noise
+from samples import samples
 
 from gainproof.time_varying.three_states import (
     PROCESS_NOISES,
@@ -43,7 +44,7 @@ ONE = Fraction(1)
 
 
 @EVERY
-@settings(max_examples=16, deadline=None)
+@settings(max_examples=samples(16), deadline=None)
 @given(st.floats(-9, 7).map(lambda e: 10.0**e))
 def test_error_ratio(name: str, index: float) -> None:
     """Against certified poles; beside a double one half of the digits are left."""

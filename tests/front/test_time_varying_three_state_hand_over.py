@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from recursion_triples import ROW, model, three_positions
+from samples import samples
 
 from gainproof.time_varying.three_states import (
     PROCESS_NOISES,
@@ -33,7 +34,7 @@ ONE = Fraction(1)
 
 
 @EVERY
-@settings(max_examples=24, deadline=None)
+@settings(max_examples=samples(24), deadline=None)
 @given(st.floats(-9, 6).map(lambda e: 10.0**e))
 def test_hand_over(name: str, index: float) -> None:
     last = int(hand_over_sample(index, name))

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from recursion_tracks import noise_of
 from recursion_triples import ROW, covariance, move
+from samples import samples
 
 from gainproof.time_varying.three_states import (
     PROCESS_NOISES,
@@ -103,7 +104,7 @@ def test_the_start_from_three_positions_is_the_limit_of_an_unknown_state() -> No
         assert covariance_of(third.factors) == pytest.approx(covariance_of(f), rel=1e-9)
 
 
-@settings(max_examples=24, deadline=None)
+@settings(max_examples=samples(24), deadline=None)
 @given(FACTORS)
 def test_factors_and_entries(f: Factors) -> None:
     exact = covariance(f)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.time_varying.three_states import (
     PROCESS_NOISES,
@@ -33,7 +34,7 @@ FACTORS = st.builds(Factors, SIZE, SIZE, SIZE, SHEAR, SHEAR, SHEAR)
 
 
 @EVERY
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=samples(12), deadline=None)
 @given(FACTORS, st.lists(st.tuples(TIME, st.booleans()), min_size=1, max_size=30), SIZE, SIZE)
 def test_covariances_stay_positive_definite(
     name: str, f: Factors, samples: list[tuple[float, bool]], q: float, r: float
@@ -47,7 +48,7 @@ def test_covariances_stay_positive_definite(
 
 
 @EVERY
-@settings(max_examples=16, deadline=None)
+@settings(max_examples=samples(16), deadline=None)
 @given(FACTORS, TIME, SIZE, SIZE, st.integers(0, 4), st.integers(1, 4))
 def test_a_missed_detection_only_raises_the_variances(
     name: str, f: Factors, t: float, q: float, r: float, missed: int, later: int
@@ -61,7 +62,7 @@ def test_a_missed_detection_only_raises_the_variances(
             assert more >= less * (1 - 64 * 2.0**-52 * (missed + later))
 
 
-@settings(max_examples=24, deadline=None)
+@settings(max_examples=samples(24), deadline=None)
 @given(FACTORS, TIME, TIME, SIZE)
 def test_two_predictions_add_their_intervals(f: Factors, s: float, t: float, q: float) -> None:
     for name in NAMES:

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from recursion_tracks import entries, move
+from samples import samples
 
 from gainproof.time_varying import (
     PROCESS_NOISES,
@@ -34,7 +35,7 @@ ROW = matrix([[1, 0]], Fraction)
 
 
 @EVERY
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=samples(12), deadline=None)
 @given(FACTORS, st.lists(st.tuples(TIME, st.booleans()), min_size=1, max_size=30), SIZE, SIZE)
 def test_covariances_stay_positive_definite(
     name: str, f: Factors, samples: list[tuple[float, bool]], q: float, r: float
@@ -50,7 +51,7 @@ def test_covariances_stay_positive_definite(
 
 
 @EVERY
-@settings(max_examples=16, deadline=None)
+@settings(max_examples=samples(16), deadline=None)
 @given(FACTORS, TIME, SIZE, SIZE, st.integers(0, 5), st.integers(1, 5))
 def test_a_missed_detection_only_raises_the_variance(
     name: str, f: Factors, t: float, q: float, r: float, missed: int, later: int
@@ -99,7 +100,7 @@ def test_equal_intervals_come_to_the_steady_state(name: str, index: float, inter
     assert abs(found.position_gain / other.alpha - 1) > 1e-9
 
 
-@settings(max_examples=24, deadline=None)
+@settings(max_examples=samples(24), deadline=None)
 @given(FACTORS, TIME, TIME, SIZE)
 def test_two_predictions_add_their_intervals(f: Factors, s: float, t: float, q: float) -> None:
     """Of white acceleration, in any order; of the noises of the samples only without noise."""
@@ -155,7 +156,7 @@ def test_the_start_from_two_positions_is_the_limit_of_an_unknown_velocity() -> N
         assert second.factors == pytest.approx(f, rel=1e-10)
 
 
-@settings(max_examples=24, deadline=None)
+@settings(max_examples=samples(24), deadline=None)
 @given(FACTORS)
 def test_factors_and_entries(f: Factors) -> None:
     p = covariance_of(f)

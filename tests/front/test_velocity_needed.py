@@ -10,6 +10,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from kernel_truth import STEADY_STATES
 from numpy.typing import NDArray
+from samples import samples
 
 from gainproof.position_velocity import (
     PROCESS_NOISES,
@@ -47,7 +48,7 @@ def ends(index: Reals, covariance: str = "predicted", noise: str = DEFAULT) -> l
 
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("covariance", COVARIANCES)
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=samples(6), deadline=None)
 @given(index=st.floats(-6, 6).map(lambda e: 10.0**e), share=SHARES)
 @example(index=10.0**5.5, share=0.5)
 def test_the_answer_is_exact_for_a_wanted_variance_within_the_promise(

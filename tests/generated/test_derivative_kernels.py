@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from kernel_truth import STEADY_STATES
 from one_of_each import cases
 from printed_kernels import PrintedKernel, printed_kernels
+from samples import samples
 
 from gainproof.verify.oracles import differences, doubling
 from gainproof.verify.oracles.matrices import product
@@ -61,7 +62,7 @@ def derivative_kernels(family: str) -> list[PrintedKernel]:
 @pytest.mark.parametrize(
     "family", cases(sorted(STEADY_STATES), lambda family: family == "continuous_white_acceleration")
 )
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=samples(6), deadline=None)
 @given(exponent=st.floats(-20, 20))
 def test_derivatives_are_those_of_the_run(family: str, exponent: float) -> None:
     index = 10.0**exponent

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from kernel_errors import log_uniform
 from printed_kernels import DTYPES, PrintedKernel
+from samples import samples
 
 BLOCK = 65536  # elements that are computed at a time: sizes round it are tried
 
@@ -152,7 +153,7 @@ def test_no_warning_and_no_nan_anywhere_in_the_domain(kernel: PrintedKernel, dty
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=samples(20), deadline=None)
 @given(data=st.data())
 def test_any_array_inside_the_domain_is_taken(dtype: str, data: st.DataObject) -> None:
     kernel = data.draw(st.sampled_from([k for k in KERNELS if not k.whole]))

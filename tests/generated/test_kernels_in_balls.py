@@ -20,6 +20,7 @@ from hypothesis import strategies as st
 from kernel_errors import broken_promises, log_uniform, measure, near_supremum
 from kernel_truth import truth_at
 from printed_kernels import DTYPES, PrintedKernel, common_domain, groups, printed_kernels, promise
+from samples import samples
 
 GROUPS = groups(printed_kernels())
 CASES = [
@@ -54,7 +55,7 @@ def places(argument: str, low: float, high: float) -> st.SearchStrategy[float]:
 
 
 @pytest.mark.parametrize(("family", "argument", "dtype"), CASES)
-@settings(max_examples=5, deadline=None)
+@settings(max_examples=samples(5), deadline=None)
 @given(data=st.data())
 def test_error_is_within_the_stated_bound(
     family: str, argument: str, dtype: str, data: st.DataObject

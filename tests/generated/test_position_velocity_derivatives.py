@@ -19,6 +19,7 @@ from one_of_each import cases
 from position_velocity_slopes import slopes
 from printed_kernels import DTYPES, EPSILON
 from printed_pairs import PrintedPair, printed_pairs
+from samples import samples
 
 KERNELS = tuple(kernel for kernel in printed_pairs() if "_by_" in kernel.name)
 NOISES = {
@@ -51,7 +52,7 @@ def broken(kernel: PrintedPair, noise: str, point: Point, dtype: str) -> Iterato
 
 
 @pytest.mark.parametrize("family", cases(NOISES, lambda family: family == "position_velocity"))
-@settings(max_examples=3, deadline=None)
+@settings(max_examples=samples(3), deadline=None)
 @given(st.floats(-3, 3), st.floats(-3, 3))
 @example(-1.2, -1.2)
 @example(0.0, 3.0)

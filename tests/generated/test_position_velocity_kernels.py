@@ -20,6 +20,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from kernel_truth import STEADY_STATES
 from one_of_each import cases
+from samples import samples
 
 from gainproof.position_velocity.process_noise import PROCESS_NOISES
 from gainproof.verify.oracles import distance, enclosure
@@ -72,7 +73,7 @@ def broken(process_noise: str, index: Any, ratio: Any, dtype: str = "float64") -
 
 
 @pytest.mark.parametrize("process_noise", sorted(PROCESS_NOISES))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(index=ORDINARY, ratio=ORDINARY)
 def test_within_the_stated_bound(process_noise: str, index: float, ratio: float) -> None:
     assert not list(broken(process_noise, index, ratio))
@@ -85,7 +86,7 @@ def test_within_the_stated_bound(process_noise: str, index: float, ratio: float)
         lambda case: case[0] == WHITE or case[1] == "float64",
     ),
 )
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=samples(4), deadline=None)
 @given(shares=st.tuples(SHARE, SHARE))
 @example(shares=(0.0, 0.0))
 @example(shares=(0.0, 1.0))

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_truth import THREE_STATES
 from printed_kernels import printed_kernels
+from samples import samples
 
 from gainproof.verify.oracles import doubling, quantities
 from gainproof.verify.oracles.matrices import product
@@ -19,7 +20,7 @@ NAMES = ("gains", "predictor_gains", "predicted_covariance", "updated_covariance
 
 
 @pytest.mark.parametrize("family", sorted(THREE_STATES))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=samples(8), deadline=None)
 @given(index=st.floats(-40, 40).map(lambda e: 10.0**e))
 def test_doubling(family: str, index: float) -> None:
     model = state_space(THREE_STATES[family], index)

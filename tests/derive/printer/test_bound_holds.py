@@ -10,6 +10,7 @@ import pytest
 from graph_kernels import KINDS, function_of, kernel_of, worst_error
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.derive.printer.bound import OutputBound, prove
 from gainproof.derive.printer.formats import FORMATS, Format
@@ -66,7 +67,7 @@ def positive_graphs(draw: st.DrawFn) -> Kernel:
 
 
 @given(positive_graphs(), st.integers(0, 2**32))
-@settings(max_examples=24, deadline=None)
+@settings(max_examples=samples(24), deadline=None)
 def test_random_positive_graphs(kernel: Kernel, seed: int) -> None:
     with suppress(PrintingError):  # refused: an over- or underflow inside the domain
         check(kernel, 40, seed)

@@ -8,6 +8,7 @@ import pytest
 from graph_kernels import function_of, node_balls, several_of
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.derive.printer import boxes, corners
 from gainproof.derive.printer.adjoint import Adjoint
@@ -98,7 +99,7 @@ SHARE = st.floats(0, 1)
 
 
 @given(kernels(), st.lists(st.tuples(SHARE, SHARE), min_size=4, max_size=4), st.floats(0, 8))
-@settings(max_examples=48, deadline=None)
+@settings(max_examples=samples(48), deadline=None)
 def test_ranges_ratios_and_slopes_hold(
     kernel: Kernel, shares: list[tuple[float, float]], size: float
 ) -> None:
@@ -125,7 +126,7 @@ def test_ranges_ratios_and_slopes_hold(
 
 
 @given(st.tuples(SHARE, SHARE), st.floats(0, 8))
-@settings(max_examples=16, deadline=None)
+@settings(max_examples=samples(16), deadline=None)
 def test_computed_values_lie_in_their_ranges(shares: tuple[float, float], size: float) -> None:
     b = GraphBuilder()
     x, z = b.symbol("x"), b.symbol("z")

@@ -14,6 +14,7 @@ from graph_kernels import KINDS, balls, function_of, kernel_of, several_of, wors
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from one_of_each import cases
+from samples import samples
 from three_state_gains import FACTORS, Factor, gains_graph, gains_kernel
 
 from gainproof.bench.accuracy import ball_outputs
@@ -208,7 +209,7 @@ def test_a_map_that_may_be_negative_is_refused() -> None:
         prove(kernel_of(graph, lower="1/2", upper=2), FLOAT64)
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=samples(120), deadline=None)
 @given(
     st.floats(1e-6, 1e6), st.floats(1e-6, 1e6), st.floats(1e-6, 1e6), st.floats(0.001, 0.9),
     st.booleans(),

@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pair_points import outside_bounds
 from positive_graphs import positive_graphs
+from samples import samples
 
 from gainproof.derive.printer import frontier, interval
 from gainproof.derive.printer.bound import prove
@@ -44,7 +45,7 @@ def test_known_bounds(form: Format) -> None:
 
 
 @given(positive_graphs(), st.integers(0, 2**32))
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=samples(10), deadline=None)
 def test_random_positive_graphs(kernel: Kernel, seed: int) -> None:
     with suppress(PrintingError):  # refused: an over- or underflow, mostly of float32
         assert not outside_bounds(kernel, 40, seed)

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from one_of_each import cases
 from position_velocity_slopes import DIGITS, slopes
+from samples import samples
 
 from gainproof.derive.vector_measurement import radicands
 from gainproof.derive.vector_measurement.derivative_kernels import BY_INDEX, BY_RATIO, DERIVATIVES
@@ -71,7 +72,7 @@ def wrong_at(name: str, noise: Noise, index: Fraction, ratio: Fraction, kernel: 
 @pytest.mark.parametrize(
     "name", cases(NOISES, lambda name: name == "continuous_white_acceleration")
 )
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=samples(4), deadline=None)
 @given(st.floats(-3, 3), st.floats(-3, 3))
 def test_every_form_is_its_derivative(name: str, first: float, second: float) -> None:
     point = Fraction(10.0**first), Fraction(10.0**second)

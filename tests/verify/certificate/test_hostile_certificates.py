@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from samples import samples
 from tests.verify.certificate.toy_writer import statement as written
 
 from gainproof.verify.certificate import check
@@ -248,7 +249,9 @@ def _places(value: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 
 
 @settings(
-    max_examples=32, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=samples(32),
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
 @given(st.data())
 def test_nonsense_anywhere(acceleration: Data, memory: Data, data: st.DataObject) -> None:

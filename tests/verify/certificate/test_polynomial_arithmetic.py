@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.verify.certificate.field import Field, Generator, Parameter
 from gainproof.verify.certificate.polynomial import Polynomial, Ring
@@ -41,7 +42,7 @@ def _same(value: Polynomial, expected: Any) -> bool:
     return bool(sp.expand(_symbolic(value) - expected) == 0)
 
 
-@settings(deadline=None, max_examples=20)
+@settings(deadline=None, max_examples=samples(20))
 @given(polynomials, polynomials)
 def test_arithmetic(a: Polynomial, b: Polynomial) -> None:
     assert _same(a + b, _symbolic(a) + _symbolic(b))
@@ -54,7 +55,7 @@ def test_arithmetic(a: Polynomial, b: Polynomial) -> None:
     assert hash(a + b - b) == hash(a)
 
 
-@settings(deadline=None, max_examples=20)
+@settings(deadline=None, max_examples=samples(20))
 @given(polynomials, st.integers(0, 2), coefficients)
 def test_calculus(a: Polynomial, position: int, number: Fraction) -> None:
     symbol = (X, Y, Z)[position]
@@ -93,7 +94,7 @@ def _field() -> Field:
     )
 
 
-@settings(deadline=None, max_examples=20)
+@settings(deadline=None, max_examples=samples(20))
 @given(polynomials)
 def test_reduction(a: Polynomial) -> None:
     field = _field()
@@ -189,7 +190,7 @@ ratios = st.tuples(polynomials, st.integers(1, 3), st.integers(0, 2)).map(
 )
 
 
-@settings(deadline=None, max_examples=12)
+@settings(deadline=None, max_examples=samples(12))
 @given(ratios, ratios)
 def test_ratios(
     first: tuple[Polynomial, Polynomial],

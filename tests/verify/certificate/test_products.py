@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.verify.certificate import products
 from gainproof.verify.certificate.products import Terms
@@ -24,7 +25,7 @@ def _degrees(*factors: Terms) -> list[int]:
     return [sum(max(m[place] for m in terms) for terms in factors) for place in range(3)]
 
 
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=samples(40))
 @given(_terms(2), _terms(3))
 def test_both_ways_agree_with_sympy(first: Terms, second: Terms) -> None:
     expected = (

@@ -11,6 +11,7 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 from tests.verify.certificate.toy_writer import fraction, poly, statement
 
 from gainproof.verify.certificate import check_statement
@@ -40,7 +41,7 @@ MODEL: Data = {
 small = st.fractions(-2, 2, max_denominator=4)
 
 
-@settings(deadline=None, max_examples=12)
+@settings(deadline=None, max_examples=samples(12))
 @given(
     st.integers(1, 4).flatmap(
         lambda n: st.lists(st.lists(small, min_size=n, max_size=n), min_size=n, max_size=n)
@@ -73,7 +74,7 @@ def _rows(gain: list[Fraction]) -> list[Fraction]:
     return found
 
 
-@settings(deadline=None, max_examples=24)
+@settings(deadline=None, max_examples=samples(24))
 @given(st.lists(st.fractions(Fraction(1, 20), 1, max_denominator=20), min_size=3, max_size=3))
 def test_stable_exactly_if_inside_the_circle(gain: list[Fraction]) -> None:
     elements = {

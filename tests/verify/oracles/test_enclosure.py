@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_truth import STEADY_STATES
+from samples import samples
 
 from gainproof.verify.oracles import ball, distance, doubling, enclosure
 from gainproof.verify.oracles import position_velocity as oracle
@@ -44,7 +45,7 @@ def one_state(transition: int) -> StateSpace:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=5, deadline=None)
+@settings(max_examples=samples(5), deadline=None)
 @given(index=ANY)
 def test_one_measurement_overlaps_the_spectral_enclosure(family: str, index: Fraction) -> None:
     model = STEADY_STATES[family]
@@ -53,7 +54,7 @@ def test_one_measurement_overlaps_the_spectral_enclosure(family: str, index: Fra
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=samples(6), deadline=None)
 @given(index=ANY, ratio=ANY)
 def test_two_measurements_to_forty_digits_over_the_whole_domain(
     family: str, index: Fraction, ratio: Fraction

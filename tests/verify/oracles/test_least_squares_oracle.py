@@ -7,6 +7,7 @@ from fractions import Fraction
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.verify.oracles import least_squares, recursion
 from gainproof.verify.oracles.matrices import matrix, product, transpose
@@ -16,13 +17,13 @@ from gainproof.verify.oracles.state_space import StateSpace
 SAMPLES = st.lists(st.fractions(-100, 100, max_denominator=12), min_size=5, max_size=12)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=samples(10), deadline=None)
 @given(SAMPLES)
 def test_degree_zero_is_the_arithmetic_mean(samples: list[Fraction]) -> None:
     assert least_squares.fit(0, samples) == (sum(samples) / len(samples),)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=samples(10), deadline=None)
 @given(st.lists(st.fractions(-9, 9, max_denominator=6), min_size=3, max_size=3), st.integers(2, 12))
 def test_a_parabola_is_returned_exactly(state: list[Fraction], newest: int) -> None:
     value, velocity, acceleration = state
@@ -33,7 +34,7 @@ def test_a_parabola_is_returned_exactly(state: list[Fraction], newest: int) -> N
     assert least_squares.fit(2, samples) == tuple(state)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=samples(10), deadline=None)
 @given(SAMPLES, st.integers(0, 2))
 def test_residuals_are_orthogonal_to_every_power(samples: list[Fraction], degree: int) -> None:
     newest = len(samples) - 1
@@ -48,7 +49,7 @@ def test_residuals_are_orthogonal_to_every_power(samples: list[Fraction], degree
         assert total == 0
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=samples(10), deadline=None)
 @given(SAMPLES, st.integers(0, 2))
 def test_the_recursion_with_batch_gains_reproduces_the_batch(
     samples: list[Fraction], degree: int

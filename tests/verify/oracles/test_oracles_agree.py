@@ -13,6 +13,7 @@ import pytest
 from float_rounding import allowance
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.verify.oracles import ball, distance, doubling, recursion, solver
 from gainproof.verify.oracles.matrices import Matrix, identity, matrix, product, scale, transpose
@@ -63,7 +64,7 @@ def relative(state: SteadyState, truth: SteadyState) -> float:
 
 
 PLENTY = settings(
-    max_examples=10, deadline=None, suppress_health_check=[HealthCheck.filter_too_much]
+    max_examples=samples(10), deadline=None, suppress_health_check=[HealthCheck.filter_too_much]
 )
 
 

@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_truth import STEADY_STATES
 from one_of_each import cases
+from samples import samples
 from vector_rounding import allowance
 
 from gainproof.verify.oracles import doubling, noise, recursion, solver
@@ -69,7 +70,7 @@ def test_doubling_gives_two_hundred_digits_over_the_whole_domain(
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=samples(6), deadline=None)
 @given(index=st.floats(-3, 6).map(lambda e: 2.0**e), ratio=RATIOS)
 def test_recursion_in_multiprecision_agrees_with_doubling(
     family: str, index: float, ratio: float
@@ -80,7 +81,7 @@ def test_recursion_in_multiprecision_agrees_with_doubling(
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=samples(6), deadline=None)
 @given(index=INDICES, ratio=RATIOS)
 def test_float_runs_agree_with_doubling(family: str, index: float, ratio: float) -> None:
     model = oracle.model(NOISES[family], index, ratio)

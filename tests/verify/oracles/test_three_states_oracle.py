@@ -10,6 +10,7 @@ import pytest
 from float_rounding import allowance
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.verify.oracles import ball, distance, doubling, noise, recursion, solver
 from gainproof.verify.oracles.closed_loop import roots_of
@@ -113,7 +114,7 @@ def test_both_ends_of_the_index(which: str) -> None:
     assert abs(float(higher["alpha"].value.mid()) - 1) < 1e-15
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=samples(80), deadline=None)
 @given(st.lists(st.integers(-9, 9), min_size=3, max_size=3), st.sampled_from([-5, -1, 1, 2]))
 def test_roots_of_cubics(low: list[int], leading: int) -> None:
     """Cardano's in balls and those that python-flint isolates."""

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.graph import graph_of, read_graph
@@ -85,7 +86,7 @@ NODE = st.tuples(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=samples(60), deadline=None)
 @given(st.lists(NODE.map(lambda n: [n[0], *n[1]]) | JUNK, max_size=7), st.integers(-1, 7))
 def test_only_its_own_error_comes_out(nodes: list[Any], value: int) -> None:
     try:

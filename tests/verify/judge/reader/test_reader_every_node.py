@@ -11,6 +11,7 @@ import pytest
 from declared import Declared
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.reader.latex import graph_to_latex
@@ -168,7 +169,7 @@ def trees() -> st.SearchStrategy[Tree]:
 
 
 MANY_EXAMPLES = settings(
-    max_examples=150,
+    max_examples=samples(150),
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )

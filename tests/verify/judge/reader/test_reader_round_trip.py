@@ -12,6 +12,7 @@ from typing import Any
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.verify.judge.reader.latex import graph_to_latex, reading_to_latex
 from gainproof.verify.judge.reader.names import canonical_token
@@ -194,7 +195,9 @@ def _root(square: Fraction) -> Fraction:
     return root
 
 
-COMMON = settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+COMMON = settings(
+    max_examples=samples(120), deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
 
 
 @COMMON
@@ -250,7 +253,7 @@ def _few_slashes(text: str) -> bool:
     return text.count("1/k T") <= 6
 
 
-@settings(COMMON, max_examples=40)
+@settings(COMMON, max_examples=samples(40))
 @given(_statements().filter(_few_slashes))
 def test_statements_printed_and_read_again(text: str) -> None:
     for reading in read_formula(text, SYMBOLS).readings[:8]:
