@@ -1,0 +1,45 @@
+"""What stops a location: each error with what a caller may want beside its message."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from gainproof.location.observability import Direction
+    from gainproof.location.result import Convergence
+
+
+class LocationError(ValueError):
+    """There is no estimate; the message says why."""
+
+
+class TooFewError(LocationError):
+    """Fewer observations than the method has unknowns: `need` and `have`, counted before solving."""
+
+    def __init__(self, message: str, need: int, have: int) -> None:
+        super().__init__(message)
+        self.need, self.have = need, have
+
+
+class UnobservableError(LocationError):
+    """The observations leave some directions of position and velocity free: `directions`."""
+
+    def __init__(self, message: str, directions: tuple[Direction, ...]) -> None:
+        super().__init__(message)
+        self.directions = directions
+
+
+class OnStationError(LocationError):
+    """The target comes to lie on a station, where a range has no derivative: `station`."""
+
+    def __init__(self, message: str, station: str) -> None:
+        super().__init__(message)
+        self.station = station
+
+
+class DivergedError(LocationError):
+    """The iteration did not settle: `report` says how far it came."""
+
+    def __init__(self, message: str, report: Convergence) -> None:
+        super().__init__(message)
+        self.report = report

@@ -1,0 +1,123 @@
+"""Position and velocity from ranges and range rates: the front door of the estimators."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from numpy.typing import ArrayLike
+
+from gainproof.fixed_gain.arguments import Reals, real
+from gainproof.location.accuracy import accuracy
+from gainproof.location.failure import not_observed
+from gainproof.location.methods import CHOSEN, Method, method_of, require_counts
+from gainproof.location.observability import observability
+from gainproof.location.problem import Problem, problem
+from gainproof.location.report import report
+from gainproof.location.result import Bias, Location, Place
+from gainproof.location.selection import Selection, select, threshold
+from gainproof.location.settling import Settled, settle
+from gainproof.location.starts import starts
+from gainproof.location.stations import Observations, Stations
+from gainproof.location.warning_words import AMBIGUOUS, warnings
+
+DEFAULT = "unknown-reduction"
+FALSE_ALARM = 0.05
+
+
+def locate(
+    given: Stations,
+    observed: Observations,
+    method: str = DEFAULT,
+    *,
+    false_alarm: float = FALSE_ALARM,
+    near: ArrayLike | None = None,
+) -> Location:
+    """The target by one of the methods of `methods.METHODS`.
+
+    false_alarm: how often the test of unknown reduction may call a clean range biased. near (d,), m:
+    a place to begin from besides the starts of `starts`; of places that explain the observations
+    equally well the one closest to it is returned.
+
+    LocationError: too few observations, directions that are not observed, a target on a station, an
+    iteration that does not settle; each a class of its own in `errors`. ValueError: a covariance
+    that is none, arguments out of range. BadInputError: a method there is not.
+    """
+    chosen = method_of(method)
+    threshold(false_alarm)
+    ranges = int((~observed.is_rate).sum())
+    require_counts(chosen, given.dimension, ranges, int(observed.is_rate.sum()))
+    close = None if near is None else _place(given, near)
+    if chosen.bias == CHOSEN:
+        return _reduced(given, observed, chosen, false_alarm, close)
+    asked = problem(given, observed, chosen)
+    return _told(settle(asked, observed, starts(asked, observed, close), close))
+
+
+def _reduced(
+    given: Stations,
+    observed: Observations,
+    method: Method,
+    false_alarm: float,
+    near: Reals | None,
+) -> Location:
+    """Bias detection, the test (55), and the iteration again from there with fewer unknowns.
+
+    Where bias detection leaves several places open, the test is made at each, and the one with the
+    most clean ranges is followed; of equals the first.
+    """
+    free = problem(given, observed, method_of("bias-detection"))
+    first = settle(free, observed, starts(free, observed, near), near)
+    places = [first.best, *(first.others if near is None else ())]
+    tests = [_selection(accuracy(free, each.unknowns)[1], false_alarm) for each in places]
+    most = max(range(len(tests)), key=lambda i: (len(tests[i].clean), -i))
+    biased = [given.names.index(each.station) for each in tests[most].decisions if not each.clean]
+    asked = problem(given, observed, method, biased)
+    found = _told(settle(asked, observed, places[most].unknowns[None, :], near))
+    begun = _told(Settled(free, first.iterated, places[most], first.all_but(places[most])))
+    if not found.others:
+        # where as many ranges are clean elsewhere, the choice among the places was none
+        count = len(tests[most].clean)
+        also = [i for i, test in enumerate(tests) if i != most and len(test.clean) == count]
+        told = _told(replace(first, best=places[most], others=tuple(places[i] for i in also)))
+        words = tuple(each for each in told.warnings if each.startswith(AMBIGUOUS))
+        found = replace(found, others=told.others, warnings=(*words, *found.warnings))
+    return replace(found, selection=tests[most], first=begun)
+
+
+def _selection(biases: tuple[Bias, ...], false_alarm: float) -> Selection:
+    return select(
+        tuple(each.station for each in biases),
+        tuple(each.value for each in biases),
+        tuple(each.deviation for each in biases),
+        false_alarm,
+    )
+
+
+def _told(settled: Settled) -> Location:
+    asked, best, others = settled.asked, settled.best, settled.others
+    not_observed(asked, best.unknowns)
+    covariance, biases = accuracy(asked, best.unknowns)
+    rank = observability(asked, best.unknowns)
+    return Location(
+        asked.method.name,
+        *_split(asked, best.unknowns),
+        covariance,
+        biases,
+        None,
+        report(asked, settled.iterated, best.number, rank.ratio),
+        rank.rank,
+        tuple(Place(*_split(asked, each.unknowns), each.cost) for each in others),
+        warnings(asked, best, others, covariance),
+    )
+
+
+def _split(asked: Problem, unknowns: Reals) -> tuple[Reals, Reals | None]:
+    place, velocity = asked.split(unknowns[None, :])
+    return place[0], velocity[0] if asked.velocity else None
+
+
+def _place(given: Stations, near: ArrayLike) -> Reals:
+    place = real("near", near)
+    if place.shape != (given.dimension,):
+        raise ValueError(f"near must have shape {(given.dimension,)}, got {place.shape}")
+    return place

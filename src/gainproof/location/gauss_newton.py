@@ -1,0 +1,140 @@
+"""The iterated Taylor series: Gauss-Newton steps for many targets at once.
+
+Every step solves the linear model by the QR factorisation of its scaled, whitened Jacobian, never
+by normal equations. Where a full step does not lower the cost it is halved.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gainproof.fixed_gain.arguments import Reals
+from gainproof.location.problem import Linear, Problem, linearised, residual
+
+MOST_ITERATIONS = 100
+MOST_HALVINGS = 30
+SMALL_STEP = 1e-10
+"""In units of the deviations: a step of this length is the last."""
+EPSILON = float(np.finfo(np.float64).eps)
+FAR = 1e7
+"""A target this many times the stations' spread away (and no start so far) is running away."""
+
+RUNNING, CONVERGED, DEFICIENT, STUCK, ENDLESS, ON_STATION, AWAY = range(7)
+
+
+@dataclass(frozen=True, eq=False)
+class Iterated:
+    """Of N targets: unknowns (N, k), how each ended, iterations, halvings, cost, the length of the
+    last step in deviations, and the ratio of the least to the largest singular value there.
+    """
+
+    unknowns: Reals
+    ended: NDArray[np.intp]
+    iterations: NDArray[np.intp]
+    halvings: NDArray[np.intp]
+    cost: Reals
+    step: Reals
+    ratio: Reals
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """Steps (N, k), their lengths in deviations, and the singular values' ratio (N,)."""
+
+    change: Reals
+    length: Reals
+    ratio: Reals
+
+
+def rank_tolerance(asked: Problem) -> float:
+    """Singular values below this share of the largest are rounding: a few eps an entry."""
+    return 8 * EPSILON * len(asked.used.values) * asked.unknowns
+
+
+def step(asked: Problem, linear: Linear) -> Step:
+    """The least-squares solution of the linear model. Zero where the rank is deficient."""
+    orthogonal, triangle = np.linalg.qr(linear.jacobian)
+    singular = np.linalg.svd(triangle, compute_uv=False)
+    largest = singular[:, 0]
+    ratio = np.where(largest > 0, singular[:, -1] / np.where(largest > 0, largest, 1.0), 0.0)
+    fine = ratio > rank_tolerance(asked)
+    triangle[~fine] = np.eye(triangle.shape[1])
+    right = np.einsum("nmk,nm->nk", orthogonal, linear.residual)
+    scaled = np.linalg.solve(triangle, right[..., None])[..., 0]
+    change = np.where(fine[:, None], scaled / linear.scale, 0.0)
+    return Step(change, np.linalg.norm(right, axis=1), ratio)
+
+
+def iterate(asked: Problem, starts: Reals, observed: Reals) -> Iterated:
+    """From starts (N, k) for observations (N, m) or (m,), until no step is left to take."""
+    x = np.array(starts, np.float64)
+    n = len(x)
+    z = np.broadcast_to(observed, (n, len(asked.used.values)))
+    ended = np.full(n, RUNNING)
+    iterations, halvings = np.zeros(n, np.intp), np.zeros(n, np.intp)
+    last, ratio = np.full(n, np.inf), np.zeros(n)
+    cost = _cost(asked, x, z)
+    ended[~np.isfinite(cost)] = ON_STATION
+    far = FAR * np.maximum(asked.stations.spread, _distance(asked, x))
+    # what rounding leaves of a residual, in deviations
+    rounding = 16 * EPSILON * np.linalg.norm(np.abs(z) @ np.abs(asked.white).T, axis=1)
+    for _ in range(MOST_ITERATIONS):
+        now = np.flatnonzero(ended == RUNNING)
+        if not now.size:
+            break
+        taken = step(asked, linearised(asked, x[now], z[now]))
+        last[now], ratio[now] = taken.length, taken.ratio
+        lost = taken.ratio <= rank_tolerance(asked)
+        ended[now[lost]] = DEFICIENT
+        now, change, length = now[~lost], taken.change[~lost], taken.length[~lost]
+        iterations[now] += 1
+        enough = length <= np.maximum(SMALL_STEP, rounding[now])
+        # (r + d)^2 - r^2 for a residual r with rounding d
+        slack = rounding[now] * (2 * np.sqrt(cost[now]) + rounding[now])
+        halved = _descend(asked, x, z, cost, now, change, slack)
+        halvings[now] += np.maximum(halved, 0)
+        ended[now[halved < 0]] = STUCK
+        ended[now[enough]] = CONVERGED
+        gone = _distance(asked, x[now]) > far[now]
+        ended[now[gone]] = AWAY
+    ended[ended == RUNNING] = ENDLESS
+    return Iterated(x, ended, iterations, halvings, cost, last, ratio)
+
+
+def _descend(
+    asked: Problem,
+    x: Reals,
+    z: Reals,
+    cost: Reals,
+    now: NDArray[np.intp],
+    change: Reals,
+    slack: Reals,
+) -> NDArray[np.intp]:
+    """Take the steps in place, each halved until the cost does not grow: how often; -1 for never."""
+    halved = np.full(now.size, -1)
+    left = np.arange(now.size)
+    for count in range(MOST_HALVINGS + 1):
+        if not left.size:
+            break
+        at = now[left]
+        trial = x[at] + change[left] * 0.5**count
+        found = _cost(asked, trial, z[at])
+        fine = found <= cost[at] * (1 + 8 * EPSILON) + slack[left]
+        x[at[fine]], cost[at[fine]] = trial[fine], found[fine]
+        halved[left[fine]] = count
+        left = left[~fine]
+    return halved
+
+
+def _cost(asked: Problem, x: Reals, z: Reals) -> Reals:
+    with np.errstate(all="ignore"):
+        found = np.square(residual(asked, x, z)).sum(axis=1)
+    return np.where(np.isnan(found), np.inf, found)
+
+
+def _distance(asked: Problem, x: Reals) -> Reals:
+    place = asked.split(x)[0]
+    return np.asarray(np.linalg.norm(place - asked.stations.centre, axis=1))

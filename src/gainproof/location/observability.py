@@ -1,0 +1,182 @@
+"""What a geometry leaves unobserved: the scaled rank of the linear model, and its null directions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gainproof.fixed_gain.arguments import Reals
+from gainproof.location.gauss_newton import rank_tolerance
+from gainproof.location.measurement import seen
+from gainproof.location.problem import Linear, Problem, jacobian, linearised
+from gainproof.location.stations import Stations
+
+AXES = "xyz"
+NOTHING = 1e-6
+"""A part of a direction below this share of the whole is not told."""
+FLAT = 1e-9
+"""Stations this share of their spread beside a line or plane are taken to lie on it, in words."""
+
+RADIAL = 1e-6
+
+
+@dataclass(frozen=True)
+class Direction:
+    """One direction that is not observed: its parts of position and velocity, in m and m/s, and the
+    range biases that go with it, in m; words say it.
+    """
+
+    position: tuple[float, ...]
+    velocity: tuple[float, ...]
+    biases: tuple[tuple[str, float], ...]
+    words: str
+
+
+@dataclass(frozen=True)
+class Observability:
+    """The scaled rank of `unknowns` of position and velocity, the ratio of the least to the largest
+    singular value, and the directions that are free.
+    """
+
+    rank: int
+    unknowns: int
+    ratio: float
+    directions: tuple[Direction, ...]
+
+
+def observability(asked: Problem, unknowns: Reals) -> Observability:
+    """At one target (k,)."""
+    at = unknowns[None, :]
+    linear = linearised(asked, at, np.zeros((1, len(asked.used.values))))
+    _, singular, right = np.linalg.svd(linear.jacobian[0], full_matrices=True)
+    k = asked.unknowns
+    padded = np.concatenate([singular, np.zeros(k - len(singular))])
+    top = float(padded[0])
+    fine = padded > rank_tolerance(asked) * top if top > 0 else np.zeros(k, np.bool_)
+    rank = int(fine.sum())
+    free = _readable(right[rank:]) / linear.scale[0]
+    told = tuple(_direction(asked, linear, unknowns, row) for row in free)
+    return Observability(rank, k, float(padded[-1] / top) if top > 0 else 0.0, told)
+
+
+def weakest(asked: Problem, unknowns: Reals) -> tuple[Direction, float]:
+    """The direction of position that is known worst, and its 1-sigma in m."""
+    d = asked.stations.dimension
+    covariance = position_velocity_covariance(asked, unknowns)[:d, :d]
+    values, vectors = np.linalg.eigh(covariance)
+    row = np.concatenate([vectors[:, -1], np.zeros(asked.unknowns - d)])
+    linear = linearised(asked, unknowns[None, :], np.zeros((1, len(asked.used.values))))
+    return _direction(asked, linear, unknowns, row, alone=True), float(np.sqrt(values[-1]))
+
+
+def position_velocity_covariance(asked: Problem, unknowns: Reals) -> Reals:
+    """(k, k) at one target, through the triangle of the QR factorisation."""
+    at = linearised(asked, unknowns[None, :], np.zeros((1, len(asked.used.values))))
+    triangle = np.linalg.qr(at.jacobian[0])[1]
+    root = np.linalg.solve(triangle, np.eye(len(triangle))) / at.scale[0][:, None]
+    return np.asarray(root @ root.T)
+
+
+def _readable(null: Reals) -> Reals:
+    """Another basis of the rows' space: reduced row echelon form, each row of length one."""
+    rows = np.array(null)
+    taken: list[int] = []
+    for i in range(len(rows)):
+        left = np.abs(rows[i:])
+        # the later component of equal ones: height before x, velocity before position
+        best = left.max() * (1 - 1e-9)
+        at, column = max(np.argwhere(left >= best).tolist(), key=lambda place: place[1])
+        rows[[i, i + at]] = rows[[i + at, i]]
+        rows[i] /= rows[i, column]
+        for j in range(len(rows)):
+            if j != i:
+                rows[j] -= rows[j, column] * rows[i]
+        taken.append(column)
+    order = np.argsort(taken)
+    rows = rows[order]
+    return np.asarray(rows / np.linalg.norm(rows, axis=1)[:, None]) if len(rows) else rows
+
+
+def _direction(
+    asked: Problem, linear: Linear, unknowns: Reals, row: Reals, alone: bool = False
+) -> Direction:
+    d = asked.stations.dimension
+    weight = np.abs(row * linear.scale[0])
+    row = np.where(weight > NOTHING * weight.max(), row, 0.0)
+    place, motion = row[:d], row[d:]
+    size = float(np.linalg.norm(place)) or float(np.linalg.norm(motion))
+    place, motion = place / size, motion / size
+    biases = () if alone else _following(asked, unknowns, np.concatenate([place, motion]))
+    said = " with ".join(
+        words
+        for words in (
+            _words("position", place, ""),
+            _words("velocity", motion, "" if not place.any() else " (m/s per m)"),
+        )
+        if words
+    )
+    if biases:
+        said += (
+            f" (and the bias{'es' if len(biases) > 1 else ''} of {listed([b[0] for b in biases])})"
+        )
+    return Direction(tuple(place.tolist()), tuple(motion.tolist()), biases, said)
+
+
+def _words(what: str, part: Reals, unit: str) -> str:
+    if not part.any():
+        return ""
+    (axes,) = np.nonzero(part)
+    if len(axes) == 1 and not unit:
+        return f"{what} along {AXES[axes[0]]}"
+    return f"{what} along ({', '.join(f'{value:.4g}' for value in part.tolist())}){unit}"
+
+
+def _following(asked: Problem, unknowns: Reals, row: Reals) -> tuple[tuple[str, float], ...]:
+    """The biases that change with a free direction so that no range changes."""
+    if not asked.columns.shape[1]:
+        return ()
+    found = seen(asked.stations, *asked.split(unknowns[None, :]))
+    moved = jacobian(asked, found)[0] @ row
+    change = -np.linalg.lstsq(asked.white @ asked.columns, moved, rcond=None)[0]
+    names = [asked.stations.names[i] for i in asked.biases] or ["all stations"]
+    return tuple(
+        (name, value)
+        for name, value in zip(names, change.tolist(), strict=True)
+        if abs(value) > NOTHING * (1 + np.abs(change).max())
+    )
+
+
+def shape_words(given: Stations, position: Reals) -> str:
+    """How stations and target lie, in words: an explanation, on which nothing is decided."""
+    apart = given.positions - given.centre
+    _, sizes, axes = np.linalg.svd(apart, full_matrices=True)
+    spread = given.spread
+    flat = int((sizes > FLAT * max(spread, 1e-300)).sum()) if spread > 0 else 0
+    d = given.dimension
+    if flat == 0:
+        return "there is one station" if len(given.names) == 1 else "all stations are in one place"
+    if flat == d:
+        return ""
+    where = "on a line" if flat == 1 else "in a plane"
+    off = float(np.linalg.norm(axes[flat:] @ (position - given.centre)))
+    on = off <= 1e-6 * max(spread, float(np.linalg.norm(position - given.centre)))
+    return f"the stations lie {where}" + (" and the target on it" if on else "")
+
+
+def motion_words(asked: Problem, unknowns: Reals) -> str:
+    """Whether range rates tell anything of position there, in words."""
+    if not asked.velocity:
+        return ""
+    found = seen(asked.stations, *asked.split(unknowns[None, :]))
+    if not found.speed.any():
+        return "nothing moves, so that range rates say nothing of the position"
+    if np.linalg.norm(found.turn, axis=2).max() <= RADIAL * (found.speed / found.distance).max():
+        return "all motion is along the lines of sight, so that range rates say nothing of position"
+    return ""
+
+
+def listed(words: Sequence[str]) -> str:
+    """a, b and c."""
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

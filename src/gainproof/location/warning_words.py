@@ -1,0 +1,52 @@
+"""What an estimate has to be taken with, as sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gainproof.fixed_gain.arguments import Reals
+from gainproof.location.ambiguity import Candidate, mirror_words
+from gainproof.location.measurement import seen
+from gainproof.location.problem import Problem
+
+AMBIGUOUS = "ambiguous"
+WIDE = 0.1
+"""Share of the distance to the nearest station that a 1-sigma may have for a linear covariance."""
+
+
+def warnings(
+    asked: Problem, best: Candidate, others: Sequence[Candidate], covariance: Reals
+) -> tuple[str, ...]:
+    """Other places; a covariance too wide to be linear; nothing left to check by."""
+    found = [_other(asked, best, each) for each in others]
+    d = asked.stations.dimension
+    deviation = float(np.sqrt(np.linalg.eigvalsh(covariance[:d, :d])[-1]))
+    near = seen(asked.stations, *asked.split(best.unknowns[None, :])).distance[0]
+    nearest = int(np.argmin(near))
+    if deviation > WIDE * near[nearest]:
+        found.append(
+            f"the 1-sigma of the position reaches {deviation:.3g} m and the nearest station, "
+            f"{asked.stations.names[nearest]}, is {near[nearest]:.3g} m away: the covariance, that "
+            "of the linear model, says little there"
+        )
+    if len(asked.used.values) == asked.unknowns + asked.columns.shape[1]:
+        found.append("there are as many unknowns as observations: no residual is left to check by")
+    return tuple(found)
+
+
+def _other(asked: Problem, best: Candidate, other: Candidate) -> str:
+    place, velocity = asked.split(other.unknowns[None, :])
+    where = f"({_numbers(place[0], 1)}) m"
+    if asked.velocity:
+        where += f" with velocity ({_numbers(velocity[0], 3)}) m/s"
+    mirror = mirror_words(asked, best.unknowns, other.unknowns)
+    costs = f"cost {other.cost:.3g} against {best.cost:.3g}"
+    if mirror:
+        return f"{AMBIGUOUS}: {where}, {mirror}, explains the observations as well ({costs})"
+    return f"{AMBIGUOUS}: {where} explains the observations as well ({costs})"
+
+
+def _numbers(values: Reals, places: int) -> str:
+    return ", ".join(f"{value + 0.0:.{places}f}" for value in np.round(values, places).tolist())
