@@ -31,7 +31,8 @@ from gainproof.derive.fixed_gain.interacting_steps_filter import meaning
 from gainproof.derive.words.expression import ZERO, symbol, unit
 from gainproof.derive.words.hypotheses import equation, symmetric
 from gainproof.derive.words.search import Search
-from gainproof.derive.words.statement import Statement, prove_equal, prove_traces_equal
+from gainproof.derive.words.statement import Statement, prove_equal
+from gainproof.derive.words.traces import prove_traces_equal
 
 LOOP = closed(CHANGED)
 STATE = symbol("state")

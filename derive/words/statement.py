@@ -46,7 +46,7 @@ class Statement:
         )
 
 
-def _made(
+def made(
     search: Search, name: str, kind: str, claim: Mapping[str, Any], evidence: Mapping[str, Any]
 ) -> Statement:
     """The statement with the hypotheses that were needed, and numbered evidence."""
@@ -80,7 +80,7 @@ def prove_equal(name: str, search: Search, left: Expression, right: Expression) 
     """left = right, as a combination of the equations of the search."""
     one, other = search.setting.pair(left, right)
     cofactors = search.vanishing(one - other, name)
-    return _made(
+    return made(
         search, name, "matrix_equal", {"left": left, "right": right}, {"cofactors": cofactors}
     )
 
@@ -97,17 +97,35 @@ def prove_equal_by_definite(
         "definite": reference,
         "side": side,
     }
-    return _made(search, name, "matrix_equal", {"left": left, "right": right}, evidence)
+    return made(search, name, "matrix_equal", {"left": left, "right": right}, evidence)
+
+
+def prove_equal_by_orders(
+    name: str, search: Search, left: Expression, right: Expression, above: Any, below: Any
+) -> Statement:
+    """left = right since left - right is >= 0, being what `above` says is, and so is minus it."""
+    one, other = search.setting.pair(left, right)
+    (reference, known), (opposite, minus) = (search.definite(entry) for entry in (above, below))
+    evidence = {
+        "above": reference,
+        "below": opposite,
+        "cofactors": search.vanishing(one - other - known, name),
+        "opposite": search.vanishing(known + minus, name),
+    }
+    return made(search, name, "matrix_equal", {"left": left, "right": right}, evidence)
 
 
 @dataclass(frozen=True)
 class Square:
-    """weight F' D F; `middle`: what D is known by; `left_inverse`: for a strict order, L_k."""
+    """weight F' D F; `middle`: what D is known by; `left_inverse`: for a strict order, L_k, of
+    F_k or, where `through`, of D_k F_k, D_k being semidefinite only.
+    """
 
     factor: Expression
     middle: Any
     weight: Expression | None = None
     left_inverse: Expression | None = None
+    through: bool = False
 
 
 def prove_order(
@@ -117,8 +135,11 @@ def prove_order(
     smaller: Expression,
     squares: Sequence[Square],
     strict: bool = False,
+    rank: Hypothesis | None = None,
 ) -> Statement:
-    """larger >= smaller or, where left inverses of the squares' factors show it, >."""
+    """larger >= smaller or, where left inverses of the squares' factors show it, >; `rank`: the
+    same where the factor of the only square is a letter of full column rank by this hypothesis.
+    """
     one, other = search.setting.pair(larger, smaller)
     rest = one - other
     listed = []
@@ -136,16 +157,21 @@ def prove_order(
         if strict and square.left_inverse is not None:
             inverse = search.setting.expand(square.left_inverse)
             inverse = -inverse if turned else inverse
-            inverses.append([number, inverse.data()])
-            unit = unit - inverse @ factor
+            through = ["middle"] if square.through else []
+            inverses.append([number, inverse.data(), *through])
+            unit = unit - inverse @ (matrix @ factor if square.through else factor)
     evidence: dict[str, Any] = {"squares": listed, "cofactors": search.vanishing(rest, name)}
-    if strict:
+    if rank is not None:
+        number = search.marked(rank)[1]
+        evidence["rank"] = {"square": 0, "given": sorted(search.used).index(number)}
+    elif strict:
         evidence["rank"] = {
             "left_inverses": inverses,
             "cofactors": search.vanishing(unit, name),
         }
-    claim = {"larger": larger, "smaller": smaller, "relation": ">" if strict else ">="}
-    return _made(search, name, "matrix_order", claim, evidence)
+    relation = ">" if strict or rank is not None else ">="
+    claim = {"larger": larger, "smaller": smaller, "relation": relation}
+    return made(search, name, "matrix_order", claim, evidence)
 
 
 def prove_invertible(name: str, search: Search, matrix: str, because: Any) -> Statement:
@@ -160,28 +186,4 @@ def prove_invertible(name: str, search: Search, matrix: str, because: Any) -> St
         }
     else:
         evidence = {"because": search.marked(because)}
-    return _made(search, name, "matrix_invertible", {"matrix": matrix}, evidence)
-
-
-def prove_traces_equal(
-    name: str,
-    search: Search,
-    left: Expression,
-    right: Expression,
-    used: Sequence[tuple[Expression, Any, Expression]],
-) -> Statement:
-    """tr left = tr right; `used`: left factor, equation (a hypothesis or statement), right factor
-    of each product that is taken away.
-    """
-    entries = []
-    for before, source, after in used:
-        one, other = search.setting.expand(before), search.setting.expand(after)
-        assert one.shape is not None
-        cofactor = {
-            "source": search.marked(source),
-            "left": one.data(),
-            "right": other.data(),
-        }
-        entries.append({"size": one.shape[0], "cofactors": [cofactor]})
-    evidence = {"used": entries}
-    return _made(search, name, "matrix_trace", {"left": left, "right": right}, evidence)
+    return made(search, name, "matrix_invertible", {"matrix": matrix}, evidence)

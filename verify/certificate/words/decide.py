@@ -11,6 +11,7 @@ from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.rejection import MalformedError, RejectedError
 from gainproof.verify.certificate.words.combination import require_combination
 from gainproof.verify.certificate.words.definite import (
+    require_both_orders,
     require_full_rank,
     require_order,
     require_vanishing,
@@ -87,8 +88,9 @@ def _ground(setting: Setting, given: Plain, premise: Premise, place: str) -> Gro
 
 
 def _equal(statement: Statement, ground: Ground) -> Conclusion:
-    """matrix_equal {"left", "right", "given"}; {"cofactors"} or {"cofactors", "definite", "side"}:
-    the difference is a combination of equations, or vanishes since N' D N does and D > 0.
+    """matrix_equal {"left", "right", "given"}; {"cofactors"}, {"cofactors", "definite", "side"} or
+    {"cofactors", "above", "below", "opposite"}: the difference is a combination of equations,
+    vanishes since N' D N does and D > 0, or is both >= 0 and <= 0.
     """
     place = statement.id
     claim = schema.record(statement.claim, ("left", "right", "given"), f"{place}.claim")
@@ -98,6 +100,8 @@ def _equal(statement: Statement, ground: Ground) -> Conclusion:
     if "side" in evidence:
         evidence = schema.record(evidence, ("cofactors", "definite", "side"), f"{place}.evidence")
         require_vanishing(difference, evidence, ground, f"{place}.evidence")
+    elif "above" in evidence:
+        require_both_orders(difference, evidence, ground, f"{place}.evidence")
     else:
         evidence = schema.record(evidence, ("cofactors",), f"{place}.evidence")
         require_combination(difference, evidence["cofactors"], ground, f"{place}.evidence")

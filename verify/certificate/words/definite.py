@@ -1,14 +1,18 @@
 """What is known to be positive (semi)definite, and what follows from it.
 
 A reference is ["given", n], a letter by hypothesis; ["statement", id], larger - smaller of an
-earlier order; ["unit", size], x' x > 0. Three rules, D standing for what is so known:
+earlier order; ["unit", size], x' x > 0. Four rules, D standing for what is so known:
 
 1. `squares`. c F' D F >= 0 for c > 0 and D >= 0: with y = F x, x' (c F' D F) x = c y' D y >= 0.
    Sums of such terms are >= 0, being sums of numbers >= 0.
 2. `require_full_rank`. A sum of c_k F_k' D_k F_k is > 0 if D_k > 0 and sum L_k F_k = I over some k:
    were x' (sum) x = 0, each F_k x = 0, hence x = sum L_k F_k x = 0. The same for one F_k of full
-   column rank: F_k x = 0 only for x = 0.
+   column rank: F_k x = 0 only for x = 0. Where D_k >= 0 only, D_k F_k stands for F_k: with
+   y = F_k x and y' D_k y = 0, for every u and number s, (y + s u)' D_k (y + s u) = 2 s u' D_k y +
+   s^2 u' D_k u is not negative, D_k being symmetric, hence u' D_k y = 0, and so D_k y = 0.
 3. `require_vanishing`. N' D N = 0 with D > 0 makes N = 0: (N x)' D (N x) = 0 only for N x = 0.
+4. `require_both_orders`. N >= 0 and -N >= 0 make N = 0: then x' N x = 0 for all x, so by polarity
+   2 x' N y = (x + y)' N (x + y) - x' N x - y' N y = 0 for all x and y, N being symmetric.
 
 Schur complements, orders of inverses, M = F X F' + Q and Joseph's form need no rules of their own:
 they are such sums of squares.
@@ -30,10 +34,11 @@ MAXIMUM_SQUARES = 50
 
 @dataclass(frozen=True, slots=True)
 class Square:
-    """c F' D F with F = `factor`; `strict`: D is positive definite."""
+    """c F' D F with F = `factor` and D = `middle`; `strict`: D is positive definite."""
 
     value: Polynomial
     factor: Polynomial
+    middle: Polynomial
     strict: bool
 
 
@@ -85,7 +90,7 @@ def squares(value: Plain, shape: Shape, ground: Ground, place: str) -> list[Squa
             # minus the factor has the same square
             raise RejectedError(f"{here}: the first term of a factor is positive")
         product = factor.transposed(meter).times(middle, meter, here).times(factor, meter, here)
-        found.append(Square(weight.times(product, meter, here), factor, strict))
+        found.append(Square(weight.times(product, meter, here), factor, middle, strict))
     return found
 
 
@@ -108,7 +113,8 @@ def require_full_rank(
     """Reject unless the squares together vanish at zero only. Rule 2.
 
     {"left_inverses": [[k, polynomial], ...], "cofactors"}: the unit matrix less the sum of
-    L_k F_k; or {"square": k, "given": n}: F_k is one letter, of full column rank by hypothesis.
+    L_k F_k, for [k, polynomial, "middle"] of L_k D_k F_k; or {"square": k, "given": n}: F_k is one
+    letter, of full column rank by hypothesis.
     """
     setting, meter = ground.setting, ground.setting.meter
     if "square" in schema.table(value, place):
@@ -122,9 +128,13 @@ def require_full_rank(
     rest = setting.unit(shape[0])
     for entry in schema.items(fields["left_inverses"], place):
         pair = schema.items(entry, place)
-        if len(pair) != 2:
+        if len(pair) != 2 and pair[2:] != ["middle"]:
             raise MalformedError(f"{place}: pairs of a number and a polynomial are wanted")
-        factor = _strict(found, pair[0], place).factor
+        if len(pair) == 2:
+            factor = _strict(found, pair[0], place).factor
+        else:
+            square = found[schema.integer(pair[0], 0, len(found) - 1, place)]
+            factor = square.middle.times(square.factor, meter, place)
         assert factor.shape is not None
         inverse = setting.polynomial(pair[1], (shape[0], factor.shape[0]), place)
         rest = rest.minus(inverse.times(factor, meter, place), meter, place)
@@ -150,6 +160,22 @@ def require_vanishing(
     total = combination(evidence["cofactors"], product.shape, ground, place)
     if product.minus(total, meter, place).terms:
         raise RejectedError(f"{place}: the product is not shown to vanish")
+
+
+def require_both_orders(difference: Polynomial, value: Plain, ground: Ground, place: str) -> None:
+    """Reject unless the difference and minus it are known to be positive semidefinite. Rule 4.
+
+    {"above": reference, "below": reference, "cofactors", "opposite"}: the difference less what is
+    known "above" is the combination "cofactors", the sum of both is the combination "opposite".
+    """
+    evidence = schema.record(value, ("above", "below", "cofactors", "opposite"), place)
+    meter = ground.setting.meter
+    above, _ = known_definite(evidence["above"], ground, f"{place}.above")
+    below, _ = known_definite(evidence["below"], ground, f"{place}.below")
+    rest = difference.minus(above, meter, place)
+    require_combination(rest, evidence["cofactors"], ground, f"{place}.cofactors")
+    total = above.plus(below, meter, place)
+    require_combination(total, evidence["opposite"], ground, f"{place}.opposite")
 
 
 def _strict(found: list[Square], number: Plain, place: str) -> Square:
