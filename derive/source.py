@@ -84,6 +84,14 @@ SUZUKI = Source(
     "Bulletin of a university",
     "the closed form of the steady state with position and velocity measured",
 )
+DOPPLER = Source(
+    "kosuge-doppler",
+    "Y. Kosuge, T. Koga, H. Miyazaki, X. Lu, T. Inaba",
+    "Estimation of Location and Velocity Using Range and Doppler Measurements in a Multipath "
+    "Environment by Taylor-series Estimation Method (in Japanese)",
+    "IEICE Transactions on Communications (Japanese Edition), doi 10.14923/transcomj.2019JBP3014",
+    "location from range and Doppler where each range may have a bias of its own",
+)
 MATRICES = Source(
     "lancaster-tismenetsky-1985",
     "P. Lancaster, M. Tismenetsky",
@@ -103,4 +111,5 @@ SOURCES: tuple[Source, ...] = (
     PROBABILITY,
     SUZUKI,
     MATRICES,
+    DOPPLER,
 )
