@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import pkgutil
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +13,15 @@ import pytest
 import sympy as sp
 from graph_kernels import module_of, several_of
 
+import gainproof.generated
+from gainproof.bad_input import BadInputError
 from gainproof.bench import measure
 from gainproof.bench.accuracy import terms
+from gainproof.bench.arguments import sample
 from gainproof.bench.compiler import compiled, compiler
 from gainproof.bench.solver import matrix, solver_seconds
-from gainproof.bench.subjects import Measured
+from gainproof.bench.subjects import Measured, measured_kernels
+from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.filter_step import subject
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.c_source import c_source
@@ -23,6 +29,7 @@ from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
 from gainproof.generated import filter_step
+from gainproof.generated._signature import Signature
 
 NAMES = ("tracking_index", "velocity_ratio")
 SQUARE = {"nodes": [["symbol", "velocity_ratio"], ["mul", 0, 0]], "outputs": {"value": 1}}
@@ -96,6 +103,7 @@ def test_a_wrong_value_is_seen() -> None:
 def test_the_solver_gets_the_model_at_the_point() -> None:
     assert matrix(MODEL["measurement_noise"], {"velocity_ratio": 3.0}).tolist() == [[1, 0], [0, 9]]
     assert solver_seconds(MODEL, ("alpha",)) is None
+    assert solver_seconds(MODEL, ("tracking_index",)) is None, "the ratio has no value"
     seconds = solver_seconds(MODEL, NAMES)
     assert seconds is not None
     assert seconds > 0
@@ -117,7 +125,7 @@ def test_a_kernel_of_signed_inputs_is_measured_over_its_terms(
         None,
         None,
     )
-    given = measure.sample(measured)
+    given = sample(measured.signature, 100)
     assert {bool((x < 0).any()) for x in given} == {True, False}
     found = measure.figures(measured, tmp_path)
     assert 0 < found.worst <= found.proved
@@ -129,3 +137,30 @@ def test_terms_are_taken_positive() -> None:
     x, y = builder.symbol("x"), builder.symbol("y")
     graph = builder.graph({"z": x * y - x})
     assert float(terms(graph, {"x": -2.0, "y": 3.0})["z"]) == 8.0
+
+
+def test_every_kernel_takes_the_arguments_that_it_is_timed_at() -> None:
+    for found in pkgutil.iter_modules(gainproof.generated.__path__, "gainproof.generated."):
+        module = import_module(found.name)
+        for signature in vars(module).values():
+            if not isinstance(signature, Signature):
+                continue
+            function = getattr(module, signature.name)
+            assert np.isfinite(function(*sample(signature, 200))).all(), signature.name
+
+
+def test_an_unknown_subject() -> None:
+    with pytest.raises(BadInputError, match="no subject is called 'random-jerks'; nearest: random"):
+        next(measured_kernels(["random-jerks"]))
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
+def test_every_kernel_is_measured(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(measure, "ERROR_POINTS", 3)
+    for item in measured_kernels([name]):
+        found = measure.figures(item, tmp_path)
+        assert found.worst <= found.proved, item.kernel.name

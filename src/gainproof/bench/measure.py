@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from gainproof.bench.accuracy import ball_outputs, error, log_uniform, signed_points, terms
+from gainproof.bench.arguments import sample
 from gainproof.bench.compiler import Arrays, compiled, compiler
 from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
@@ -45,7 +45,7 @@ class Figures:
 
 def figures(item: Measured, folder: Path) -> Figures:
     """Measure one kernel."""
-    given = sample(item)
+    given = sample(item.signature, SIZE)
     outputs = [np.empty_like(given[0]) for _ in item.kernel.outputs]
     calls: dict[str, Callable[[], object]] = {
         "kernel": lambda: item.function(*given, out=tuple(outputs)),
@@ -75,29 +75,6 @@ def figures(item: Measured, folder: Path) -> Figures:
         worst,
         proved,
     )
-
-
-def sample(item: Measured) -> Arrays:
-    """A million arguments inside the domain: parameters from 1e-6 to 1e6, gains, sample numbers;
-    states and gains of either sign up to 1e3.
-    """
-    generator = np.random.default_rng(20)
-    return [
-        generator.choice([-1.0, 1.0], SIZE) * 10.0 ** generator.uniform(-6, 3, SIZE)
-        if given.signed
-        else _arguments(given.integer, low, high, generator)
-        for given, (low, high) in zip(item.kernel.inputs, item.bound.inputs, strict=True)
-    ]
-
-
-def _arguments(
-    whole: bool, low: float, high: float, generator: np.random.Generator
-) -> NDArray[np.float64]:
-    if whole:
-        return np.asarray(generator.integers(int(max(low, 3)), 10**6, SIZE), np.float64)
-    if high > 10:
-        return 10.0 ** generator.uniform(-6, 6, SIZE)
-    return generator.uniform(0.001 * high, 0.999 * high, SIZE)
 
 
 def bare_passes(item: Measured, given: Arrays) -> Callable[[], object]:

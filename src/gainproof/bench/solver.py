@@ -17,12 +17,21 @@ MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
 
 
 def solver_seconds(model: Mapping[str, Any], names: Sequence[str]) -> float | None:
-    """Seconds a point; None without SciPy, or where no input is the tracking index.
+    """Seconds a point; None without SciPy, where no input is the tracking index, or where the
+    model has parameters that are none: a kernel of a limit of the model.
 
     All inputs are taken from 0.01 to 100. The process noise of the model is that for index 1; an
     entry of a matrix is a number as text, or a graph over the other inputs.
     """
-    if "tracking_index" not in names:
+    entries = [entry for key in MATRICES for row in model[key] for entry in row]
+    symbols = {
+        node[1]
+        for entry in entries
+        if not isinstance(entry, str)
+        for node in entry["nodes"]
+        if node[0] == "symbol"
+    }
+    if not {"tracking_index", *symbols} <= set(names):
         return None
     try:
         from scipy.linalg import solve_discrete_are

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
 import sympy as sp
 
+from gainproof.bad_input import unknown_name
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.printer.bound import KernelBound, prove
 from gainproof.derive.printer.formats import FLOAT64
@@ -29,14 +30,22 @@ class Measured:
     model: Mapping[str, Any] | None
 
 
-def measured_kernels() -> Iterator[Measured]:
-    """Every kernel of the catalogue, in its order, but for those of a library's functions."""
+def measured_kernels(chosen: Sequence[str] = ()) -> Iterator[Measured]:
+    """Every kernel of the catalogue or of the chosen subjects, in its order, but for those of a
+    library's functions. Raises BadInputError for a subject that is none.
+    """
+    names = [entry.name for entry in CATALOGUE]
+    for name in chosen:
+        if name not in names:
+            raise unknown_name("subject", name, names)
     for entry in CATALOGUE:
+        if chosen and entry.name not in chosen:
+            continue
         subject = entry.build()
         module = import_module(f"gainproof.generated.{subject.module.name}")
         textbook = subject.textbook()
         for kernel in subject.module.kernels:
-            if kernel.requirements or calls_library(kernel):
+            if calls_library(kernel):
                 continue
             yield Measured(
                 subject.name,

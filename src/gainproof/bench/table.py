@@ -14,7 +14,7 @@ from gainproof.bench.subjects import measured_kernels
 HEADER = ("kernel", "over C", "passes/C", "lambdify over", "SciPy over", "worst eps", "proved eps")
 
 
-def print_table(_options: argparse.Namespace) -> None:
+def print_table(options: argparse.Namespace) -> None:
     """Measure and print kernel by kernel, so that a long run shows where it is."""
     command = compiler()
     if command is None:
@@ -25,7 +25,7 @@ def print_table(_options: argparse.Namespace) -> None:
     print(_row(*HEADER))
     with tempfile.TemporaryDirectory() as folder:
         subject = ""
-        for item in measured_kernels():
+        for item in measured_kernels(options.subject):
             if item.subject != subject:
                 subject = item.subject
                 print(f"{subject}")

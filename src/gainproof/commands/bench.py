@@ -13,7 +13,10 @@ MODULE = "gainproof.bench"
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
-    """No options."""
+    """One optional argument."""
+    parser.add_argument(
+        "subject", metavar="SUBJECT", nargs="*", help="which (see `list`); without it: all, minutes"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
