@@ -17,7 +17,9 @@ format that are not equal differ by a unit in the last place of the smaller one 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+from gainproof.derive.printer.formats import Format
 
 LARGER = 1.0 + 2.0**-40  # than a few roundings of these bounds themselves
 
@@ -41,3 +43,23 @@ class Reference:
     def clean(self) -> bool:
         """Whether its relative error is bounded."""
         return self.tight and not self.stray
+
+
+SETTLED = 2.0**-10  # of a rounding: what a stray may be beside a radicand's least value
+FEW = 100.0  # roundings: the square of their relative error is below SETTLED of one, at 2^-24 too
+
+
+def settled(found: Reference, least: float, form: Format) -> Reference:
+    """A radicand whose root is required to be at least `least`: a stray that is nothing beside the
+    square of `least` counts as a part of a rounding.
+
+    The root is required as it is computed. As neither the few roundings nor the stray change the
+    radicand by 2^-10 of itself, it is so for the true one, but for the factor in which `least` is
+    below what is required; and the stray is at most SETTLED u of it. Twice that part, since an
+    error v ((1 - u)^-n - 1) may leave less than v (1 - u)^n, by less than its own square.
+    """
+    room = least * least * form.unit_roundoff * SETTLED / LARGER
+    few = found.tight and found.sign > 0 and found.count <= FEW
+    if not few or found.stray > room:
+        return found
+    return replace(found, count=found.count + (2.0 * SETTLED if found.stray else 0.0), stray=0.0)

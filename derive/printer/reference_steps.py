@@ -12,7 +12,7 @@ from gainproof.derive.printer.formats import FLOAT32, Format
 from gainproof.derive.printer.kernel import Requirement
 from gainproof.derive.printer.library import ULP
 from gainproof.derive.printer.program import FUNCTIONS, Program, Step
-from gainproof.derive.printer.reference import LARGER, Reference
+from gainproof.derive.printer.reference import LARGER, Reference, settled
 from gainproof.derive.printer.reference_calls import called
 from gainproof.derive.printer.value import Box, PrintingError
 
@@ -41,7 +41,10 @@ class References:
         least = {self.program.outputs[each.name]: self._least(each) for each in requirements}
         for number, step in enumerate(self.program.steps):
             try:
-                found = self._step(number, step, [self.steps[part] for part in step.operands])
+                parts = [self.steps[part] for part in step.operands]
+                if number in least and step.operation == "sqrt":
+                    parts = [settled(parts[0], least[number], self.form)]
+                found = self._step(number, step, parts)
             except PrintingError as error:
                 label = f" ({step.label})" if step.label else ""
                 raise PrintingError(f"node {step.node}{label}: {error}") from None

@@ -1,8 +1,9 @@
-"""Points at which the kernels of polar coordinates are measured, and what they promise."""
+"""Points at which kernels of signed inputs are measured, and what they promise."""
 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -10,8 +11,6 @@ from typing import Any
 import flint
 import numpy as np
 from numpy.typing import NDArray
-
-from gainproof.generated import polar_coordinates
 
 EPSILON = {"float64": 2.0**-52, "float32": 2.0**-23}
 BITS = 400
@@ -53,7 +52,7 @@ def promises(function: Callable[..., Any]) -> dict[str, Promise]:
 
 def signature(function: Callable[..., Any]) -> Any:
     """The domains and outputs of a kernel."""
-    return getattr(polar_coordinates, f"_{function.__name__.upper()}")
+    return getattr(sys.modules[function.__module__], f"_{function.__name__.upper()}")
 
 
 def points(function: Callable[..., Any], dtype: str, count: int, seed: int) -> NDArray[Any]:
@@ -66,7 +65,8 @@ def points(function: Callable[..., Any], dtype: str, count: int, seed: int) -> N
     rows = []
     for domain in signature(function).inputs:
         low, high = domain.single if dtype == "float32" else domain.double
-        wide = np.exp(generator.uniform(np.log(low), np.log(high), count))
+        least = low or high / 1e50  # from 0 on: far enough down
+        wide = np.exp(generator.uniform(np.log(least), np.log(high), count))
         usual = generator.uniform(0.1, min(high, 1e4), count)
         quarter = np.minimum(high, generator.integers(1, 5, count) * (np.pi / 2))
         near = quarter * (1 + generator.integers(-3, 4, count) * EPSILON[dtype])
@@ -86,8 +86,9 @@ def allowed(function: Callable[..., Any], given: NDArray[Any]) -> NDArray[Any]:
     """Those points at which a kernel does not refuse its inputs for what they are together."""
     for required in signature(function).required:
         least = required.single if given.dtype == np.float32 else required.double
-        names = [domain.name for domain in signature(function).inputs]
-        apart = np.hypot(given[names.index("x")], given[names.index("y")])
+        apart = np.empty(given.shape[1])
+        work = [np.empty_like(apart) for _ in range(required.work)]
+        required.block(list(given.astype(np.float64)), [apart], work, False)
         given = given[:, apart > 1.001 * least]
     return given
 

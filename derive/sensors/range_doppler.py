@@ -1,0 +1,52 @@
+"""Range and Doppler: range and range rate between moving points, with their derivatives."""
+
+from __future__ import annotations
+
+from gainproof.derive.derivation import Derivation
+from gainproof.derive.sensors.range_doppler_graphs import graphs
+from gainproof.derive.sensors.range_doppler_module import kernel_module
+from gainproof.derive.sensors.range_doppler_setting import LATEX, SETTING
+from gainproof.derive.sensors.range_doppler_steps_hessian import hessian_steps
+from gainproof.derive.sensors.range_doppler_steps_kernels import component_steps, kernel_steps
+from gainproof.derive.sensors.range_doppler_steps_linear import range_steps, rate_steps
+from gainproof.derive.sensors.range_doppler_steps_value import value_steps
+from gainproof.derive.sensors.range_doppler_towers import towers
+from gainproof.derive.source import DOPPLER, ELEMENTARY
+from gainproof.derive.subject import Program, Subject
+
+NAME = "range-doppler"
+TITLE = "Range and Doppler of moving targets from moving stations"
+OPENING = (
+    "What a station measures of a target's position and velocity, range and range rate, with all "
+    "derivatives, in unit vectors and one over the range. What is said of vectors is proved for "
+    "every number of dimensions, as an implication: what it takes for granted stands below it, "
+    "after if. X >= Y between inner products is the order of numbers."
+)
+
+
+def build() -> Subject:
+    """Derive range, range rate, their derivatives and what is left beyond these."""
+    made = graphs()
+    held = {tower.name: tower for tower in towers()}
+    steps = (
+        *value_steps(),
+        *range_steps(),
+        *rate_steps(),
+        *hessian_steps(),
+        *component_steps(tuple(held.values())),
+        *kernel_steps(made),
+    )
+    return Subject(
+        name=NAME,
+        title=TITLE,
+        model=None,
+        derivation=Derivation(OPENING, steps, (DOPPLER.key, ELEMENTARY.key), LATEX),
+        towers=held,
+        programs={
+            name: Program({str(n[1]): str(n[1]) for n in graph["nodes"] if n[0] == "symbol"}, graph)
+            for name, graph in made.items()
+        },
+        module=kernel_module(NAME, TITLE, made),
+        textbook=dict,
+        settings={SETTING.name: SETTING},
+    )

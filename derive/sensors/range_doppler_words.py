@@ -1,0 +1,77 @@
+"""What the kernels of range and Doppler say of themselves."""
+
+from __future__ import annotations
+
+from gainproof.derive.sensors.range_doppler_names import PLANE
+
+_BY = {
+    "range": ("range", {"": "dimensionless"}),
+    "range_rate": ("range rate", {"": "1/s", "velocity_": "dimensionless"}),
+}
+"""Quantity of a derivative, and its unit by what it is taken by."""
+
+
+def of_input(entry: str) -> str:
+    """A position or a velocity."""
+    who, _, rest = entry.partition("_")
+    axis = entry[-1]
+    if rest.startswith("velocity"):
+        return f"velocity of the {who} along {axis}, m/s"
+    return f"position of the {who} along {axis}, m"
+
+
+def meaning(entry: str) -> str:
+    """An output."""
+    if entry in _VALUES:
+        return _VALUES[entry]
+    what, _, by = entry.partition("_D_")
+    word, units = _BY[what]
+    kind = "velocity_" if by.startswith("velocity_") else ""
+    text = f"derivative of the {word} by the target's {'velocity' if kind else 'position'}"
+    return f"{text} along {by[-1]}, {units[kind]}"
+
+
+_VALUES = {
+    "slant_range": "distance of the target from the station, m",
+    "range_rate": "its rate, m/s, above 0 where the target goes away",
+}
+_SPACE = {
+    "slant_range": "Distance of targets from stations.",
+    "range_jacobian": "Derivative of the range: the unit vector from station to target.",
+    "range_rate": "Range rate of moving targets from moving stations.",
+    "range_rate_jacobian": "Derivative of the range rate by position and velocity.",
+    "range_doppler": "Range and range rate with their derivatives.",
+}
+SUMMARIES = {
+    f"{name}{end}": text.replace(".", " in the plane.") if end else text
+    for end in ("", PLANE)
+    for name, text in _SPACE.items()
+}
+_R = "r = target - station, f = |r|"
+_W = "r = target - station, f = |r|, u = r/f, w = target velocity - station velocity"
+_MINUS = "By the station's position and velocity the derivatives are these with the other sign"
+_SIZE = "The terms of g, |u_i w_i|, add up to at most |w|"
+_NEAR = (
+    "The terms of h add up to at most 2 |w|/f: where the target moves nearly along the line of",
+    "sight, w and g u nearly agree, and h has lost as many digits as |w| is larger than |h| f",
+)
+_EQUATIONS: dict[str, tuple[str, ...]] = {
+    "slant_range": (_R,),
+    "range_jacobian": (f"u = r/f, {_R}.", "By the station's position the derivative is -u"),
+    "range_rate": (f"g = u'w, {_W}.", _SIZE),
+    "range_rate_jacobian": (
+        "by the position h = (w - g u)/f with g = u'w, by the velocity u;",
+        f"{_W}.",
+        f"{_MINUS}.",
+        *_NEAR,
+    ),
+    "range_doppler": (
+        "f, g = u'w, their derivatives by the position u and h = (w - g u)/f, that of g by the",
+        "velocity, u;",
+        f"{_W}.",
+        f"{_MINUS}.",
+        f"{_SIZE}.",
+        *_NEAR,
+    ),
+}
+EQUATIONS = {f"{name}{end}": text for end in ("", PLANE) for name, text in _EQUATIONS.items()}

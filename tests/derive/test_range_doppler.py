@@ -1,0 +1,165 @@
+"""The derivation of range and Doppler, altered: what is false is refused."""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from catalogue_subjects import certificate
+
+from gainproof.derive.sensors.range_doppler_forms import Sight
+from gainproof.derive.sensors.range_doppler_graphs import graphs
+from gainproof.verify.certificate import check, check_statement
+
+Plain = dict[str, Any]
+KERNELS = sorted(graphs())
+
+
+@pytest.fixture(scope="module")
+def original() -> Plain:
+    plain: Plain = json.loads(json.dumps(certificate("range-doppler")))
+    return plain
+
+
+def test_as_derived_everything_is_decided(original: Plain) -> None:
+    report = check(original)
+    assert report.accepted, report.reason
+    found = [result.status for result in report.statements]
+    assert found.count("proved") >= 60
+    assert set(found) == {"proved", "cited", "definition"}
+
+
+def negated(poly: list[Any]) -> list[Any]:
+    return [[text[1:] if text[0] == "-" else f"-{text}", *rest] for text, *rest in poly]
+
+
+def turned_about(data: Plain) -> None:
+    """The unit vector from the target to the station."""
+    elements = data["towers"]["sight"]["elements"]
+    elements["unit"] = negated(elements["unit"])
+
+
+def along_the_sight(data: Plain) -> None:
+    """The velocity without its part along the line of sight taken out."""
+    elements = data["towers"]["sight"]["elements"]
+    elements["turning"] = elements["turning"][1:]
+
+
+def no_projection(data: Plain) -> None:
+    """I + u u' for I - u u'."""
+    elements = data["towers"]["sight"]["elements"]
+    elements["across"] = [elements["across"][0], *negated(elements["across"][1:])]
+
+
+@pytest.mark.parametrize(
+    ("alter", "noticed"),
+    [
+        (turned_about, {"rate", "range-convex", "range-remainder", "rate-remainder"}),
+        (along_the_sight, {"across-sight", "parts-of-velocity", "rate-remainder"}),
+        (no_projection, {"null-direction", "projection", "unit-remainder", "hessian-largest"}),
+    ],
+)
+def test_an_altered_letter_is_noticed(
+    alter: Callable[[Plain], None], noticed: set[str], original: Plain
+) -> None:
+    data = copy.deepcopy(original)
+    alter(data)
+    assert data != original
+    for name in noticed:
+        assert check_statement(original, name).status == "proved"
+        assert check_statement(data, name).status == "rejected", name
+
+
+def mirrored(data: Plain) -> None:
+    """West becomes east."""
+    for name in ("plane", "above", "below"):
+        sine = data["towers"][name]["elements"]["sin_bearing"]
+        sine["num"] = negated(sine["num"])
+
+
+def off_the_sphere(data: Plain) -> None:
+    """The upward part of the unit vector ten times as large."""
+    for name in ("above", "below"):
+        upward = data["towers"][name]["elements"]["unit_z"]
+        upward["num"] = [[f"{text}0", powers] for text, powers in upward["num"]]
+
+
+def faster(data: Plain) -> None:
+    """The relative velocity with the sign of the target's less the station's turned round."""
+    for name in ("plane", "above", "below"):
+        entry = data["towers"][name]["elements"]["velocity_x"]
+        entry["num"] = negated(entry["num"])
+
+
+@pytest.mark.parametrize(
+    ("alter", "noticed"),
+    [
+        (mirrored, {"plane-bearing", "above-bearing"}),
+        (off_the_sphere, {"above-unit", "above-unit-length", "below-range-chain"}),
+        (faster, {"plane-names-1", "above-names-1", "below-names-1"}),
+    ],
+)
+def test_an_altered_component_is_noticed(
+    alter: Callable[[Plain], None], noticed: set[str], original: Plain
+) -> None:
+    data = copy.deepcopy(original)
+    alter(data)
+    assert {check_statement(data, name).status for name in noticed} == {"rejected"}
+
+
+@pytest.mark.parametrize("step", [9, pytest.param(1, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("name", KERNELS)
+def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: Plain) -> None:
+    """Each sum turned into a product, each product into a sum, quotients turned round, signs
+    dropped: one at a time.
+    """
+    end = "" if name.endswith("_in_plane") else "-above"
+    statement = f"kernel-{name.replace('_', '-')}{end}"
+    assert check_statement(original, statement).status == "proved"
+    nodes, tried = original["programs"][name]["graph"]["nodes"], 0
+    for at, node in list(enumerate(nodes))[len(name) % step :: step]:
+        changed = list(node)
+        if node[0] in ("add", "mul"):
+            changed[0] = "mul" if node[0] == "add" else "add"
+        elif node[0] == "neg":
+            changed = ["add", node[1], node[1]]
+        elif node[0] == "div":
+            changed[1:] = reversed(node[1:])
+        else:
+            continue
+        program = copy.deepcopy(original["programs"][name])
+        program["graph"]["nodes"][at] = changed
+        data = {**original, "programs": {**original["programs"], name: program}}
+        assert check_statement(data, statement).status == "rejected", (name, at, node)
+        tried += 1
+    assert tried
+
+
+def test_every_direction_is_in_a_tower() -> None:
+    """Points of the sphere, the poles too, come out of one of the two towers' parameters."""
+    generator = np.random.default_rng(3)
+    points = [*generator.normal(0, 1, (200, 3)), *np.eye(3), *-np.eye(3)]
+    for point in points:
+        unit = point / np.linalg.norm(point)
+        tilt = np.arctan2(np.hypot(unit[0], unit[1]), abs(unit[2]))  # from up, or from down
+        bearing = np.arctan2(unit[0], unit[1])
+        parts = max(bearing + np.pi, 0) / 2  # each below half a turn
+        a, g = np.tan(tilt / 2), np.tan(parts / 2)
+        assert a >= 0
+        assert g >= 0
+        cos_b = (4 * g * g - (1 - g * g) ** 2) / (1 + g * g) ** 2
+        sin_b = -4 * g * (1 - g * g) / (1 + g * g) ** 2
+        side = np.copysign(1, unit[2])
+        sin_t, cos_t = 2 * a / (1 + a * a), side * (1 - a * a) / (1 + a * a)
+        assert np.allclose([sin_t * sin_b, sin_t * cos_b, cos_t], unit, rtol=0, atol=1e-12)
+
+
+def test_forms_take_plain_numbers() -> None:
+    """On a right-angled course: 3 east, 4 north, 12 up."""
+    seen = Sight(13, (3 / 13, 4 / 13, 12 / 13), (30, 40, 120))
+    assert seen.rate == pytest.approx(130)
+    assert seen.turning == pytest.approx([0, 0, 0], abs=1e-13)

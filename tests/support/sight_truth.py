@@ -1,0 +1,79 @@
+"""What the kernels of range and Doppler should return, by the oracle; and their terms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import flint
+
+from gainproof.verify.oracles import sight
+
+Values = dict[str, flint.arb]
+PLANE = "_in_plane"
+Motions = tuple[Sequence[Any], Sequence[Any], Sequence[Any], Sequence[Any]]
+
+
+def truth(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
+    """Every output that a kernel may have, from its arguments."""
+    axes = axes_of(kernel)
+
+    def found(*given: float) -> Values:
+        target, velocity, station, moving = motions(kernel, given)
+        with flint.ctx.workprec(sight.BITS):
+            size = sight.distance(target, station)
+            by = _slopes(lambda place: sight.distance(place, station), target, size)
+            values = {"slant_range": size} | _named("range_D_", axes, by)
+            if not moves(kernel):
+                return values
+            values["range_rate"] = sight.rate(target, velocity, station, moving)
+            by = _slopes(lambda place: sight.rate(place, velocity, station, moving), target, size)
+            values |= _named("range_rate_D_", axes, by)
+            by = _slopes(lambda fast: sight.rate(target, fast, station, moving), velocity, 1)
+            return values | _named("range_rate_D_velocity_", axes, by)
+
+    return found
+
+
+def terms(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
+    """The terms of those outputs that cancel, taken positive, from the oracle's derivatives."""
+    axes = axes_of(kernel)
+
+    def found(*given: float) -> Values:
+        target, velocity, station, moving = motions(kernel, given)
+        with flint.ctx.workprec(sight.BITS):
+            size = sight.distance(target, station)
+            unit = _slopes(lambda place: sight.distance(place, station), target, size)
+            fast = [abs(flint.arb(a) - flint.arb(b)) for a, b in zip(velocity, moving, strict=True)]
+            along = sum((abs(u) * w for u, w in zip(unit, fast, strict=True)), flint.arb(0))
+            by = [(w + abs(u) * along) / size for u, w in zip(unit, fast, strict=True)]
+            return {"range_rate": along} | _named("range_rate_D_", axes, by)
+
+    return found if moves(kernel) else lambda *_: {}
+
+
+def moves(kernel: str) -> bool:
+    """Whether a kernel takes velocities."""
+    return kernel.removesuffix(PLANE) not in ("slant_range", "range_jacobian")
+
+
+def axes_of(kernel: str) -> str:
+    """The coordinates of a kernel."""
+    return "xy" if kernel.endswith(PLANE) else "xyz"
+
+
+def motions(kernel: str, given: Sequence[float]) -> Motions:
+    """Target, its velocity, station, its velocity."""
+    count = len(axes_of(kernel))
+    parts = [given[start : start + count] for start in range(0, len(given), count)]
+    if len(parts) == 2:
+        return parts[0], (0.0,) * count, parts[1], (0.0,) * count
+    return parts[0], parts[1], parts[2], parts[3]
+
+
+def _slopes(function: Callable[[Any], flint.arb], at: Sequence[Any], size: Any) -> list[flint.arb]:
+    return sight.slopes(function, at, size)
+
+
+def _named(start: str, axes: str, values: Sequence[flint.arb]) -> Values:
+    return {f"{start}{axis}": value for axis, value in zip(axes, values, strict=True)}
