@@ -26,6 +26,7 @@ from gainproof.commands import (
     figure,
     generate,
     listing,
+    locate,
     run,
 )
 from gainproof.version import VERSION
@@ -38,6 +39,7 @@ COMMANDS: Mapping[str, ModuleType] = {
     "explain": explain,
     "cite": cite,
     "design": design,
+    "locate": locate,
     "figure": figure,
     "list": listing,
     "bench": bench,

@@ -42,3 +42,18 @@ def cost_without_bias(asked: Problem, unknowns: Reals) -> float:
     values, _ = predicted(asked, unknowns[None, :])
     rest = asked.white @ (asked.used.values - values[0])
     return float(rest @ rest)
+
+
+def all_accuracies(asked: Problem, unknowns: Reals, observed: Reals) -> tuple[Reals, Reals]:
+    """Biases (N, q) and their deviations at targets (N, k) for observations (N, m)."""
+    linear = linearised(asked, unknowns, observed)
+    triangle = np.linalg.qr(linear.jacobian)[1]
+    k, q = asked.unknowns, asked.columns.shape[1]
+    root = np.linalg.solve(triangle, np.broadcast_to(np.eye(k), triangle.shape))
+    root = root / linear.scale[:, :, None]
+    values, found = predicted(asked, unknowns)
+    inverse = np.linalg.solve(asked.base.T @ asked.white @ asked.columns, np.eye(q))
+    along = (inverse @ asked.base.T) @ jacobian(asked, found) @ root
+    variances = np.square(along).sum(axis=2) + np.square(inverse).sum(axis=1)
+    rest = (observed - values) @ asked.white.T
+    return np.asarray(rest @ (inverse @ asked.base.T).T), np.sqrt(variances)

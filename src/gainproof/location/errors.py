@@ -14,7 +14,7 @@ class LocationError(ValueError):
 
 
 class TooFewError(LocationError):
-    """Fewer observations than the method has unknowns: `need` and `have`, counted before solving."""
+    """Fewer observations than unknowns: `need` and `have`, counted before solving."""
 
     def __init__(self, message: str, need: int, have: int) -> None:
         super().__init__(message)

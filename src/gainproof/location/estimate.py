@@ -34,8 +34,8 @@ def locate(
 ) -> Location:
     """The target by one of the methods of `methods.METHODS`.
 
-    false_alarm: how often the test of unknown reduction may call a clean range biased. near (d,), m:
-    a place to begin from besides the starts of `starts`; of places that explain the observations
+    false_alarm: how often the test of unknown reduction may call a clean range biased. near (d,),
+    m: a place to begin from besides the starts of `starts`; of places that explain the observations
     equally well the one closest to it is returned.
 
     LocationError: too few observations, directions that are not observed, a target on a station, an

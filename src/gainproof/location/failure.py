@@ -51,7 +51,7 @@ def no_estimate(asked: Problem, begin: Reals, iterated: Iterated) -> LocationErr
     if settled.rank < asked.unknowns:
         return UnobservableError(*_unobservable(asked, x, settled))
     told = report(asked, iterated, best, settled.ratio)
-    direction, deviation = weakest(asked, x)
+    (direction,), deviation = weakest(asked, x)
     return DivergedError(
         f"{asked.method.name} did not converge from any of {len(begin)} starts: {told.ended}; "
         f"the best came to {place_words(asked, x)} after {told.iterations} iterations with cost "
@@ -66,20 +66,20 @@ def not_observed(asked: Problem, unknowns: Reals) -> None:
     linear model that says so holds no more, and the rank is full by its noise alone. OnStationError
     where the target is as good as on one.
     """
-    direction, deviation = weakest(asked, unknowns)
     place, velocity = asked.split(unknowns[None, :])
     distance = seen(asked.stations, place, velocity).distance[0]
     nearest = int(np.argmin(distance))
     farthest = float(distance.max())
+    directions, deviation = weakest(asked, unknowns, farthest)
     if deviation < farthest:
         if distance[nearest] <= ON_IT * deviation:
             raise _on_station(asked, asked.stations.names[nearest], float(distance[nearest]))
         return
     raise UnobservableError(
-        f"{asked.method.name}: {direction.words} is not observed within the noise: its 1-sigma "
-        f"would be {deviation:.3g} m, all stations are within {farthest:.3g} m of "
-        f"{place_words(asked, unknowns)}{_why(asked, unknowns)}",
-        (direction,),
+        f"{asked.method.name} cannot observe {listed([each.words for each in directions])} within "
+        f"the noise: the 1-sigma would be {deviation:.3g} m, all stations are within "
+        f"{farthest:.3g} m of {place_words(asked, unknowns)}{_why(asked, unknowns)}",
+        directions,
     )
 
 

@@ -27,8 +27,8 @@ RUNNING, CONVERGED, DEFICIENT, STUCK, ENDLESS, ON_STATION, AWAY = range(7)
 
 @dataclass(frozen=True, eq=False)
 class Iterated:
-    """Of N targets: unknowns (N, k), how each ended, iterations, halvings, cost, the length of the
-    last step in deviations, and the ratio of the least to the largest singular value there.
+    """Of N targets: unknowns (N, k), how each ended, iterations, halvings, cost, and the length of
+    the last step in deviations.
     """
 
     unknowns: Reals
@@ -37,16 +37,15 @@ class Iterated:
     halvings: NDArray[np.intp]
     cost: Reals
     step: Reals
-    ratio: Reals
 
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """Steps (N, k), their lengths in deviations, and the singular values' ratio (N,)."""
+    """Steps (N, k), their lengths in deviations, and whether the rank is full, (N,)."""
 
     change: Reals
     length: Reals
-    ratio: Reals
+    full_rank: NDArray[np.bool_]
 
 
 def rank_tolerance(asked: Problem) -> float:
@@ -57,15 +56,29 @@ def rank_tolerance(asked: Problem) -> float:
 def step(asked: Problem, linear: Linear) -> Step:
     """The least-squares solution of the linear model. Zero where the rank is deficient."""
     orthogonal, triangle = np.linalg.qr(linear.jacobian)
-    singular = np.linalg.svd(triangle, compute_uv=False)
-    largest = singular[:, 0]
-    ratio = np.where(largest > 0, singular[:, -1] / np.where(largest > 0, largest, 1.0), 0.0)
-    fine = ratio > rank_tolerance(asked)
+    fine = _full_rank(triangle, rank_tolerance(asked))
     triangle[~fine] = np.eye(triangle.shape[1])
     right = np.einsum("nmk,nm->nk", orthogonal, linear.residual)
     scaled = np.linalg.solve(triangle, right[..., None])[..., 0]
     change = np.where(fine[:, None], scaled / linear.scale, 0.0)
-    return Step(change, np.linalg.norm(right, axis=1), ratio)
+    return Step(change, np.linalg.norm(right, axis=1), fine)
+
+
+def _full_rank(triangle: Reals, tolerance: float) -> NDArray[np.bool_]:
+    """Whether the least singular value is above this share of the largest, of each triangle.
+
+    |det| is at most least * largest^(k - 1), and the largest at most the Frobenius norm: where that
+    is enough no singular values are computed.
+    """
+    size = np.sqrt(np.square(triangle).sum(axis=(1, 2)))
+    diagonal = np.abs(np.diagonal(triangle, axis1=1, axis2=2))
+    with np.errstate(all="ignore"):
+        fine = (diagonal / size[:, None]).prod(axis=1) > tolerance
+    doubtful = np.flatnonzero(~fine)
+    if doubtful.size:
+        singular = np.linalg.svd(triangle[doubtful], compute_uv=False)
+        fine[doubtful] = singular[:, -1] > tolerance * singular[:, 0]
+    return fine
 
 
 def iterate(asked: Problem, starts: Reals, observed: Reals) -> Iterated:
@@ -75,7 +88,7 @@ def iterate(asked: Problem, starts: Reals, observed: Reals) -> Iterated:
     z = np.broadcast_to(observed, (n, len(asked.used.values)))
     ended = np.full(n, RUNNING)
     iterations, halvings = np.zeros(n, np.intp), np.zeros(n, np.intp)
-    last, ratio = np.full(n, np.inf), np.zeros(n)
+    last = np.full(n, np.inf)
     cost = _cost(asked, x, z)
     ended[~np.isfinite(cost)] = ON_STATION
     far = FAR * np.maximum(asked.stations.spread, _distance(asked, x))
@@ -86,8 +99,8 @@ def iterate(asked: Problem, starts: Reals, observed: Reals) -> Iterated:
         if not now.size:
             break
         taken = step(asked, linearised(asked, x[now], z[now]))
-        last[now], ratio[now] = taken.length, taken.ratio
-        lost = taken.ratio <= rank_tolerance(asked)
+        last[now] = taken.length
+        lost = ~taken.full_rank
         ended[now[lost]] = DEFICIENT
         now, change, length = now[~lost], taken.change[~lost], taken.length[~lost]
         iterations[now] += 1
@@ -101,7 +114,7 @@ def iterate(asked: Problem, starts: Reals, observed: Reals) -> Iterated:
         gone = _distance(asked, x[now]) > far[now]
         ended[now[gone]] = AWAY
     ended[ended == RUNNING] = ENDLESS
-    return Iterated(x, ended, iterations, halvings, cost, last, ratio)
+    return Iterated(x, ended, iterations, halvings, cost, last)
 
 
 def _descend(
@@ -113,7 +126,7 @@ def _descend(
     change: Reals,
     slack: Reals,
 ) -> NDArray[np.intp]:
-    """Take the steps in place, each halved until the cost does not grow: how often; -1 for never."""
+    """Take the steps in place, each halved until the cost does not grow: how often; -1: never."""
     halved = np.full(now.size, -1)
     left = np.arange(now.size)
     for count in range(MOST_HALVINGS + 1):

@@ -1,4 +1,4 @@
-"""What a geometry leaves unobserved: the scaled rank of the linear model, and its null directions."""
+"""What a geometry leaves unobserved: the scaled rank of the model, and its null directions."""
 
 from __future__ import annotations
 
@@ -61,14 +61,21 @@ def observability(asked: Problem, unknowns: Reals) -> Observability:
     return Observability(rank, k, float(padded[-1] / top) if top > 0 else 0.0, told)
 
 
-def weakest(asked: Problem, unknowns: Reals) -> tuple[Direction, float]:
-    """The direction of position that is known worst, and its 1-sigma in m."""
+def weakest(
+    asked: Problem, unknowns: Reals, limit: float = np.inf
+) -> tuple[tuple[Direction, ...], float]:
+    """The directions of position whose 1-sigma is beyond the limit, or else the one known worst;
+    and the largest 1-sigma, in m.
+    """
     d = asked.stations.dimension
     covariance = position_velocity_covariance(asked, unknowns)[:d, :d]
     values, vectors = np.linalg.eigh(covariance)
-    row = np.concatenate([vectors[:, -1], np.zeros(asked.unknowns - d)])
+    wide = max(int((values > limit**2).sum()), 1)
+    rows = np.zeros((wide, asked.unknowns))
+    rows[:, :d] = _readable(vectors[:, -wide:].T)
     linear = linearised(asked, unknowns[None, :], np.zeros((1, len(asked.used.values))))
-    return _direction(asked, linear, unknowns, row, alone=True), float(np.sqrt(values[-1]))
+    told = tuple(_direction(asked, linear, unknowns, row, alone=True) for row in rows)
+    return told, float(np.sqrt(values[-1]))
 
 
 def position_velocity_covariance(asked: Problem, unknowns: Reals) -> Reals:

@@ -47,10 +47,10 @@ class Location:
     """The estimate of one method.
 
     position (d,) in m, velocity (d,) in m/s or None; covariance (k, k) of position, velocity and
-    then the biases in their order; selection of the ranges taken as clean, where the method chooses;
-    rank: the scaled rank of the model, that of all unknowns of position and velocity. `first` is the
-    bias detection that a selection rests on. others: places that explain the observations as well;
-    warnings: sentences.
+    then the biases in their order; selection of the ranges taken as clean, where the method
+    chooses; rank: the scaled rank of the model, that of all unknowns of position and velocity.
+    others: places that explain the observations as well; warnings: sentences. `first` is the bias
+    detection that a selection rests on.
     """
 
     method: str

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from statistics import NormalDist
 
@@ -52,6 +53,24 @@ def detection(bias: float, deviation: float, false_alarm: float) -> float:
     shift, root = abs(bias) / deviation, threshold(false_alarm) ** 0.5
     normal = NormalDist()
     return normal.cdf(shift - root) + normal.cdf(-shift - root)
+
+
+def exceeded(cost: float, degrees_of_freedom: int) -> float:
+    """How often noise alone gives a larger cost: P(chi-square of these degrees of freedom > cost).
+
+    For whole degrees of freedom the incomplete gamma function is a finite sum.
+    """
+    half = cost / 2
+    if degrees_of_freedom % 2:
+        tail, first, power = math.erfc(math.sqrt(half)), 1.5, 0.5
+    else:
+        tail, first, power = 0.0, 1.0, 0.0
+    for j in range(degrees_of_freedom // 2):
+        if half > 0:
+            tail += math.exp((j + power) * math.log(half) - half - math.lgamma(j + first))
+        elif j + power == 0:
+            tail += 1.0
+    return min(tail, 1.0)
 
 
 def select(

@@ -10,8 +10,11 @@ from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.ambiguity import Candidate, mirror_words
 from gainproof.location.measurement import seen
 from gainproof.location.problem import Problem
+from gainproof.location.selection import exceeded
 
 AMBIGUOUS = "ambiguous"
+UNLIKELY = 1e-3
+"""How rarely noise alone may give such a cost before it is told."""
 WIDE = 0.1
 """Share of the distance to the nearest station that a 1-sigma may have for a linear covariance."""
 
@@ -31,8 +34,15 @@ def warnings(
             f"{asked.stations.names[nearest]}, is {near[nearest]:.3g} m away: the covariance, that "
             "of the linear model, says little there"
         )
-    if len(asked.used.values) == asked.unknowns + asked.columns.shape[1]:
+    freedom = len(asked.used.values) - asked.unknowns - asked.columns.shape[1]
+    if freedom == 0:
         found.append("there are as many unknowns as observations: no residual is left to check by")
+    elif exceeded(best.cost, freedom) < UNLIKELY:
+        found.append(
+            f"the residuals are larger than their noise: noise alone gives a cost beyond "
+            f"{best.cost:.4g} in {exceeded(best.cost, freedom):.1g} of all cases; a bias that is "
+            "not in the model, or deviations that are too small"
+        )
     return tuple(found)
 
 

@@ -1,0 +1,41 @@
+"""Units that a column may have."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+LENGTHS = {"m": 1.0, "km": 1e3, "cm": 1e-2, "mm": 1e-3}
+SPEEDS = {"m/s": 1.0, "km/s": 1e3, "km/h": 1 / 3.6, "cm/s": 1e-2, "mm/s": 1e-3}
+PURE = {"1": 1.0}
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A column that a file may have: units with their size in metres and seconds, none for words;
+    whether it has to be there; what its numbers have to be.
+    """
+
+    units: dict[str, float] | None
+    needed: bool = False
+    above_zero: bool = False
+    blank: bool = False
+    """Whether a cell may be empty."""
+
+
+STATION_COLUMNS = {
+    "station": Kind(None, needed=True),
+    "x": Kind(LENGTHS, needed=True),
+    "y": Kind(LENGTHS, needed=True),
+    "z": Kind(LENGTHS),
+    "vx": Kind(SPEEDS),
+    "vy": Kind(SPEEDS),
+    "vz": Kind(SPEEDS),
+}
+OBSERVATION_COLUMNS = {
+    "station": Kind(None, needed=True),
+    "range": Kind(LENGTHS, above_zero=True, blank=True),
+    "sigma_range": Kind(LENGTHS, above_zero=True, blank=True),
+    "range_rate": Kind(SPEEDS, blank=True),
+    "sigma_range_rate": Kind(SPEEDS, above_zero=True, blank=True),
+    "correlation": Kind(PURE, blank=True),
+}

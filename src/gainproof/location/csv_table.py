@@ -1,0 +1,152 @@
+"""A table from a CSV file whose header names columns and units; errors say file, line, column."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from gainproof import places
+from gainproof.bad_input import BadInputError, nearest
+from gainproof.location.column_units import Kind
+
+LARGEST_FILE = 10_000_000
+"""Bytes."""
+HEADING = re.compile(r"\s*([A-Za-z_][A-Za-z0-9_]*)\s*(?:\[\s*([^\]]*?)\s*\])?\s*")
+
+
+@dataclass(frozen=True)
+class CsvTable:
+    """columns: by name, one entry a row: a word, a number in metres and seconds, or None where the
+    cell is empty. lines: the line of each row; at: the place of each column, from 1.
+    """
+
+    file: str
+    columns: Mapping[str, tuple[str | float | None, ...]]
+    lines: tuple[int, ...]
+    at: Mapping[str, int]
+
+    def numbers(self, name: str) -> tuple[float | None, ...]:
+        """A column of numbers; all None where there is no such column."""
+        column = self.columns.get(name, (None,) * len(self.lines))
+        return tuple(None if isinstance(cell, str) else cell for cell in column)
+
+    def error(self, row: int, name: str, message: str) -> BadInputError:
+        """At a cell."""
+        where = f", column {self.at[name]} ({name})" if name in self.at else ""
+        return BadInputError(f"{self.file}, line {self.lines[row]}{where}: {message}")
+
+
+def read(path: Path, kinds: Mapping[str, Kind]) -> CsvTable:
+    """Lines that begin with # and empty ones are passed over. Raises BadInputError."""
+    file = places.shown(path)
+    rows = _rows(path, file)
+    if not rows:
+        raise BadInputError(f"{file}: there is no line of column names")
+    first, heading = rows[0]
+    names, sizes = _heading(file, first, heading, kinds)
+    cells: dict[str, list[str | float | None]] = {name: [] for name in names}
+    for line, row in rows[1:]:
+        if len(row) != len(names):
+            raise BadInputError(f"{file}, line {line}: wanted {len(names)} cells, got {len(row)}")
+        for place, (name, size, text) in enumerate(zip(names, sizes, row, strict=True), 1):
+            where = f"{file}, line {line}, column {place} ({name})"
+            cells[name].append(_cell(where, text.strip(), kinds[name], size))
+    if len(rows) == 1:
+        raise BadInputError(f"{file}: there is no line below the column names")
+    return CsvTable(
+        file,
+        {name: tuple(column) for name, column in cells.items()},
+        tuple(line for line, _ in rows[1:]),
+        {name: place for place, name in enumerate(names, 1)},
+    )
+
+
+def text_of(path: Path, file: str) -> str:
+    """The file's text. Raises BadInputError where it cannot be read."""
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise BadInputError(f"{file}: has more than {LARGEST_FILE} bytes")
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "is no UTF-8 text"
+        raise BadInputError(f"{file}: cannot be read: {reason}") from None
+    if "\0" in text:
+        raise BadInputError(f"{file}: cannot be read: is no text")
+    return text
+
+
+def _rows(path: Path, file: str) -> list[tuple[int, list[str]]]:
+    reader = csv.reader(text_of(path, file).splitlines())
+    try:
+        return [
+            (reader.line_num, row)
+            for row in reader
+            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+        ]
+    except csv.Error as error:
+        raise BadInputError(f"{file}, line {reader.line_num}: {error}") from None
+
+
+def _heading(
+    file: str, line: int, heading: list[str], kinds: Mapping[str, Kind]
+) -> tuple[list[str], list[float]]:
+    names: list[str] = []
+    sizes: list[float] = []
+    for place, text in enumerate(heading, 1):
+        where = f"{file}, line {line}, column {place}"
+        match = HEADING.fullmatch(text)
+        if match is None:
+            raise BadInputError(
+                f"{where}: wanted a name and a unit, as x [m], got {text.strip()!r}"
+            )
+        name, unit = match[1], match[2]
+        if name not in kinds:
+            close = nearest(name, kinds) or list(kinds)
+            raise BadInputError(f"{where}: no column is called {name!r}; known: {', '.join(close)}")
+        if name in names:
+            raise BadInputError(f"{where}: a second column {name}")
+        names.append(name)
+        sizes.append(_size(where, name, unit, kinds[name]))
+    missing = [name for name, kind in kinds.items() if kind.needed and name not in names]
+    if missing:
+        raise BadInputError(f"{file}, line {line}: there is no column {' and no '.join(missing)}")
+    return names, sizes
+
+
+def _size(where: str, name: str, unit: str | None, kind: Kind) -> float:
+    if kind.units is None:
+        if unit is not None:
+            raise BadInputError(f"{where}: {name} holds words, it has no unit, got [{unit}]")
+        return 1.0
+    if unit is None and "1" in kind.units:
+        return 1.0
+    known = ", ".join(f"[{each}]" for each in kind.units)
+    if unit is None:
+        raise BadInputError(f"{where}: {name} has no unit; wanted {name} and one of {known}")
+    if unit not in kind.units:
+        raise BadInputError(f"{where}: the unit of {name} is one of {known}, got [{unit}]")
+    return kind.units[unit]
+
+
+def _cell(where: str, text: str, kind: Kind, size: float) -> str | float | None:
+    if kind.units is None:
+        if not text:
+            raise BadInputError(f"{where}: the cell is empty")
+        return text
+    if not text:
+        if kind.blank:
+            return None
+        raise BadInputError(f"{where}: the cell is empty, wanted a number")
+    try:
+        value = float(text)
+    except ValueError:
+        raise BadInputError(f"{where}: wanted a number, got {text!r}") from None
+    if not math.isfinite(value * size):
+        raise BadInputError(f"{where}: wanted a finite number, got {text}")
+    if kind.above_zero and not value * size > 0:
+        raise BadInputError(f"{where}: wanted a number above 0, got {text}")
+    return value * size

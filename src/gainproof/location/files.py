@@ -1,0 +1,154 @@
+"""Stations, observations and their covariance from files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from gainproof import places
+from gainproof.bad_input import BadInputError, nearest
+from gainproof.fixed_gain.arguments import Reals
+from gainproof.location.column_units import OBSERVATION_COLUMNS, STATION_COLUMNS
+from gainproof.location.csv_table import CsvTable, read, text_of
+from gainproof.location.noise import whitening
+from gainproof.location.stations import Observations, Stations, observations, stations
+
+PAIRS = (("range", "sigma_range"), ("range_rate", "sigma_range_rate"))
+
+
+def read_files(
+    observed: Path, standing: Path, covariance: Path | None = None
+) -> tuple[Stations, Observations]:
+    """The stations that observed anything, in the order of the observations, and these.
+
+    Raises BadInputError with file, line and column.
+    """
+    seen, places_of = read(observed, OBSERVATION_COLUMNS), read(standing, STATION_COLUMNS)
+    rows = _station_rows(seen, places_of)
+    given = _stations(places_of, rows)
+    values = {name: seen.numbers(name) for name, _ in PAIRS}
+    noise = _diagonal(seen) if covariance is None else _matrix(seen, covariance)
+    try:
+        found = observations(given, values["range"], values["range_rate"], noise)
+        whitening(found.covariance, _told(seen))
+    except ValueError as error:
+        file = seen.file if covariance is None else places.shown(covariance)
+        raise BadInputError(f"{file}: {error}") from None
+    return given, found
+
+
+def _station_rows(seen: CsvTable, standing: CsvTable) -> list[int]:
+    known: dict[str, int] = {}
+    for row, name in enumerate(standing.columns["station"]):
+        if str(name) in known:
+            first = standing.lines[known[str(name)]]
+            raise standing.error(row, "station", f"{name} stands already in line {first}")
+        known[str(name)] = row
+    taken: dict[str, int] = {}
+    for row, name in enumerate(seen.columns["station"]):
+        if str(name) not in known:
+            close = nearest(str(name), known)
+            hint = f"; nearest: {', '.join(close)}" if close else ""
+            message = f"{standing.file} has no station {name}{hint}"
+            raise seen.error(row, "station", message)
+        if str(name) in taken:
+            first = seen.lines[taken[str(name)]]
+            raise seen.error(row, "station", f"{name} observes already in line {first}")
+        taken[str(name)] = row
+    return [known[name] for name in taken]
+
+
+def _stations(table: CsvTable, rows: list[int]) -> Stations:
+    axes = ("x", "y", "z") if "z" in table.at else ("x", "y")
+    if "vz" in table.at and "z" not in table.at:
+        raise BadInputError(f"{table.file}: there is a column vz and no column z")
+    chosen = {
+        name: [float(table.numbers(name)[row] or 0.0) for row in rows]
+        for axis in axes
+        for name in (axis, f"v{axis}")
+    }
+    names = [str(table.columns["station"][row]) for row in rows]
+    try:
+        return stations(
+            np.array([chosen[axis] for axis in axes]).T,
+            np.array([chosen[f"v{axis}"] for axis in axes]).T,
+            names,
+        )
+    except ValueError as error:
+        raise BadInputError(f"{table.file}: {error}") from None
+
+
+def _diagonal(seen: CsvTable) -> Reals:
+    """From the columns of deviations and of the correlation of both noises of a station."""
+    variances: list[float] = []
+    of: dict[tuple[int, str], int] = {}
+    for name, sigma in PAIRS:
+        for row, (value, deviation) in enumerate(
+            zip(seen.numbers(name), seen.numbers(sigma), strict=True)
+        ):
+            if value is None:
+                continue
+            if sigma not in seen.at:
+                raise BadInputError(
+                    f"{seen.file}: there is a column {name} and no column {sigma}; wanted it, or "
+                    "--covariance"
+                )
+            if deviation is None:
+                raise seen.error(row, sigma, f"the cell is empty, {name} has a number")
+            of[row, name] = len(variances)
+            variances.append(deviation**2)
+    noise = np.diag(np.array(variances, np.float64))
+    for row, share in enumerate(seen.numbers("correlation")):
+        if share is None:
+            continue
+        if not -1 < share < 1:
+            raise seen.error(row, "correlation", f"wanted a number between -1 and 1, got {share}")
+        if (row, "range") not in of or (row, "range_rate") not in of:
+            raise seen.error(row, "correlation", "wanted a range and a range rate with it")
+        i, j = of[row, "range"], of[row, "range_rate"]
+        noise[i, j] = noise[j, i] = share * np.sqrt(noise[i, i] * noise[j, j])
+    return noise
+
+
+def _matrix(seen: CsvTable, path: Path) -> Reals:
+    """A square of numbers without a header, in metres and seconds."""
+    for name in ("sigma_range", "sigma_range_rate", "correlation"):
+        if name in seen.at:
+            raise BadInputError(f"{seen.file}: a column {name} beside --covariance: which holds?")
+    file = places.shown(path)
+    rows: list[list[float]] = []
+    for line, text in enumerate(text_of(path, file).splitlines(), 1):
+        if not text.strip() or text.lstrip().startswith("#"):
+            continue
+        row = []
+        for place, cell in enumerate(text.split(","), 1):
+            try:
+                row.append(float(cell))
+            except ValueError:
+                raise BadInputError(
+                    f"{file}, line {line}, column {place}: wanted a number, got {cell.strip()!r}"
+                ) from None
+            if not np.isfinite(row[-1]):
+                where = f"{file}, line {line}, column {place}"
+                raise BadInputError(f"{where}: wanted a finite number, got {cell.strip()}")
+        wanted = len(_told(seen))
+        if len(row) != wanted:
+            raise BadInputError(
+                f"{file}, line {line}: wanted {wanted} numbers, one for each range and then each "
+                f"range rate, got {len(row)}"
+            )
+        rows.append(row)
+    if len(rows) != len(_told(seen)):
+        raise BadInputError(f"{file}: wanted {len(_told(seen))} rows, got {len(rows)}")
+    return np.array(rows)
+
+
+def _told(seen: CsvTable) -> list[str]:
+    """The names of all observations, in the order of the covariance."""
+    return [
+        f"the {name.replace('_', ' ')} of {station}"
+        for name, _ in PAIRS
+        for station, value in zip(seen.columns["station"], seen.numbers(name), strict=True)
+        if value is not None
+    ]

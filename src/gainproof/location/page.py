@@ -1,0 +1,130 @@
+"""An estimate as a page for people."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Sequence
+
+import numpy as np
+
+from gainproof.location.methods import method_of
+from gainproof.location.observability import listed
+from gainproof.location.result import Convergence, Location
+from gainproof.location.selection import Decision, Selection
+
+AXES = "xyz"
+WIDTH = 96
+
+
+def page(found: Location) -> str:
+    """The whole page."""
+    lines = [f"{found.method}: {method_of(found.method).title}", "", *_place(found)]
+    if found.selection is not None:
+        lines += ["", *_selection(found.selection)]
+    if found.biases:
+        lines += ["", *_biases(found)]
+    lines += ["", *_convergence(found)]
+    for warning in found.warnings:
+        lines += textwrap.wrap(f"warning: {warning}", WIDTH, subsequent_indent="  ")
+    return "\n".join(lines)
+
+
+def _place(found: Location) -> list[str]:
+    deviations = np.sqrt(np.diag(found.covariance)).tolist()
+    rows = [(AXES[i], value, "m") for i, value in enumerate(found.position.tolist())]
+    if found.velocity is not None:
+        rows += [(f"v{AXES[i]}", value, "m/s") for i, value in enumerate(found.velocity.tolist())]
+    cells = [("", "estimate", "", "1-sigma")]
+    for (name, value, unit), deviation in zip(rows, deviations, strict=False):
+        cells.append((name, rounded(value, deviation), unit, rounded(deviation, deviation)))
+    return _aligned(cells, "<><>")
+
+
+def _selection(selection: Selection) -> list[str]:
+    cells = [("range of", "bias, m", "1-sigma, m", "bias^2/variance", "taken as")]
+    cells += [
+        (
+            each.station,
+            rounded(each.bias, each.deviation),
+            rounded(each.deviation, each.deviation),
+            _statistic(each),
+            "clean" if each.clean else "biased",
+        )
+        for each in selection.decisions
+    ]
+    words = (
+        f"By bias detection. Clean is what does not exceed {selection.threshold:.4g}; a range "
+        f"without multipath exceeds it in {_percent(selection.false_alarm)} of all cases."
+    )
+    return [*_aligned(cells, "<>>>>"), *textwrap.wrap(words, WIDTH, subsequent_indent="  ")]
+
+
+def _statistic(each: Decision) -> str:
+    return f"{each.statistic:.2f}" if each.statistic < 1e4 else f"{each.statistic:.3g}"
+
+
+def _biases(found: Location) -> list[str]:
+    cells = [("bias of", "estimate, m", "1-sigma, m")]
+    cells += [
+        (
+            "all stations" if each.station == "all" else each.station,
+            rounded(each.value, each.deviation),
+            rounded(each.deviation, each.deviation),
+        )
+        for each in found.biases
+    ]
+    return _aligned(cells, "<>>")
+
+
+def _convergence(found: Location) -> list[str]:
+    told = [f"{_ended(found.convergence)}."]
+    if found.selection is not None and found.first is not None:
+        told.insert(0, f"Bias detection {_ended(found.first.convergence)}.")
+        clean = found.selection.clean
+        fixed = f"with {listed(clean)} clean" if clean else "with no range clean"
+        told[1] = f"Then, {fixed}, {told[1]}"
+    else:
+        told[0] = told[0][0].upper() + told[0][1:]
+    ratio = found.convergence.ratio
+    told.append(f"Scaled rank {found.rank} of {found.rank}, singular values down to {ratio:.2g}.")
+    return textwrap.wrap(" ".join(told), WIDTH)
+
+
+def _ended(told: Convergence) -> str:
+    halved = f" ({_counted(told.halvings, 'halving')})" if told.halvings else ""
+    freedom = told.degrees_of_freedom
+    return (
+        f"{told.ended} in {_counted(told.iterations, 'iteration')}{halved} to cost "
+        f"{_cost(told.cost)} at {_counted(freedom, 'degree')} of freedom"
+    )
+
+
+def _counted(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"
+
+
+def _cost(cost: float) -> str:
+    return "0" if cost < 1e-12 else f"{cost:.4g}"
+
+
+def rounded(value: float, deviation: float) -> str:
+    """To two digits of the deviation."""
+    if not (deviation > 0 and math.isfinite(deviation)):
+        return f"{value:.6g}"
+    places = min(max(1 - math.floor(math.log10(deviation)), 0), 12)
+    return f"{round(value, places) + 0.0:.{places}f}"
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.4g} %"
+
+
+def _aligned(cells: Sequence[tuple[str, ...]], sides: str) -> list[str]:
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    return [
+        "  ".join(
+            f"{cell:{side}{width}}" for cell, side, width in zip(row, sides, widths, strict=True)
+        ).rstrip()
+        for row in cells
+    ]
