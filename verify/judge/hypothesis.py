@@ -13,6 +13,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of
+from gainproof.verify.judge.exact.formal import decide_formally
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.exact.points import try_points
@@ -34,7 +35,7 @@ def settle(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> Outcome:
     """Decides with the first symbol that can play the one real parameter, then over cells of all
-    symbols, then at points. Raises Undecided with the last reason.
+    symbols, then by the relations of roots, then at points. Raises Undecided with the last reason.
     """
     labels = with_tokens(labels, statement.symbols())
     last = Undecided("no variable")
@@ -48,7 +49,10 @@ def settle(
             return decide_in_cells(statement, boxes, labels)
         except Undecided as reason:
             last = reason
-    points = try_points(statement, boxes, labels)
+    try:
+        return decide_formally(statement, boxes, labels)
+    except Undecided:
+        points = try_points(statement, boxes, labels)
     if points is None:
         raise last
     return replace(points, reason=f"{points.reason} ({last})")

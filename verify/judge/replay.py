@@ -13,6 +13,7 @@ from typing import Any
 from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.exact.certificate import statement_from
 from gainproof.verify.judge.exact.decision import decide
+from gainproof.verify.judge.exact.formal import decide_formally
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 
 
@@ -22,6 +23,8 @@ def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
         statement, boxes, parameter, labels = statement_from(certificate["statement"])
         if certificate.get("engine") == "cells":
             outcome = decide_in_cells(statement, boxes, labels)
+        elif certificate.get("engine") == "formal":
+            outcome = decide_formally(statement, boxes, labels)
         else:
             outcome = decide(statement, boxes, parameter, labels)
     except (KeyError, TypeError, ValueError, Malformed, Undecided) as reason:

@@ -28,7 +28,7 @@ def certificate_of(work: Work, judged: Sequence[Judged]) -> Data:
         "statement": statement_data(work.statement, work.boxes, tower.parameter, labels),
         "variables": {short: labels.get(full, full) for short, full in names.items()},
         "tower": tower.relations_text(),
-        "roots": _roots_text(work),
+        "roots": roots_text(work.statement),
         "candidates": [str(factor) for factor in work.factors],
         "places": [
             {
@@ -42,10 +42,10 @@ def certificate_of(work: Work, judged: Sequence[Judged]) -> Data:
     }
 
 
-def _roots_text(work: Work) -> str:
+def roots_text(statement: Statement) -> str:
     """Which root is meant, where that is a convention."""
     exponents = {
-        node.fraction.denominator for node in walk(*work.statement.exprs()) if node.kind == "pow"
+        node.fraction.denominator for node in walk(*statement.exprs()) if node.kind == "pow"
     }
     square = "square roots are not negative"
     return f"{square}, cube roots are real, also of negative numbers" if 3 in exponents else square

@@ -1,12 +1,14 @@
 """Functions that are not algebraic: their slopes, and balls round their values.
 
 `power` is base^exponent with symbols in the exponent: any base for a whole exponent, else a
-positive one. `log` is the natural logarithm.
+positive one. `log` is the natural logarithm. `erf` is the error function, `erfinv` its inverse
+between -1 and 1: |x| < s 2^(1/2) erfinv(p) has probability p for a normal x of deviation s.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from types import MappingProxyType
 
 from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number, power
@@ -19,6 +21,11 @@ def _one(name: str, x: Expr) -> Expr:
     return Expr("call", name, (x,))
 
 
+def _half_root_of_pi() -> Expr:
+    """pi^(1/2)/2, since pi/4 is atan 1."""
+    return power(_one("atan", number(1)), Fraction(1, 2))
+
+
 SLOPES: Mapping[str, Callable[[Expr], Expr]] = MappingProxyType(
     {
         "exp": lambda x: _one("exp", x),
@@ -27,6 +34,8 @@ SLOPES: Mapping[str, Callable[[Expr], Expr]] = MappingProxyType(
         "cos": lambda x: neg(_one("sin", x)),
         "tan": lambda x: add(number(1), power(_one("tan", x), 2)),
         "atan": lambda x: div(number(1), add(number(1), power(x, 2))),
+        "erf": lambda x: div(_one("exp", neg(power(x, 2))), _half_root_of_pi()),
+        "erfinv": lambda x: mul(_one("exp", power(_one("erfinv", x), 2)), _half_root_of_pi()),
     }
 )
 """Functions of one argument, with their derivatives."""
@@ -59,7 +68,7 @@ def ball_of(name: str, parts: list[Ball]) -> Ball | None:
     if name not in SLOPES or len(parts) != 1:
         return None
     (x,) = parts
-    if name == "log" and not x > 0:
+    if (name == "log" and not x > 0) or (name == "erfinv" and not abs(x) < 1):
         return None
     found = getattr(x, name)()
     return found if found.is_finite() else None

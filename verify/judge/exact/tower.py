@@ -51,7 +51,7 @@ class Tower:
     """Variables, highest first: roots (last made first), free symbols, then the parameters.
 
     Elements are polynomials in the free symbols, coefficient by coefficient functions of the real
-    parameters; only parameters may stand under roots.
+    parameters; only parameters may stand under roots, unless the tower is `formal`.
     """
 
     parameters: tuple[str, ...]
@@ -64,6 +64,7 @@ class Tower:
     elements: dict[bytes, Element] = field(default_factory=dict)
     checks: list[Check] = field(default_factory=list)
     nonnegative: frozenset[str] = frozenset()
+    formal: bool = False
     _slots: int = 0
 
     @property

@@ -24,12 +24,14 @@ def build_tower(
     positive: frozenset[str],
     limits: Limits = DEFAULT_LIMITS,
     nonnegative: frozenset[str] = frozenset(),
+    *,
+    formal: bool = False,
 ) -> Tower:
     """The tower of these expressions; all powers must be integer powers, square roots or cube
     roots.
 
-    `free` symbols may not stand under a root except as powers of those in `positive`. Raises
-    Undecided, NeedsPower.
+    `free` symbols may not stand under a root except as powers of those in `positive`; in a `formal`
+    tower, of which no branch is asked, all may. Raises Undecided, NeedsPower.
     """
     if not isinstance(parameters, tuple):
         parameters = () if parameters is None else (parameters,)
@@ -37,7 +39,7 @@ def build_tower(
     slots = sum(1 for n in nodes if n.kind == "pow" and n.fraction.denominator != 1)
     if slots > limits.root_count:
         raise Undecided(f"more than {limits.root_count} different roots")
-    tower = Tower(parameters, free, positive, limits, nonnegative=nonnegative)
+    tower = Tower(parameters, free, positive, limits, nonnegative=nonnegative, formal=formal)
     tower._slots = slots
     tops = tuple(f"t{k}" for k in range(slots, 0, -1))
     several = len(parameters) > 1
@@ -143,7 +145,7 @@ def _root(tower: Tower, node: Expr, base: Element, order: int) -> Element:
     if num.is_zero():
         return Element(num, one)
     for exponents, _ in [*terms(num), *terms(den)]:
-        if any(exponents[i] for i in tower.free_indices):
+        if not tower.formal and any(exponents[i] for i in tower.free_indices):
             raise Undecided("several parameters stand under one root")
     plain = number_root(num, den, order)
     if plain is not None:

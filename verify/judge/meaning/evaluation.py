@@ -7,7 +7,15 @@ from types import MappingProxyType
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, absolute, neg, power, symbol
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    absolute,
+    neg,
+    power,
+    symbol,
+    symbols_of,
+    walk,
+)
 from gainproof.verify.judge.exact.functions import is_known
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.meaning.bindings import Bindings
@@ -22,6 +30,7 @@ from gainproof.verify.judge.meaning.value import (
     mapped,
     multiplied,
     negated,
+    shape,
     shape_text,
     stacked,
     transposed,
@@ -73,6 +82,7 @@ def _value(node: Expr, names: Names, bindings: Bindings) -> Value:
             return names.derivative(part(0), node.name, bindings)
         case "at":
             names.refuse_free_index(node.parts[0], node.name)
+            _refuse_hidden(node, names, bindings)
             return _at(part(0), node.name, part(1), names, bindings)
         case "matrix":
             columns = int(node.name.split()[1])
@@ -102,13 +112,32 @@ def _power(base: Value, node: Expr) -> Value:
 def _at(value: Value, token: str, place: Value, names: Names, bindings: Bindings) -> Value:
     target = names.symbol(token, bindings)
     names.refuse_own_terms(value, token)
-    if not isinstance(target, Expr) or target.kind != "symbol":
+    replaced = entries(target)
+    if any(entry.kind != "symbol" for entry in replaced) or len(set(replaced)) < len(replaced):
         raise Undecided(f"substitution for {token}, which is no free symbol")
-    if names.is_shared(target.name, *entries(value)):
+    if any(names.is_shared(entry.name, *entries(value)) for entry in replaced):
         raise Undecided(f"substitution for {token}, with which the tracking index changes")
-    put_in = {target.name: number_of(place)}
+    if isinstance(target, Expr):
+        number_of(place)
+    elif shape(target) != shape(place):
+        raise Undecided(f"{shape_text(place)} in place of {token}, {shape_text(target)}")
+    put_in = {old.name: new for old, new in zip(replaced, entries(place), strict=True)}
     names.require_at(token, put_in)
     return mapped(value, lambda entry: substituted(entry, put_in))
+
+
+def _refuse_hidden(node: Expr, names: Names, bindings: Bindings) -> None:
+    """Raises Undecided if a value put in before holds, by its definition alone, what is replaced
+    now: of values put in together none is meant to change another.
+    """
+    replaced = symbols_of(*entries(names.symbol(node.name, bindings)))
+    before = node.parts[0]
+    while before.kind == "at":
+        value = before.parts[1]
+        shown = any(part.value == node.name for part in walk(value))
+        if not shown and replaced & symbols_of(*entries(evaluated(value, names, bindings))):
+            raise Undecided("values put in that depend on what they replace")
+        before = before.parts[0]
 
 
 def _call(node: Expr, names: Names, bindings: Bindings) -> Value:

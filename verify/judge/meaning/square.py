@@ -5,6 +5,7 @@ from __future__ import annotations
 from gainproof.verify.judge.exact.expression import Expr, add, div, number, power
 from gainproof.verify.judge.exact.grid import Grid
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.meaning.elimination import inverse_of_numbers, is_numeric
 from gainproof.verify.judge.meaning.value import Value, dot, multiplied, shape_text
 
 MOST_INVERTED = 5
@@ -17,10 +18,12 @@ def identity(size: int) -> Grid:
 
 
 def inverse(value: Value) -> Value:
-    """The inverse by cofactors."""
+    """The inverse by cofactors; a large one of numbers by elimination."""
     if isinstance(value, Expr):
         return power(value, -1)
     size = _square(value, "the inverse of")
+    if size > MOST_INVERTED and is_numeric(value):
+        return inverse_of_numbers(value)
     if size > MOST_INVERTED:
         raise Undecided(f"the inverse of a matrix of more than {MOST_INVERTED} rows")
     whole = determinant(value)

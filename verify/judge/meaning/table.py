@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
@@ -40,6 +41,7 @@ from gainproof.verify.judge.meaning.value import (
 
 MOST_CALLS = 500
 """Functions put in, all together: calls inside calls double with every definition."""
+_Item = TypeVar("_Item")
 
 
 @dataclass
@@ -110,9 +112,13 @@ class Table(Symbols):
         self.needed += self.needed
         self.required += self.required
         self.whole += self.whole
+        self._put_in(values, marks)
+        # what does not hold the symbol stays as it is, and is asked once
+        _without_repeated(self.needed, marks[0])
+        _without_repeated(self.required, marks[1])
+        _without_repeated(self.whole, marks[2])
         if max(len(self.needed), len(self.required), len(self.whole)) > MOST_CALLS:
             raise Undecided("a formula with too many sums in which a symbol is replaced")
-        self._put_in(values, marks)
         if self.setting.symbols[token].integer:
             self.whole += values.values()
 
@@ -224,3 +230,9 @@ class Table(Symbols):
             if entry.variance is not None
         }
         return mapped(value, lambda entry: expectation_of(entry, variances))
+
+
+def _without_repeated(found: list[_Item], start: int) -> None:
+    """Leaves out what stands in a list from a place on and before too, or twice."""
+    before = set(found[:start])
+    found[start:] = [item for item in dict.fromkeys(found[start:]) if item not in before]

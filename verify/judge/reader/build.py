@@ -10,6 +10,7 @@ from lark import Token, Tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.reader.build_calculus import (
     derivative,
+    derivative_there,
     evaluated,
     family,
     integral,
@@ -103,6 +104,8 @@ class Builder:
                 return integral(self, tree)
             case "derivative" | "derivative_operator":
                 return derivative(self, tree)
+            case "derivative_there":
+                return derivative_there(self, tree)
             case "evaluated_group":
                 inner, statements = children(tree)
                 return evaluated(self, self.value(inner), statements)

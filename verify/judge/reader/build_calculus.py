@@ -63,12 +63,45 @@ def derivative(builder: Builder, tree: Branch) -> int:
     if tree.data == "derivative_operator" and _has_bar(inner):
         problem = "a bar behind a derivative: write \\left. ... \\right|_{x=...} round both"
         raise builder.error(problem, inner)
+    symbols = _variables(builder, below, above, tree)
+    return _differentiated(builder, builder.value(inner), symbols)
+
+
+def derivative_there(builder: Builder, tree: Branch) -> int:
+    """`\\frac{\\partial f}{\\partial x}(a)`: the derivative of a declared function of its own
+    arguments, with a in their place.
+    """
+    parts = children(tree)
+    above = [child for child in parts if child.data == "order"]
+    below, places = parts[-2:]
+    name = str(tokens(tree, "FUNCTION")[0])
+    arguments = builder.vocabulary.symbols[name].arguments
+    values = [builder.value(place) for place in children(places)]
+    if len(values) != len(arguments):
+        problem = f"{name} has {len(arguments)} arguments, not {len(values)}"
+        raise builder.error(problem, places)
+    own = [builder.nodes.add("symbol", argument) for argument in arguments]
+    symbols = _variables(builder, below, above, tree)
+    number = _differentiated(builder, builder.nodes.add("call", name, *own), symbols)
+    moved = [item for item in zip(arguments, own, values, strict=True) if item[1] != item[2]]
+    for argument, _, value in moved:
+        if builder.nodes.symbols_in(value) & set(arguments):
+            raise builder.error("values that depend on what they replace", places)
+        number = builder.nodes.add("at", number, argument, value)
+    return number
+
+
+def _variables(builder: Builder, below: Branch, above: list[Branch], tree: Branch) -> list[str]:
+    """The symbols of a derivative, each as often as its order."""
     symbols: list[str] = []
     for part in children(below):
         symbols += [str(tokens(part, "SYMBOL")[0])] * _order(builder, children(part))
     if _order(builder, above) != len(symbols):
         raise builder.error("orders above and below that differ", tree)
-    number = builder.value(inner)
+    return symbols
+
+
+def _differentiated(builder: Builder, number: int, symbols: list[str]) -> int:
     for symbol in reversed(symbols):
         number = builder.nodes.add("derivative", number, symbol)
     return number

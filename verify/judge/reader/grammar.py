@@ -65,6 +65,7 @@ evaluated: AT LEFT_BRACE statements RIGHT_BRACE
      | EMPTY_OPEN expression BAR_CLOSE UNDER LEFT_BRACE statements RIGHT_BRACE -> evaluated_group
      | FRAC argument argument -> fraction
      | FRAC_PARTIAL LEFT_BRACE PARTIAL order? product RIGHT_BRACE below -> derivative
+     | FRAC_PARTIAL LEFT_BRACE PARTIAL order? FUNCTION RIGHT_BRACE below places -> derivative_there
      | SQRT argument -> root
      | SQRT ROOT_OPEN NUMBER ROOT_CLOSE argument -> root
      | FUNCTION OPEN expression (COMMA expression)* CLOSE -> call
@@ -77,6 +78,7 @@ evaluated: AT LEFT_BRACE statements RIGHT_BRACE
      | MATRIX_OPEN row (ROW row)* MATRIX_CLOSE -> matrix
      | ROW_OPEN row ROW_CLOSE -> matrix
 row: expression (CELL expression)*
+places: OPEN expression (COMMA expression)* CLOSE
 arguments: OPEN listed (COMMA listed)* CLOSE | ARGUMENT_OPEN product ARGUMENT_CLOSE
 ?listed: expression | infinity
 ?argument: NUMBER -> number

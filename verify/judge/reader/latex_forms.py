@@ -18,7 +18,7 @@ _COMMANDS = {
     "covariance": "\\operatorname{cov}",
     "variance": "\\operatorname{var}",
     "sign": "\\operatorname{sgn}",
-    **{name: f"\\operatorname{{{name}}}" for name in ("atan2", "rank", "diag", "erf")},
+    **{name: f"\\operatorname{{{name}}}" for name in ("atan2", "rank", "diag", "erf", "erfinv")},
 }
 assert _COMMANDS.keys() == set(FUNCTION_WORDS.values())
 

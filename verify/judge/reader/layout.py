@@ -97,6 +97,9 @@ def _argument_brackets(tokens: Sequence[FormulaToken], pairing: Pairing) -> set[
                 after = pairing.closing.get(after, after) + 1
             elif after < len(tokens) and tokens[after].kind == "TRANSPOSE":
                 after += 1
+            elif [t.kind for t in tokens[after : after + 2]] == ["RIGHT_BRACE", "LEFT_BRACE"]:
+                # the derivative of a function, behind which its arguments may stand
+                after = pairing.closing[after + 1] + 1
             if after < len(tokens) and tokens[after].kind == "OPEN":
                 found.add(after)
     return found

@@ -22,6 +22,8 @@ from gainproof.verify.judge.reader.marks import Mark, scan_mark_above, scan_mark
 from gainproof.verify.judge.reader.subscripts import scan_subscript
 
 _MOST_ACCENTS = 6
+DIFFERENCE = "\\Delta"
+"""Before another symbol it makes a name with it, where that is declared: `\\Delta R_i`."""
 
 
 def scan_base(text: str, position: int, accents: int = 0) -> tuple[str, int] | None:
@@ -132,8 +134,8 @@ def _prime_above(text: str, position: int) -> int | None:
 
 
 def scan_names(text: str, base: str, position: int) -> list[tuple[str, int]]:
-    """The names that may begin with `base`, which ends at `position`, as (canonical name, end): the
-    one with most marks first, the one without marks last.
+    """The names that may begin with `base`, which ends at `position`, as (canonical name, end):
+    those of a difference first, then the one with most marks, the one without marks last.
     """
     plain, end = scan_decorations(text, base, position)
     found = [(plain, end)]
@@ -148,7 +150,17 @@ def scan_names(text: str, base: str, position: int) -> list[tuple[str, int]]:
     found += [item for item in with_behind if item is not None]
     if any(after - position > MOST_NAME_CHARACTERS for _, after in found):
         found = [item for item in found if item[1] - position <= MOST_NAME_CHARACTERS]
-    return found[::-1]
+    return [*_differences(text, base, position), *found[::-1]]
+
+
+def _differences(text: str, base: str, position: int) -> list[tuple[str, int]]:
+    """The names of a difference that may begin with a Delta, which ends at `position`."""
+    if base != DIFFERENCE:
+        return []
+    inner = scan_base(text, skip_space(text, position))
+    if inner is None or inner[0] == DIFFERENCE:
+        return []
+    return [(f"{DIFFERENCE} {name}", end) for name, end in scan_names(text, *inner)]
 
 
 def _with_behind(text: str, name: str, end: int) -> tuple[str, int] | None:

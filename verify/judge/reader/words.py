@@ -18,7 +18,7 @@ FUNCTION_WORDS = {
     "exp": "exp", "ln": "log", "log": "log", "det": "det", "max": "max", "min": "min",
     "tr": "trace", "trace": "trace", "rank": "rank", "diag": "diag",
     "blkdiag": "block_diagonal", "cov": "covariance", "var": "variance", "sgn": "sign",
-    "sign": "sign", "erf": "erf",
+    "sign": "sign", "erf": "erf", "erfinv": "erfinv",
 }
 # fmt: on
 """Names of functions by the word printed: `\\ln` and `\\log` are both the natural logarithm."""

@@ -18,8 +18,12 @@ from gainproof.verify.judge.reader.reader import read_formula, read_plain
 PAGE = Path(__file__).parents[4] / "docs" / "reader.md"
 NUMBERS = r"a b c k n x y T \alpha \beta \theta \sigma_v \dot{x}_{sk-1} x' \hat{x}_k(+) x^{-}"
 INDEXED = "b_i b_1 b_2 b_n"
+DIFFERENCE = r"\Delta x"
 SYMBOLS = {
-    **{canonical_token(name): Declared() for name in [*NUMBERS.split(), *INDEXED.split()]},
+    **{
+        canonical_token(name): Declared()
+        for name in [*NUMBERS.split(), *INDEXED.split(), DIFFERENCE]
+    },
     "i": Declared(integer=True),
     **{
         canonical_token(name): Declared(shape=(2, 2))
