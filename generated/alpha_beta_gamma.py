@@ -18,8 +18,12 @@ if TYPE_CHECKING:
     from gainproof.generated._signature import Arrays, Real
 
 __all__ = [
+    "AccelerationNoiseVariances",
+    "AccelerationNoiseVariancesOfCoordinates",
     "Coordinates",
     "GainsOfCoordinates",
+    "JerkNoiseVariances",
+    "JerkNoiseVariancesOfCoordinates",
     "Lags",
     "MinimumVarianceByLag",
     "RandomAccelerationByGain",
@@ -28,8 +32,14 @@ __all__ = [
     "RandomJerkByLag",
     "Variances",
     "VariancesOfCoordinates",
+    "WhiteJerkNoiseVariances",
+    "WhiteJerkNoiseVariancesOfCoordinates",
+    "acceleration_noise_variances",
+    "acceleration_noise_variances_of_coordinates",
     "coordinates",
     "gains_of_coordinates",
+    "jerk_noise_variances",
+    "jerk_noise_variances_of_coordinates",
     "lags",
     "minimum_variance_by_lag",
     "random_acceleration_by_gain",
@@ -38,6 +48,8 @@ __all__ = [
     "random_jerk_by_lag",
     "variances",
     "variances_of_coordinates",
+    "white_jerk_noise_variances",
+    "white_jerk_noise_variances_of_coordinates",
 ]
 
 _ALPHA_DOMAIN = Domain(
@@ -594,6 +606,1288 @@ _VARIANCES_OF_COORDINATES = Signature(
     ),
     8,
     _variances_of_coordinates_block,
+)
+
+
+class AccelerationNoiseVariances(NamedTuple):
+    """Result of `acceleration_noise_variances`."""
+
+    predicted_11: Real
+    """Added to the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Added to the covariance of predicted position and velocity over sigma_v^2, times T."""
+    predicted_13: Real
+    """Added to the covariance of predicted position and acceleration over sigma_v^2, times T^2."""
+    predicted_22: Real
+    """Added to the variance of the predicted velocity over sigma_v^2, times T^2."""
+    predicted_23: Real
+    """Added to the covariance of predicted velocity and acceleration over sigma_v^2, times T^3."""
+    predicted_33: Real
+    """Added to the variance of the predicted acceleration over sigma_v^2, times T^4."""
+    updated_11: Real
+    """Added to the variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Added to the covariance of updated position and velocity over sigma_v^2, times T."""
+    updated_13: Real
+    """Added to the covariance of updated position and acceleration over sigma_v^2, times T^2."""
+    updated_22: Real
+    """Added to the variance of the updated velocity over sigma_v^2, times T^2."""
+    updated_23: Real
+    """Added to the covariance of updated velocity and acceleration over sigma_v^2, times T^3."""
+    updated_33: Real
+    """Added to the variance of the updated acceleration over sigma_v^2, times T^4."""
+
+
+def acceleration_noise_variances(
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    share: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real]
+    | None = None,
+) -> AccelerationNoiseVariances:
+    """What a process noise of the acceleration adds to covariances.
+
+        D = F (I - K H) D (F (I - K H))' + Q with q = (sigma_w T^2/sigma_v)^2,
+        Q = q (1/2, 1, 1)' (1/2, 1, 1);
+        times q sigma_v^2 the entries are what the noise adds to the variances;
+        of increments that act at the next sample (acceleration increments) all is the same but
+        predicted_33, 1 more, and updated_33, which is predicted_33 here;
+        with n = 1 + x + y + d, y = (d + m)/x,
+        N = 64, a = 1, f = 0, h = 0, K = 1 + y, V = (1 + y)^2,
+        predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
+        predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
+        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`,
+        and updated_12_scale to updated_33_scale are their entries with plus between the two sums
+        of terms of one sign
+
+    alpha: gain of the position; a number at least 1e-20 and at most 0.999999, in float32 at least
+        1e-5 and at most 0.99999.
+    beta: gain of the velocity times T; a number at least 1e-20 and at most 1.9999999, in float32 at
+        least 1e-5 and at most 1.99999.
+    share: gamma over its largest stable value 2 alpha beta/(2 - alpha); a number at least 1e-20 and
+        at most 0.999999, in float32 at least 1e-5 and at most 0.99999.
+
+    predicted_11: added to the variance of the predicted position over sigma_v^2. Relative error at
+        most 5.01 * 2^-52 (float64), 5.01 * 2^-23 (float32), proved for every input.
+    predicted_12: added to the covariance of predicted position and velocity over sigma_v^2, times
+        T. Relative error at most 6.01 * 2^-52 (float64), 6.01 * 2^-23 (float32), proved for every
+        input.
+    predicted_13: added to the covariance of predicted position and acceleration over sigma_v^2,
+        times T^2. Relative error at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for
+        every input.
+    predicted_22: added to the variance of the predicted velocity over sigma_v^2, times T^2.
+        Relative error at most 7.01 * 2^-52 (float64), 7.01 * 2^-23 (float32), proved for every
+        input.
+    predicted_23: added to the covariance of predicted velocity and acceleration over sigma_v^2,
+        times T^3. Relative error at most 7.50 * 2^-52 (float64), 7.50 * 2^-23 (float32), proved for
+        every input.
+    predicted_33: added to the variance of the predicted acceleration over sigma_v^2, times T^4.
+        Relative error at most 3.01 * 2^-52 (float64), 3.01 * 2^-23 (float32), proved for every
+        input.
+    updated_11: added to the variance of the updated position over sigma_v^2. Relative error at most
+        6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for every input.
+    updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
+        Error over updated_12_scale at most 6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved
+        for every input. Cancellation in updated_12_difference, condition number 1: terms of both
+        signs; error over the sum of their sizes.
+    updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
+        T^2. Error over updated_13_scale at most 4.01 * 2^-52 (float64), 4.01 * 2^-23 (float32),
+        proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
+        both signs; error over the sum of their sizes.
+    updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
+        updated_22_scale at most 8.01 * 2^-52 (float64), 8.01 * 2^-23 (float32), proved for every
+        input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
+        over the sum of their sizes.
+    updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
+        T^3. Error over updated_23_scale at most 9.00 * 2^-52 (float64), 9.01 * 2^-23 (float32),
+        proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
+        both signs; error over the sum of their sizes.
+    updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
+        over updated_33_scale at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for
+        every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
+        error over the sum of their sizes.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return AccelerationNoiseVariances(
+        *evaluate(_ACCELERATION_NOISE_VARIANCES, (alpha, beta, share), out)
+    )
+
+
+def _acceleration_noise_variances_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    alpha, beta, share = given
+    (
+        predicted_11,
+        predicted_12,
+        predicted_13,
+        predicted_22,
+        predicted_23,
+        predicted_33,
+        updated_11,
+        updated_12,
+        updated_13,
+        updated_22,
+        updated_23,
+        updated_33,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
+    t4 = np.subtract(1.0, alpha, w0)
+    t6 = np.subtract(2.0, alpha, w1)
+    t7 = np.subtract(1.0, share, w2)
+    t8 = np.multiply(t4, 2.0, w3)
+    t9 = np.subtract(2.0, beta, w4)
+    t10 = np.add(t8, t9, w4)
+    t11 = np.multiply(beta, 2.0, w5)
+    t12 = np.divide(t11, t6, predicted_33)
+    t13 = np.multiply(alpha, share, w1)
+    t14 = np.multiply(t13, t12, w1)
+    t15 = np.multiply(alpha, t7, w6)
+    t16 = np.add(t8, t15, w3)
+    t17 = np.multiply(t12, t16, w3)
+    t19 = np.multiply(alpha, 4.0, w6)
+    t20 = np.multiply(t10, 2.0, w4)
+    t21 = np.multiply(alpha, beta, predicted_33)
+    t22 = np.multiply(t21, t7, predicted_33)
+    t24 = np.multiply(t22, 8.0, w7)
+    t25 = np.add(t19, t11, w8)
+    t26 = np.square(t19, predicted_33)
+    t27 = np.add(t11, t14, w9)
+    t28 = np.multiply(t19, t25, w10)
+    t29 = np.divide(t28, t14, predicted_11)
+    t30 = np.divide(t19, t14, predicted_12)
+    t31 = np.divide(8.0, t24, predicted_13)
+    t32 = np.multiply(t30, t31, w10)
+    t33 = np.multiply(t32, 8.0, w10)
+    t36 = np.multiply(t20, 1.0, w11)
+    t37 = np.multiply(t11, 1.0, w12)
+    t38 = np.add(t36, t37, w11)
+    t39 = np.multiply(t20, t38, w4)
+    t40 = np.multiply(t29, t25, w11)
+    t41 = np.add(t40, t39, w11)
+    t42 = np.divide(t26, t24, predicted_22)
+    t43 = np.divide(t37, t14, predicted_23)
+    t44 = np.divide(t27, t14, updated_11)
+    t45 = np.multiply(t44, t42, updated_11)
+    t46 = np.add(t45, t43, updated_11)
+    t47 = np.add(t42, t43, w9)
+    t48 = np.multiply(t29, 2.0, predicted_11)
+    t49 = np.multiply(t48, t31, predicted_13)
+    t51 = np.divide(t19, t24, updated_12)
+    t52 = np.divide(1.0, t14, updated_13)
+    t53 = np.add(t51, t52, w12)
+    t54 = np.multiply(t53, 8.0, w12)
+    t55 = np.multiply(t54, 4.0, w12)
+    t57 = np.multiply(t41, 4.0, w11)
+    t58 = np.divide(t57, t24, updated_22)
+    t60 = np.multiply(t46, 8.0, updated_11)
+    t63 = np.multiply(t47, 16.0, w9)
+    np.multiply(t63, 0.015625, predicted_33)
+    t65 = np.multiply(t4, 8.0, w0)
+    t66 = np.add(t7, share, w2)
+    t67 = np.divide(t65, t24, updated_23)
+    t68 = np.multiply(t30, t67, w9)
+    t69 = np.multiply(t68, t65, w9)
+    t71 = np.multiply(t67, 2.0, updated_23)
+    t72 = np.multiply(t71, 0.015625, updated_23)
+    t73 = np.multiply(t30, t19, w6)
+    t74 = np.multiply(t30, t11, w11)
+    t75 = np.multiply(t30, t25, predicted_12)
+    t76 = np.multiply(t75, t25, predicted_12)
+    t77 = np.add(t76, t39, predicted_12)
+    t78 = np.divide(4.0, t24, updated_33)
+    t79 = np.multiply(t78, 0.015625, updated_33)
+    t80 = np.multiply(t73, t72, w4)
+    t81 = np.multiply(t74, t72, w11)
+    t82 = np.multiply(t52, t65, updated_13)
+    t83 = np.multiply(t82, 4.0, updated_13)
+    t84 = np.multiply(t83, 0.015625, updated_13)
+    t85 = np.multiply(t51, t65, updated_12)
+    t86 = np.multiply(t85, 4.0, updated_12)
+    t87 = np.multiply(t86, 0.015625, w0)
+    t88 = np.multiply(t77, t79, w7)
+    t89 = np.multiply(t73, t11, w6)
+    t90 = np.multiply(t89, 4.0, w6)
+    t91 = np.multiply(t90, t79, w6)
+    t92 = np.divide(t17, t14, w3)
+    t93 = np.multiply(t92, t42, w3)
+    t94 = np.multiply(t93, 8.0, w3)
+    t95 = np.multiply(t94, 0.015625, w3)
+    t96 = np.multiply(t43, 8.0, predicted_23)
+    t97 = np.multiply(t96, 0.015625, w1)
+    t98 = np.multiply(t66, 1.0, w2)
+    np.multiply(t33, 0.015625, predicted_11)
+    np.multiply(t49, 0.015625, predicted_12)
+    np.multiply(t55, 0.015625, predicted_13)
+    np.multiply(t58, 0.015625, predicted_22)
+    np.multiply(t60, 0.015625, predicted_23)
+    np.multiply(t69, 0.015625, updated_11)
+    np.subtract(t80, t81, updated_12)
+    np.subtract(t84, t87, updated_13)
+    np.subtract(t88, t91, updated_22)
+    np.subtract(t95, t97, updated_23)
+    np.subtract(predicted_33, t98, updated_33)
+
+
+_ACCELERATION_NOISE_VARIANCES = Signature(
+    "acceleration_noise_variances",
+    (_ALPHA_DOMAIN, _BETA_DOMAIN, _SHARE_DOMAIN),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+        "updated_11",
+        "updated_12",
+        "updated_13",
+        "updated_22",
+        "updated_23",
+        "updated_33",
+    ),
+    13,
+    _acceleration_noise_variances_block,
+)
+
+
+class JerkNoiseVariances(NamedTuple):
+    """Result of `jerk_noise_variances`."""
+
+    predicted_11: Real
+    """Added to the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Added to the covariance of predicted position and velocity over sigma_v^2, times T."""
+    predicted_13: Real
+    """Added to the covariance of predicted position and acceleration over sigma_v^2, times T^2."""
+    predicted_22: Real
+    """Added to the variance of the predicted velocity over sigma_v^2, times T^2."""
+    predicted_23: Real
+    """Added to the covariance of predicted velocity and acceleration over sigma_v^2, times T^3."""
+    predicted_33: Real
+    """Added to the variance of the predicted acceleration over sigma_v^2, times T^4."""
+    updated_11: Real
+    """Added to the variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Added to the covariance of updated position and velocity over sigma_v^2, times T."""
+    updated_13: Real
+    """Added to the covariance of updated position and acceleration over sigma_v^2, times T^2."""
+    updated_22: Real
+    """Added to the variance of the updated velocity over sigma_v^2, times T^2."""
+    updated_23: Real
+    """Added to the covariance of updated velocity and acceleration over sigma_v^2, times T^3."""
+    updated_33: Real
+    """Added to the variance of the updated acceleration over sigma_v^2, times T^4."""
+
+
+def jerk_noise_variances(
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    share: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real]
+    | None = None,
+) -> JerkNoiseVariances:
+    """What a jerk that is constant over each interval adds to covariances.
+
+        D = F (I - K H) D (F (I - K H))' + Q with q = (sigma_j T^3/sigma_v)^2,
+        Q = q (1/6, 1/2, 1)' (1/6, 1/2, 1);
+        times q sigma_v^2 the entries are what the noise adds to the variances;
+        with n = 1 + x + y + d, y = (d + m)/x,
+        N = 576, a = 9, f = 9, h = 18, K = 9 y + 6 + x/d,
+        V = (1 + y) (9 y + 6) + 1 + x/d,
+        predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
+        predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
+        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`,
+        and updated_12_scale to updated_33_scale are their entries with plus between the two sums
+        of terms of one sign
+
+    alpha: gain of the position; a number at least 1e-20 and at most 0.999999, in float32 at least
+        1e-5 and at most 0.99999.
+    beta: gain of the velocity times T; a number at least 1e-20 and at most 1.9999999, in float32 at
+        least 1e-5 and at most 1.99999.
+    share: gamma over its largest stable value 2 alpha beta/(2 - alpha); a number at least 1e-20 and
+        at most 0.999999, in float32 at least 1e-5 and at most 0.99999.
+
+    predicted_11: added to the variance of the predicted position over sigma_v^2. Relative error at
+        most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for every input.
+    predicted_12: added to the covariance of predicted position and velocity over sigma_v^2, times
+        T. Relative error at most 11.01 * 2^-52 (float64), 11.01 * 2^-23 (float32), proved for every
+        input.
+    predicted_13: added to the covariance of predicted position and acceleration over sigma_v^2,
+        times T^2. Relative error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for
+        every input.
+    predicted_22: added to the variance of the predicted velocity over sigma_v^2, times T^2.
+        Relative error at most 11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved for every
+        input.
+    predicted_23: added to the covariance of predicted velocity and acceleration over sigma_v^2,
+        times T^3. Relative error at most 15.50 * 2^-52 (float64), 15.50 * 2^-23 (float32), proved
+        for every input.
+    predicted_33: added to the variance of the predicted acceleration over sigma_v^2, times T^4.
+        Relative error at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for every
+        input.
+    updated_11: added to the variance of the updated position over sigma_v^2. Relative error at most
+        11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved for every input.
+    updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
+        Error over updated_12_scale at most 11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved
+        for every input. Cancellation in updated_12_difference, condition number 1: terms of both
+        signs; error over the sum of their sizes.
+    updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
+        T^2. Error over updated_13_scale at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32),
+        proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
+        both signs; error over the sum of their sizes.
+    updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
+        updated_22_scale at most 14.00 * 2^-52 (float64), 14.00 * 2^-23 (float32), proved for every
+        input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
+        over the sum of their sizes.
+    updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
+        T^3. Error over updated_23_scale at most 17.00 * 2^-52 (float64), 17.00 * 2^-23 (float32),
+        proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
+        both signs; error over the sum of their sizes.
+    updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
+        over updated_33_scale at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for
+        every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
+        error over the sum of their sizes.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return JerkNoiseVariances(*evaluate(_JERK_NOISE_VARIANCES, (alpha, beta, share), out))
+
+
+def _jerk_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    alpha, beta, share = given
+    (
+        predicted_11,
+        predicted_12,
+        predicted_13,
+        predicted_22,
+        predicted_23,
+        predicted_33,
+        updated_11,
+        updated_12,
+        updated_13,
+        updated_22,
+        updated_23,
+        updated_33,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17 = work
+    t4 = np.subtract(1.0, alpha, w0)
+    t6 = np.subtract(2.0, alpha, w1)
+    t7 = np.subtract(1.0, share, w2)
+    t8 = np.multiply(t4, 2.0, w3)
+    t9 = np.subtract(2.0, beta, w4)
+    t10 = np.add(t8, t9, w4)
+    t11 = np.multiply(beta, 2.0, w5)
+    t12 = np.divide(t11, t6, predicted_11)
+    t13 = np.multiply(alpha, share, w6)
+    t14 = np.multiply(t13, t12, w6)
+    t15 = np.multiply(alpha, t7, w7)
+    t16 = np.add(t8, t15, w3)
+    t17 = np.multiply(t12, t16, predicted_11)
+    t19 = np.multiply(alpha, 4.0, w3)
+    t20 = np.multiply(alpha, 2.0, w7)
+    t21 = np.multiply(beta, t7, w8)
+    t22 = np.add(t21, t10, w8)
+    t23 = np.multiply(t20, t22, w7)
+    t24 = np.divide(t23, t6, predicted_12)
+    t25 = np.multiply(t10, 2.0, w4)
+    t26 = np.multiply(alpha, beta, w1)
+    t27 = np.multiply(t26, t7, w1)
+    t29 = np.multiply(t27, 8.0, w1)
+    t30 = np.add(t19, t11, w7)
+    t32 = np.multiply(t24, 9.0, predicted_12)
+    t34 = np.multiply(6.0, t14, w8)
+    t35 = np.add(t32, t34, predicted_12)
+    t36 = np.multiply(t11, 1.0, w8)
+    t37 = np.divide(t36, t25, predicted_13)
+    t38 = np.multiply(t19, t35, w8)
+    t39 = np.add(t37, 1.0, w9)
+    t40 = np.multiply(t39, t14, w10)
+    t41 = np.multiply(t40, t14, w10)
+    t42 = np.add(t38, t41, w8)
+    t43 = np.multiply(t37, t14, w10)
+    t44 = np.add(t35, t43, w10)
+    t45 = np.add(t11, t14, w11)
+    t46 = np.multiply(t35, t30, w12)
+    t47 = np.divide(t46, t14, predicted_22)
+    t48 = np.divide(t44, t14, predicted_23)
+    t49 = np.divide(8.0, t29, predicted_33)
+    t50 = np.multiply(t48, t49, w12)
+    t51 = np.multiply(t50, 8.0, w12)
+    t54 = np.multiply(t25, 9.0, w13)
+    t55 = np.multiply(t11, 6.0, w14)
+    t56 = np.add(t54, t55, w13)
+    t57 = np.multiply(t25, t56, w4)
+    t58 = np.multiply(t14, 1.0, w13)
+    t59 = np.multiply(t37, t45, w14)
+    t60 = np.add(t58, t59, w14)
+    t61 = np.add(t47, t60, w14)
+    t62 = np.square(t45, w15)
+    t63 = np.multiply(t62, t39, w15)
+    t64 = np.multiply(t19, t14, w16)
+    t65 = np.multiply(t64, 1.0, w16)
+    t66 = np.add(t63, t65, w15)
+    t67 = np.add(t57, t66, w15)
+    t68 = np.multiply(t47, t30, predicted_22)
+    t69 = np.add(t68, t67, predicted_22)
+    t70 = np.divide(t42, t29, updated_11)
+    t71 = np.multiply(t11, 9.0, w8)
+    t72 = np.divide(t71, t14, updated_12)
+    t73 = np.divide(t45, t14, updated_13)
+    t74 = np.multiply(t73, t70, updated_13)
+    t75 = np.add(t74, t72, updated_13)
+    t76 = np.add(t70, t72, w8)
+    t77 = np.multiply(t61, 2.0, w14)
+    t78 = np.multiply(t77, t49, w14)
+    t80 = np.divide(t44, t29, updated_22)
+    t81 = np.divide(9.0, t14, updated_23)
+    t82 = np.add(t80, t81, w10)
+    t83 = np.multiply(t82, 8.0, w10)
+    t84 = np.multiply(t83, 4.0, w10)
+    t86 = np.multiply(t69, 4.0, predicted_22)
+    t87 = np.divide(t86, t29, updated_33)
+    t89 = np.add(t75, 9.0, updated_13)
+    t90 = np.multiply(t89, 8.0, updated_13)
+    t93 = np.add(t76, 18.0, w11)
+    t95 = np.multiply(t93, 16.0, w11)
+    t97 = np.multiply(t4, 8.0, w0)
+    t98 = np.add(t7, share, w2)
+    t99 = np.divide(t97, t29, w15)
+    t100 = np.multiply(t48, t99, predicted_23)
+    t101 = np.multiply(t100, t97, w17)
+    t103 = np.divide(t35, t14, predicted_12)
+    t104 = np.multiply(t99, 2.0, w15)
+    t105 = np.divide(t104, 576.0, w15)
+    t106 = np.multiply(t103, t19, w3)
+    t107 = np.multiply(t103, t11, predicted_22)
+    t108 = np.add(t106, t58, w13)
+    t109 = np.multiply(t37, t17, predicted_13)
+    t110 = np.add(t107, t109, predicted_22)
+    t111 = np.square(t17, predicted_13)
+    t112 = np.multiply(t111, t39, predicted_13)
+    t113 = np.add(t112, t65, predicted_13)
+    t114 = np.add(t57, t113, w4)
+    t115 = np.multiply(t103, t30, predicted_12)
+    t116 = np.multiply(t115, t30, predicted_12)
+    t117 = np.add(t116, t114, predicted_12)
+    t118 = np.divide(4.0, t29, w1)
+    t119 = np.divide(t118, 576.0, w1)
+    t120 = np.multiply(t108, t105, w13)
+    t121 = np.multiply(t110, t105, w15)
+    t122 = np.multiply(t81, t97, updated_23)
+    t123 = np.multiply(t122, 4.0, updated_23)
+    t124 = np.divide(t123, 576.0, updated_23)
+    t125 = np.multiply(t80, t97, updated_22)
+    t126 = np.multiply(t125, 4.0, updated_22)
+    t127 = np.divide(t126, 576.0, updated_22)
+    t128 = np.multiply(t117, t119, w0)
+    t129 = np.multiply(t106, t11, w3)
+    t130 = np.multiply(t129, 4.0, w3)
+    t131 = np.multiply(t130, t119, w3)
+    t132 = np.divide(t17, t14, predicted_11)
+    t133 = np.multiply(t132, t70, predicted_11)
+    t134 = np.add(t133, 9.0, predicted_11)
+    t135 = np.multiply(t134, 8.0, predicted_11)
+    t136 = np.divide(t135, 576.0, w1)
+    t137 = np.multiply(t72, 8.0, updated_12)
+    t138 = np.divide(t137, 576.0, w4)
+    t139 = np.multiply(t76, 16.0, w8)
+    t140 = np.divide(t139, 576.0, w8)
+    t142 = np.multiply(t98, 0.5, w2)
+    np.divide(t51, 576.0, predicted_11)
+    np.divide(t78, 576.0, predicted_12)
+    np.divide(t84, 576.0, predicted_13)
+    np.divide(t87, 576.0, predicted_22)
+    np.divide(t90, 576.0, predicted_23)
+    np.divide(t95, 576.0, predicted_33)
+    np.divide(t101, 576.0, updated_11)
+    np.subtract(t120, t121, updated_12)
+    np.subtract(t124, t127, updated_13)
+    np.subtract(t128, t131, updated_22)
+    np.subtract(t136, t138, updated_23)
+    np.subtract(t140, t142, updated_33)
+
+
+_JERK_NOISE_VARIANCES = Signature(
+    "jerk_noise_variances",
+    (_ALPHA_DOMAIN, _BETA_DOMAIN, _SHARE_DOMAIN),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+        "updated_11",
+        "updated_12",
+        "updated_13",
+        "updated_22",
+        "updated_23",
+        "updated_33",
+    ),
+    18,
+    _jerk_noise_variances_block,
+)
+
+
+class WhiteJerkNoiseVariances(NamedTuple):
+    """Result of `white_jerk_noise_variances`."""
+
+    predicted_11: Real
+    """Added to the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Added to the covariance of predicted position and velocity over sigma_v^2, times T."""
+    predicted_13: Real
+    """Added to the covariance of predicted position and acceleration over sigma_v^2, times T^2."""
+    predicted_22: Real
+    """Added to the variance of the predicted velocity over sigma_v^2, times T^2."""
+    predicted_23: Real
+    """Added to the covariance of predicted velocity and acceleration over sigma_v^2, times T^3."""
+    predicted_33: Real
+    """Added to the variance of the predicted acceleration over sigma_v^2, times T^4."""
+    updated_11: Real
+    """Added to the variance of the updated position over sigma_v^2."""
+    updated_12: Real
+    """Added to the covariance of updated position and velocity over sigma_v^2, times T."""
+    updated_13: Real
+    """Added to the covariance of updated position and acceleration over sigma_v^2, times T^2."""
+    updated_22: Real
+    """Added to the variance of the updated velocity over sigma_v^2, times T^2."""
+    updated_23: Real
+    """Added to the covariance of updated velocity and acceleration over sigma_v^2, times T^3."""
+    updated_33: Real
+    """Added to the variance of the updated acceleration over sigma_v^2, times T^4."""
+
+
+def white_jerk_noise_variances(
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    share: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real]
+    | None = None,
+) -> WhiteJerkNoiseVariances:
+    """What a white jerk adds to covariances.
+
+        D = F (I - K H) D (F (I - K H))' + Q with q = density T^5/sigma_v^2,
+        Q = q (1/20, 1/8, 1/6; 1/8, 1/3, 1/2; 1/6, 1/2, 1);
+        times q sigma_v^2 the entries are what the noise adds to the variances;
+        with n = 1 + x + y + d, y = (d + m)/x,
+        N = 960, a = 15, f = 10, h = 30, K = 15 y + 15 + 2 x/d,
+        V = 15 (1 + y)^2 + 2 + 2 x/d,
+        predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
+        predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
+        and after the update (I - K H) D (I - K H)'; x, d and m are those of `coordinates`,
+        and updated_12_scale to updated_33_scale are their entries with plus between the two sums
+        of terms of one sign
+
+    alpha: gain of the position; a number at least 1e-20 and at most 0.999999, in float32 at least
+        1e-5 and at most 0.99999.
+    beta: gain of the velocity times T; a number at least 1e-20 and at most 1.9999999, in float32 at
+        least 1e-5 and at most 1.99999.
+    share: gamma over its largest stable value 2 alpha beta/(2 - alpha); a number at least 1e-20 and
+        at most 0.999999, in float32 at least 1e-5 and at most 0.99999.
+
+    predicted_11: added to the variance of the predicted position over sigma_v^2. Relative error at
+        most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for every input.
+    predicted_12: added to the covariance of predicted position and velocity over sigma_v^2, times
+        T. Relative error at most 11.01 * 2^-52 (float64), 11.01 * 2^-23 (float32), proved for every
+        input.
+    predicted_13: added to the covariance of predicted position and acceleration over sigma_v^2,
+        times T^2. Relative error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for
+        every input.
+    predicted_22: added to the variance of the predicted velocity over sigma_v^2, times T^2.
+        Relative error at most 11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved for every
+        input.
+    predicted_23: added to the covariance of predicted velocity and acceleration over sigma_v^2,
+        times T^3. Relative error at most 15.50 * 2^-52 (float64), 15.50 * 2^-23 (float32), proved
+        for every input.
+    predicted_33: added to the variance of the predicted acceleration over sigma_v^2, times T^4.
+        Relative error at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for every
+        input.
+    updated_11: added to the variance of the updated position over sigma_v^2. Relative error at most
+        11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved for every input.
+    updated_12: added to the covariance of updated position and velocity over sigma_v^2, times T.
+        Error over updated_12_scale at most 11.51 * 2^-52 (float64), 11.51 * 2^-23 (float32), proved
+        for every input. Cancellation in updated_12_difference, condition number 1: terms of both
+        signs; error over the sum of their sizes.
+    updated_13: added to the covariance of updated position and acceleration over sigma_v^2, times
+        T^2. Error over updated_13_scale at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32),
+        proved for every input. Cancellation in updated_13_difference, condition number 1: terms of
+        both signs; error over the sum of their sizes.
+    updated_22: added to the variance of the updated velocity over sigma_v^2, times T^2. Error over
+        updated_22_scale at most 14.00 * 2^-52 (float64), 14.00 * 2^-23 (float32), proved for every
+        input. Cancellation in updated_22_difference, condition number 1: terms of both signs; error
+        over the sum of their sizes.
+    updated_23: added to the covariance of updated velocity and acceleration over sigma_v^2, times
+        T^3. Error over updated_23_scale at most 17.00 * 2^-52 (float64), 17.00 * 2^-23 (float32),
+        proved for every input. Cancellation in updated_23_difference, condition number 1: terms of
+        both signs; error over the sum of their sizes.
+    updated_33: added to the variance of the updated acceleration over sigma_v^2, times T^4. Error
+        over updated_33_scale at most 11.00 * 2^-52 (float64), 11.00 * 2^-23 (float32), proved for
+        every input. Cancellation in updated_33_difference, condition number 1: terms of both signs;
+        error over the sum of their sizes.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return WhiteJerkNoiseVariances(
+        *evaluate(_WHITE_JERK_NOISE_VARIANCES, (alpha, beta, share), out)
+    )
+
+
+def _white_jerk_noise_variances_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    alpha, beta, share = given
+    (
+        predicted_11,
+        predicted_12,
+        predicted_13,
+        predicted_22,
+        predicted_23,
+        predicted_33,
+        updated_11,
+        updated_12,
+        updated_13,
+        updated_22,
+        updated_23,
+        updated_33,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17 = work
+    t4 = np.subtract(1.0, alpha, w0)
+    t6 = np.subtract(2.0, alpha, w1)
+    t7 = np.subtract(1.0, share, w2)
+    t8 = np.multiply(t4, 2.0, w3)
+    t9 = np.subtract(2.0, beta, w4)
+    t10 = np.add(t8, t9, w4)
+    t11 = np.multiply(beta, 2.0, w5)
+    t12 = np.divide(t11, t6, predicted_11)
+    t13 = np.multiply(alpha, share, w6)
+    t14 = np.multiply(t13, t12, w6)
+    t15 = np.multiply(alpha, t7, w7)
+    t16 = np.add(t8, t15, w3)
+    t17 = np.multiply(t12, t16, predicted_11)
+    t19 = np.multiply(alpha, 4.0, w3)
+    t20 = np.multiply(alpha, 2.0, w7)
+    t21 = np.multiply(beta, t7, w8)
+    t22 = np.add(t21, t10, w8)
+    t23 = np.multiply(t20, t22, w7)
+    t24 = np.divide(t23, t6, predicted_12)
+    t25 = np.multiply(t10, 2.0, w4)
+    t26 = np.multiply(alpha, beta, w1)
+    t27 = np.multiply(t26, t7, w1)
+    t29 = np.multiply(t27, 8.0, w1)
+    t30 = np.add(t19, t11, w7)
+    t32 = np.multiply(t24, 15.0, predicted_12)
+    t33 = np.multiply(15.0, t14, w8)
+    t34 = np.add(t32, t33, predicted_12)
+    t35 = np.multiply(t11, 2.0, w8)
+    t36 = np.divide(t35, t25, predicted_13)
+    t37 = np.multiply(t19, t34, w8)
+    t38 = np.add(t36, 2.0, w9)
+    t39 = np.multiply(t38, t14, w10)
+    t40 = np.multiply(t39, t14, w10)
+    t41 = np.add(t37, t40, w8)
+    t42 = np.multiply(t36, t14, w10)
+    t43 = np.add(t34, t42, w10)
+    t44 = np.add(t11, t14, w11)
+    t45 = np.multiply(t34, t30, w12)
+    t46 = np.divide(t45, t14, predicted_22)
+    t47 = np.divide(t43, t14, predicted_23)
+    t48 = np.divide(8.0, t29, predicted_33)
+    t49 = np.multiply(t47, t48, w12)
+    t50 = np.multiply(t49, 8.0, w12)
+    t53 = np.multiply(t25, 15.0, w13)
+    t54 = np.multiply(t11, 15.0, w14)
+    t55 = np.add(t53, t54, w13)
+    t56 = np.multiply(t25, t55, w4)
+    t57 = np.multiply(t14, 2.0, w13)
+    t58 = np.multiply(t36, t44, w15)
+    t59 = np.add(t57, t58, w15)
+    t60 = np.add(t46, t59, w15)
+    t61 = np.square(t44, w16)
+    t62 = np.multiply(t61, t38, w16)
+    t63 = np.multiply(t19, t14, w17)
+    t64 = np.multiply(t63, 2.0, w17)
+    t65 = np.add(t62, t64, w16)
+    t66 = np.add(t56, t65, w16)
+    t67 = np.multiply(t46, t30, predicted_22)
+    t68 = np.add(t67, t66, predicted_22)
+    t69 = np.divide(t41, t29, updated_11)
+    t70 = np.divide(t54, t14, updated_12)
+    t71 = np.divide(t44, t14, updated_13)
+    t72 = np.multiply(t71, t69, updated_13)
+    t73 = np.add(t72, t70, updated_13)
+    t74 = np.add(t69, t70, w8)
+    t75 = np.multiply(t60, 2.0, w15)
+    t76 = np.multiply(t75, t48, w15)
+    t78 = np.divide(t43, t29, updated_22)
+    t79 = np.divide(15.0, t14, updated_23)
+    t80 = np.add(t78, t79, w10)
+    t81 = np.multiply(t80, 8.0, w10)
+    t82 = np.multiply(t81, 4.0, w10)
+    t84 = np.multiply(t68, 4.0, predicted_22)
+    t85 = np.divide(t84, t29, updated_33)
+    t88 = np.add(t73, 10.0, updated_13)
+    t89 = np.multiply(t88, 8.0, updated_13)
+    t92 = np.add(t74, 30.0, w11)
+    t94 = np.multiply(t92, 16.0, w11)
+    t96 = np.multiply(t4, 8.0, w0)
+    t97 = np.add(t7, share, w2)
+    t98 = np.divide(t96, t29, w14)
+    t99 = np.multiply(t47, t98, predicted_23)
+    t100 = np.multiply(t99, t96, w16)
+    t102 = np.divide(t34, t14, predicted_12)
+    t103 = np.multiply(t98, 2.0, w14)
+    t104 = np.divide(t103, 960.0, w14)
+    t105 = np.multiply(t102, t19, w3)
+    t106 = np.multiply(t102, t11, predicted_22)
+    t107 = np.add(t105, t57, w13)
+    t108 = np.multiply(t36, t17, predicted_13)
+    t109 = np.add(t106, t108, predicted_22)
+    t110 = np.square(t17, predicted_13)
+    t111 = np.multiply(t110, t38, predicted_13)
+    t112 = np.add(t111, t64, predicted_13)
+    t113 = np.add(t56, t112, w4)
+    t114 = np.multiply(t102, t30, predicted_12)
+    t115 = np.multiply(t114, t30, predicted_12)
+    t116 = np.add(t115, t113, predicted_12)
+    t117 = np.divide(4.0, t29, w1)
+    t118 = np.divide(t117, 960.0, w1)
+    t119 = np.multiply(t107, t104, w13)
+    t120 = np.multiply(t109, t104, w14)
+    t121 = np.multiply(t79, t96, updated_23)
+    t122 = np.multiply(t121, 4.0, updated_23)
+    t123 = np.divide(t122, 960.0, updated_23)
+    t124 = np.multiply(t78, t96, updated_22)
+    t125 = np.multiply(t124, 4.0, updated_22)
+    t126 = np.divide(t125, 960.0, updated_22)
+    t127 = np.multiply(t116, t118, w0)
+    t128 = np.multiply(t105, t11, w3)
+    t129 = np.multiply(t128, 4.0, w3)
+    t130 = np.multiply(t129, t118, w3)
+    t131 = np.divide(t17, t14, predicted_11)
+    t132 = np.multiply(t131, t69, predicted_11)
+    t133 = np.add(t132, 10.0, predicted_11)
+    t134 = np.multiply(t133, 8.0, predicted_11)
+    t135 = np.divide(t134, 960.0, w1)
+    t136 = np.multiply(t70, 8.0, updated_12)
+    t137 = np.divide(t136, 960.0, w4)
+    t138 = np.multiply(t74, 16.0, w8)
+    t139 = np.divide(t138, 960.0, w8)
+    t141 = np.multiply(t97, 0.5, w2)
+    np.divide(t50, 960.0, predicted_11)
+    np.divide(t76, 960.0, predicted_12)
+    np.divide(t82, 960.0, predicted_13)
+    np.divide(t85, 960.0, predicted_22)
+    np.divide(t89, 960.0, predicted_23)
+    np.divide(t94, 960.0, predicted_33)
+    np.divide(t100, 960.0, updated_11)
+    np.subtract(t119, t120, updated_12)
+    np.subtract(t123, t126, updated_13)
+    np.subtract(t127, t130, updated_22)
+    np.subtract(t135, t137, updated_23)
+    np.subtract(t139, t141, updated_33)
+
+
+_WHITE_JERK_NOISE_VARIANCES = Signature(
+    "white_jerk_noise_variances",
+    (_ALPHA_DOMAIN, _BETA_DOMAIN, _SHARE_DOMAIN),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+        "updated_11",
+        "updated_12",
+        "updated_13",
+        "updated_22",
+        "updated_23",
+        "updated_33",
+    ),
+    18,
+    _white_jerk_noise_variances_block,
+)
+
+
+class AccelerationNoiseVariancesOfCoordinates(NamedTuple):
+    """Result of `acceleration_noise_variances_of_coordinates`."""
+
+    predicted_11: Real
+    """Added to the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Added to the covariance of predicted position and velocity over sigma_v^2, times T."""
+    predicted_13: Real
+    """Added to the covariance of predicted position and acceleration over sigma_v^2, times T^2."""
+    predicted_22: Real
+    """Added to the variance of the predicted velocity over sigma_v^2, times T^2."""
+    predicted_23: Real
+    """Added to the covariance of predicted velocity and acceleration over sigma_v^2, times T^3."""
+    predicted_33: Real
+    """Added to the variance of the predicted acceleration over sigma_v^2, times T^4."""
+
+
+def acceleration_noise_variances_of_coordinates(
+    linear_coefficient: ArrayLike,
+    cubic_coefficient: ArrayLike,
+    hurwitz_determinant: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> AccelerationNoiseVariancesOfCoordinates:
+    """What a process noise of the acceleration adds, any stable filter.
+
+        D = F (I - K H) D (F (I - K H))' + Q with q = (sigma_w T^2/sigma_v)^2,
+        Q = q (1/2, 1, 1)' (1/2, 1, 1);
+        times q sigma_v^2 the entries are what the noise adds to the variances;
+        of increments that act at the next sample (acceleration increments) all is the same but
+        predicted_33, 1 more, and updated_33, which is predicted_33 here;
+        with n = 1 + x + y + d, y = (d + m)/x,
+        N = 64, a = 1, f = 0, h = 0, K = 1 + y, V = (1 + y)^2,
+        predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
+        predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
+
+    linear_coefficient: x, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the
+        constant one; a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most
+        1e4.
+    cubic_coefficient: d, that of s^3; a number at least 1e-20 and at most 1e20, in float32 at least
+        1e-4 and at most 1e4.
+    hurwitz_determinant: m = x y - d with y the coefficient of s^2; a number at least 1e-20 and at
+        most 1e20, in float32 at least 1e-4 and at most 1e4.
+
+    predicted_11: added to the variance of the predicted position over sigma_v^2. Relative error at
+        most 8.01 * 2^-52 (float64), 8.01 * 2^-23 (float32), proved for every input.
+    predicted_12: added to the covariance of predicted position and velocity over sigma_v^2, times
+        T. Relative error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for every
+        input.
+    predicted_13: added to the covariance of predicted position and acceleration over sigma_v^2,
+        times T^2. Relative error at most 5.51 * 2^-52 (float64), 5.50 * 2^-23 (float32), proved for
+        every input.
+    predicted_22: added to the variance of the predicted velocity over sigma_v^2, times T^2.
+        Relative error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for every
+        input.
+    predicted_23: added to the covariance of predicted velocity and acceleration over sigma_v^2,
+        times T^3. Relative error at most 5.51 * 2^-52 (float64), 5.51 * 2^-23 (float32), proved for
+        every input.
+    predicted_33: added to the variance of the predicted acceleration over sigma_v^2, times T^4.
+        Relative error at most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for every
+        input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return AccelerationNoiseVariancesOfCoordinates(
+        *evaluate(
+            _ACCELERATION_NOISE_VARIANCES_OF_COORDINATES,
+            (linear_coefficient, cubic_coefficient, hurwitz_determinant),
+            out,
+        )
+    )
+
+
+def _acceleration_noise_variances_of_coordinates_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    linear_coefficient, cubic_coefficient, hurwitz_determinant = given
+    predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    t3 = np.add(cubic_coefficient, hurwitz_determinant, w0)
+    t4 = np.divide(t3, linear_coefficient, predicted_11)
+    t6 = np.add(t4, 1.0, predicted_11)
+    t7 = np.add(t6, linear_coefficient, w0)
+    t8 = np.add(t7, cubic_coefficient, w1)
+    t9 = np.square(t6, w2)
+    t10 = np.add(linear_coefficient, 1.0, w3)
+    t11 = np.multiply(t6, t7, w4)
+    t12 = np.divide(t8, hurwitz_determinant, predicted_12)
+    t13 = np.multiply(t6, t12, w5)
+    t14 = np.multiply(t13, t8, w5)
+    t17 = np.multiply(cubic_coefficient, 1.0, w6)
+    t18 = np.multiply(linear_coefficient, 1.0, w7)
+    t19 = np.add(t17, t18, w6)
+    t20 = np.multiply(cubic_coefficient, t19, w6)
+    t21 = np.multiply(t11, t7, w0)
+    t22 = np.add(t21, t20, w0)
+    t23 = np.divide(t9, hurwitz_determinant, predicted_13)
+    t24 = np.multiply(t10, t23, w3)
+    t25 = np.add(t24, t18, w3)
+    t26 = np.add(t23, t18, predicted_13)
+    t28 = np.multiply(t11, 2.0, w4)
+    t29 = np.multiply(t28, t12, w4)
+    t31 = np.divide(t6, hurwitz_determinant, predicted_22)
+    t32 = np.add(t31, 1.0, predicted_22)
+    t33 = np.multiply(t32, t8, predicted_22)
+    t35 = np.multiply(t33, 4.0, predicted_22)
+    t37 = np.multiply(t22, 4.0, w0)
+    t38 = np.divide(t37, hurwitz_determinant, predicted_23)
+    t41 = np.multiply(t25, 8.0, w3)
+    t44 = np.multiply(t26, 16.0, w0)
+    np.multiply(t14, 0.015625, predicted_11)
+    np.multiply(t29, 0.015625, predicted_12)
+    np.multiply(t35, 0.015625, predicted_13)
+    np.multiply(t38, 0.015625, predicted_22)
+    np.multiply(t41, 0.015625, predicted_23)
+    np.multiply(t44, 0.015625, predicted_33)
+
+
+_ACCELERATION_NOISE_VARIANCES_OF_COORDINATES = Signature(
+    "acceleration_noise_variances_of_coordinates",
+    (_LINEAR_COEFFICIENT_DOMAIN, _CUBIC_COEFFICIENT_DOMAIN, _HURWITZ_DETERMINANT_DOMAIN),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+    ),
+    8,
+    _acceleration_noise_variances_of_coordinates_block,
+)
+
+
+class JerkNoiseVariancesOfCoordinates(NamedTuple):
+    """Result of `jerk_noise_variances_of_coordinates`."""
+
+    predicted_11: Real
+    """Added to the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Added to the covariance of predicted position and velocity over sigma_v^2, times T."""
+    predicted_13: Real
+    """Added to the covariance of predicted position and acceleration over sigma_v^2, times T^2."""
+    predicted_22: Real
+    """Added to the variance of the predicted velocity over sigma_v^2, times T^2."""
+    predicted_23: Real
+    """Added to the covariance of predicted velocity and acceleration over sigma_v^2, times T^3."""
+    predicted_33: Real
+    """Added to the variance of the predicted acceleration over sigma_v^2, times T^4."""
+
+
+def jerk_noise_variances_of_coordinates(
+    linear_coefficient: ArrayLike,
+    cubic_coefficient: ArrayLike,
+    hurwitz_determinant: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> JerkNoiseVariancesOfCoordinates:
+    """What a jerk that is constant over each interval adds, any stable filter.
+
+        D = F (I - K H) D (F (I - K H))' + Q with q = (sigma_j T^3/sigma_v)^2,
+        Q = q (1/6, 1/2, 1)' (1/6, 1/2, 1);
+        times q sigma_v^2 the entries are what the noise adds to the variances;
+        with n = 1 + x + y + d, y = (d + m)/x,
+        N = 576, a = 9, f = 9, h = 18, K = 9 y + 6 + x/d,
+        V = (1 + y) (9 y + 6) + 1 + x/d,
+        predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
+        predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
+
+    linear_coefficient: x, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the
+        constant one; a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most
+        1e4.
+    cubic_coefficient: d, that of s^3; a number at least 1e-20 and at most 1e20, in float32 at least
+        1e-4 and at most 1e4.
+    hurwitz_determinant: m = x y - d with y the coefficient of s^2; a number at least 1e-20 and at
+        most 1e20, in float32 at least 1e-4 and at most 1e4.
+
+    predicted_11: added to the variance of the predicted position over sigma_v^2. Relative error at
+        most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32), proved for every input.
+    predicted_12: added to the covariance of predicted position and velocity over sigma_v^2, times
+        T. Relative error at most 9.01 * 2^-52 (float64), 9.01 * 2^-23 (float32), proved for every
+        input.
+    predicted_13: added to the covariance of predicted position and acceleration over sigma_v^2,
+        times T^2. Relative error at most 7.01 * 2^-52 (float64), 7.00 * 2^-23 (float32), proved for
+        every input.
+    predicted_22: added to the variance of the predicted velocity over sigma_v^2, times T^2.
+        Relative error at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32), proved for every
+        input.
+    predicted_23: added to the covariance of predicted velocity and acceleration over sigma_v^2,
+        times T^3. Relative error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for
+        every input.
+    predicted_33: added to the variance of the predicted acceleration over sigma_v^2, times T^4.
+        Relative error at most 6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for every
+        input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return JerkNoiseVariancesOfCoordinates(
+        *evaluate(
+            _JERK_NOISE_VARIANCES_OF_COORDINATES,
+            (linear_coefficient, cubic_coefficient, hurwitz_determinant),
+            out,
+        )
+    )
+
+
+def _jerk_noise_variances_of_coordinates_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    linear_coefficient, cubic_coefficient, hurwitz_determinant = given
+    predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
+    t3 = np.add(cubic_coefficient, hurwitz_determinant, w0)
+    t4 = np.divide(t3, linear_coefficient, predicted_11)
+    t6 = np.add(t4, 1.0, w0)
+    t7 = np.add(t6, linear_coefficient, w1)
+    t8 = np.add(t7, cubic_coefficient, w2)
+    t10 = np.multiply(t4, 9.0, predicted_11)
+    t12 = np.add(t10, 6.0, predicted_11)
+    t13 = np.multiply(linear_coefficient, 1.0, w3)
+    t14 = np.divide(t13, cubic_coefficient, predicted_12)
+    t15 = np.multiply(t6, t12, w3)
+    t16 = np.add(t14, 1.0, w4)
+    t17 = np.add(t15, t16, w3)
+    t18 = np.add(t12, t14, w5)
+    t19 = np.add(linear_coefficient, 1.0, w6)
+    t20 = np.multiply(t12, t7, predicted_11)
+    t21 = np.divide(t8, hurwitz_determinant, predicted_13)
+    t22 = np.multiply(t18, t21, w7)
+    t23 = np.multiply(t22, t8, w7)
+    t26 = np.multiply(cubic_coefficient, 9.0, w8)
+    t27 = np.multiply(linear_coefficient, 6.0, w9)
+    t28 = np.add(t26, t27, w8)
+    t29 = np.multiply(cubic_coefficient, t28, w8)
+    t30 = np.multiply(t14, t19, predicted_12)
+    t31 = np.add(1.0, t30, predicted_12)
+    t32 = np.add(t20, t31, predicted_12)
+    t33 = np.square(t19, w9)
+    t34 = np.multiply(t33, t16, w9)
+    t35 = np.multiply(t6, 1.0, w0)
+    t36 = np.add(t34, t35, w9)
+    t37 = np.add(t29, t36, w8)
+    t38 = np.multiply(t20, t7, predicted_11)
+    t39 = np.add(t38, t37, predicted_11)
+    t40 = np.divide(t17, hurwitz_determinant, predicted_22)
+    t41 = np.multiply(linear_coefficient, 9.0, w0)
+    t42 = np.multiply(t19, t40, w6)
+    t43 = np.add(t42, t41, w6)
+    t44 = np.add(t40, t41, predicted_22)
+    t46 = np.multiply(t32, 2.0, predicted_12)
+    t47 = np.multiply(t46, t21, predicted_12)
+    t49 = np.divide(t18, hurwitz_determinant, predicted_23)
+    t50 = np.add(t49, 9.0, predicted_23)
+    t51 = np.multiply(t50, t8, predicted_23)
+    t53 = np.multiply(t51, 4.0, predicted_23)
+    t55 = np.multiply(t39, 4.0, predicted_11)
+    t56 = np.divide(t55, hurwitz_determinant, predicted_33)
+    t58 = np.add(t43, 9.0, w6)
+    t60 = np.multiply(t58, 8.0, w6)
+    t63 = np.add(t44, 18.0, predicted_22)
+    t65 = np.multiply(t63, 16.0, w0)
+    np.divide(t23, 576.0, predicted_11)
+    np.divide(t47, 576.0, predicted_12)
+    np.divide(t53, 576.0, predicted_13)
+    np.divide(t56, 576.0, predicted_22)
+    np.divide(t60, 576.0, predicted_23)
+    np.divide(t65, 576.0, predicted_33)
+
+
+_JERK_NOISE_VARIANCES_OF_COORDINATES = Signature(
+    "jerk_noise_variances_of_coordinates",
+    (_LINEAR_COEFFICIENT_DOMAIN, _CUBIC_COEFFICIENT_DOMAIN, _HURWITZ_DETERMINANT_DOMAIN),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+    ),
+    10,
+    _jerk_noise_variances_of_coordinates_block,
+)
+
+
+class WhiteJerkNoiseVariancesOfCoordinates(NamedTuple):
+    """Result of `white_jerk_noise_variances_of_coordinates`."""
+
+    predicted_11: Real
+    """Added to the variance of the predicted position over sigma_v^2."""
+    predicted_12: Real
+    """Added to the covariance of predicted position and velocity over sigma_v^2, times T."""
+    predicted_13: Real
+    """Added to the covariance of predicted position and acceleration over sigma_v^2, times T^2."""
+    predicted_22: Real
+    """Added to the variance of the predicted velocity over sigma_v^2, times T^2."""
+    predicted_23: Real
+    """Added to the covariance of predicted velocity and acceleration over sigma_v^2, times T^3."""
+    predicted_33: Real
+    """Added to the variance of the predicted acceleration over sigma_v^2, times T^4."""
+
+
+def white_jerk_noise_variances_of_coordinates(
+    linear_coefficient: ArrayLike,
+    cubic_coefficient: ArrayLike,
+    hurwitz_determinant: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> WhiteJerkNoiseVariancesOfCoordinates:
+    """What a white jerk adds, any stable filter.
+
+        D = F (I - K H) D (F (I - K H))' + Q with q = density T^5/sigma_v^2,
+        Q = q (1/20, 1/8, 1/6; 1/8, 1/3, 1/2; 1/6, 1/2, 1);
+        times q sigma_v^2 the entries are what the noise adds to the variances;
+        with n = 1 + x + y + d, y = (d + m)/x,
+        N = 960, a = 15, f = 10, h = 30, K = 15 y + 15 + 2 x/d,
+        V = 15 (1 + y)^2 + 2 + 2 x/d,
+        predicted_11 = K n^2/(N m), predicted_13 = 4 n (a + K/m)/N,
+        predicted_23 = 8 ((1 + x) V/m + a x + f)/N, predicted_33 = 16 (V/m + a x + h)/N
+
+    linear_coefficient: x, the coefficient of s in c(z) = 0 under z = (1 + s)/(1 - s), over the
+        constant one; a number at least 1e-20 and at most 1e20, in float32 at least 1e-4 and at most
+        1e4.
+    cubic_coefficient: d, that of s^3; a number at least 1e-20 and at most 1e20, in float32 at least
+        1e-4 and at most 1e4.
+    hurwitz_determinant: m = x y - d with y the coefficient of s^2; a number at least 1e-20 and at
+        most 1e20, in float32 at least 1e-4 and at most 1e4.
+
+    predicted_11: added to the variance of the predicted position over sigma_v^2. Relative error at
+        most 9.51 * 2^-52 (float64), 9.51 * 2^-23 (float32), proved for every input.
+    predicted_12: added to the covariance of predicted position and velocity over sigma_v^2, times
+        T. Relative error at most 9.01 * 2^-52 (float64), 9.01 * 2^-23 (float32), proved for every
+        input.
+    predicted_13: added to the covariance of predicted position and acceleration over sigma_v^2,
+        times T^2. Relative error at most 7.01 * 2^-52 (float64), 7.00 * 2^-23 (float32), proved for
+        every input.
+    predicted_22: added to the variance of the predicted velocity over sigma_v^2, times T^2.
+        Relative error at most 8.51 * 2^-52 (float64), 8.51 * 2^-23 (float32), proved for every
+        input.
+    predicted_23: added to the covariance of predicted velocity and acceleration over sigma_v^2,
+        times T^3. Relative error at most 7.51 * 2^-52 (float64), 7.51 * 2^-23 (float32), proved for
+        every input.
+    predicted_33: added to the variance of the predicted acceleration over sigma_v^2, times T^4.
+        Relative error at most 6.51 * 2^-52 (float64), 6.51 * 2^-23 (float32), proved for every
+        input.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return WhiteJerkNoiseVariancesOfCoordinates(
+        *evaluate(
+            _WHITE_JERK_NOISE_VARIANCES_OF_COORDINATES,
+            (linear_coefficient, cubic_coefficient, hurwitz_determinant),
+            out,
+        )
+    )
+
+
+def _white_jerk_noise_variances_of_coordinates_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    linear_coefficient, cubic_coefficient, hurwitz_determinant = given
+    predicted_11, predicted_12, predicted_13, predicted_22, predicted_23, predicted_33 = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10 = work
+    t3 = np.add(cubic_coefficient, hurwitz_determinant, w0)
+    t4 = np.divide(t3, linear_coefficient, predicted_11)
+    t6 = np.add(t4, 1.0, w0)
+    t7 = np.add(t6, linear_coefficient, w1)
+    t8 = np.add(t7, cubic_coefficient, w2)
+    t10 = np.multiply(t4, 15.0, predicted_11)
+    t11 = np.add(t10, 15.0, predicted_11)
+    t13 = np.multiply(linear_coefficient, 2.0, w3)
+    t14 = np.divide(t13, cubic_coefficient, predicted_12)
+    t15 = np.multiply(t6, t11, w3)
+    t16 = np.add(t14, 2.0, w4)
+    t17 = np.add(t15, t16, w3)
+    t18 = np.add(t11, t14, w5)
+    t19 = np.add(linear_coefficient, 1.0, w6)
+    t20 = np.multiply(t11, t7, predicted_11)
+    t21 = np.divide(t8, hurwitz_determinant, predicted_13)
+    t22 = np.multiply(t18, t21, w7)
+    t23 = np.multiply(t22, t8, w7)
+    t26 = np.multiply(cubic_coefficient, 15.0, w8)
+    t27 = np.multiply(linear_coefficient, 15.0, w9)
+    t28 = np.add(t26, t27, w8)
+    t29 = np.multiply(cubic_coefficient, t28, w8)
+    t30 = np.multiply(t14, t19, predicted_12)
+    t31 = np.add(2.0, t30, predicted_12)
+    t32 = np.add(t20, t31, predicted_12)
+    t33 = np.square(t19, w10)
+    t34 = np.multiply(t33, t16, w10)
+    t35 = np.multiply(t6, 2.0, w0)
+    t36 = np.add(t34, t35, w10)
+    t37 = np.add(t29, t36, w8)
+    t38 = np.multiply(t20, t7, predicted_11)
+    t39 = np.add(t38, t37, predicted_11)
+    t40 = np.divide(t17, hurwitz_determinant, predicted_22)
+    t41 = np.multiply(t19, t40, w6)
+    t42 = np.add(t41, t27, w6)
+    t43 = np.add(t40, t27, predicted_22)
+    t44 = np.multiply(t32, 2.0, predicted_12)
+    t45 = np.multiply(t44, t21, predicted_12)
+    t47 = np.divide(t18, hurwitz_determinant, predicted_23)
+    t48 = np.add(t47, 15.0, predicted_23)
+    t49 = np.multiply(t48, t8, predicted_23)
+    t51 = np.multiply(t49, 4.0, predicted_23)
+    t53 = np.multiply(t39, 4.0, predicted_11)
+    t54 = np.divide(t53, hurwitz_determinant, predicted_33)
+    t57 = np.add(t42, 10.0, w6)
+    t59 = np.multiply(t57, 8.0, w6)
+    t62 = np.add(t43, 30.0, predicted_22)
+    t64 = np.multiply(t62, 16.0, w0)
+    np.divide(t23, 960.0, predicted_11)
+    np.divide(t45, 960.0, predicted_12)
+    np.divide(t51, 960.0, predicted_13)
+    np.divide(t54, 960.0, predicted_22)
+    np.divide(t59, 960.0, predicted_23)
+    np.divide(t64, 960.0, predicted_33)
+
+
+_WHITE_JERK_NOISE_VARIANCES_OF_COORDINATES = Signature(
+    "white_jerk_noise_variances_of_coordinates",
+    (_LINEAR_COEFFICIENT_DOMAIN, _CUBIC_COEFFICIENT_DOMAIN, _HURWITZ_DETERMINANT_DOMAIN),
+    (
+        "predicted_11",
+        "predicted_12",
+        "predicted_13",
+        "predicted_22",
+        "predicted_23",
+        "predicted_33",
+    ),
+    11,
+    _white_jerk_noise_variances_of_coordinates_block,
 )
 
 

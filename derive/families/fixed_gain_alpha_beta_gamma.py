@@ -16,6 +16,7 @@ from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
 from gainproof.derive.fixed_gain.three_steps_minimum import minimum_steps
 from gainproof.derive.fixed_gain.three_steps_named import named_steps
+from gainproof.derive.fixed_gain.three_steps_noise import noise_steps, noise_tower
 from gainproof.derive.fixed_gain.three_steps_optimum import lecture_variance, optimum_steps
 from gainproof.derive.fixed_gain.three_steps_order import ordering_steps
 from gainproof.derive.fixed_gain.three_steps_stability import stability_steps
@@ -39,6 +40,7 @@ def build() -> Subject:
         *answer_steps(LOOP),
         *stability_steps(),
         *variance_steps(LOOP, lecture_variance(), _minors()),
+        *noise_steps(),
         *lag_steps(LOOP),
         *optimum_steps(),
         *minimum_steps(),
@@ -52,7 +54,7 @@ def build() -> Subject:
         title=TITLE,
         model=None,
         derivation=Derivation(OPENING, steps, (LECTURE.key,), LATEX),
-        towers={tower.name: tower for tower in (*towers(), *curve_towers())},
+        towers={tower.name: tower for tower in (*towers(), noise_tower(), *curve_towers())},
         programs={
             name: Program(
                 {

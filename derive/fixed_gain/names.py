@@ -52,6 +52,11 @@ LATEX = {
     **{f"updated_{ij}": f"X_{{{ij}}}" for ij in pairs(3)},
     **{f"q_{ij}": f"Q_{{{ij}}}" for ij in pairs(3)},
     **{
+        f"{noise}_{ij}": f"D^{letter}_{{{ij}}}"
+        for noise, letter in (("acceleration", "a"), ("jerk", "j"), ("white_jerk", "w"))
+        for ij in pairs(3)
+    },
+    **{
         f"{name}_{what}": f"{tex}_{{{label}}}"
         for name, label in (
             ("velocity", "RV"),

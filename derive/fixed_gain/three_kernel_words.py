@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from gainproof.derive.fixed_gain.three_noise_words import NOISE_EQUATIONS, NOISE_SUMMARIES
+
 SUMMARIES = {
     "coordinates": "How far gains are inside the region of stability.",
     "gains_of_coordinates": "Gains of any stable alpha-beta-gamma filter from its coordinates.",
     "variances": "Covariances under measurement noise alone, from the gains.",
     "variances_of_coordinates": "Covariance of the prediction, any stable filter.",
+    **NOISE_SUMMARIES,
     "lags": "Steady errors behind a constant jerk j, over j T^3 (positions), j T^2 and j T.",
     "minimum_variance_by_lag": "The stable filter of least position variance at a lag (MV).",
     "random_acceleration_by_lag": "The stable random acceleration filter (RA) of a lag.",
@@ -50,6 +53,7 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
         "predicted_22 = 4 (d + x (1 + x)^2)/(d m), predicted_23 = 8 x (1 + x)/(d m),",
         "predicted_33 = 16 x/(d m)",
     ),
+    **NOISE_EQUATIONS,
     "lags": (
         SHARE,
         "predicted_position_lag = 1/gamma, predicted_acceleration_lag = beta/gamma + 1/2,",

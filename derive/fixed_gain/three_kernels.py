@@ -19,6 +19,7 @@ from gainproof.derive.fixed_gain.three_named_kernels import (
     minimum_variance_by_lag,
     random_acceleration_by_gain,
 )
+from gainproof.derive.fixed_gain.three_noise_kernels import noise_graphs
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 
@@ -161,6 +162,7 @@ def graphs() -> dict[str, Graph]:
         "gains_of_coordinates": gains(),
         "variances": variances(),
         "variances_of_coordinates": region_variances(),
+        **noise_graphs(),
         "lags": lags(),
         "minimum_variance_by_lag": minimum_variance_by_lag(),
         "random_acceleration_by_lag": random_acceleration_by_lag(),

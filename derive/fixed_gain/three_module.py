@@ -12,6 +12,9 @@ from gainproof.derive.fixed_gain.names import MEANINGS
 from gainproof.derive.fixed_gain.three_curve_towers import BY_GAIN, BY_LAG, curve_roots
 from gainproof.derive.fixed_gain.three_kernel_words import EQUATIONS, SUMMARIES
 from gainproof.derive.fixed_gain.three_kernels import graphs
+from gainproof.derive.fixed_gain.three_noise_kernels import TURNING, noise_graphs
+from gainproof.derive.fixed_gain.three_steps_noise import TOWER as NOISE_TOWER
+from gainproof.derive.fixed_gain.three_steps_noise import noise_meanings
 from gainproof.derive.fixed_gain.three_steps_stability import (
     ALPHA,
     BETA,
@@ -28,13 +31,16 @@ SCALES = {
     "updated_13": "updated_13" + SCALE,
     "updated_velocity_lag": "predicted_velocity_lag",
 }
+NOISE_SCALES = {name: name + SCALE for name in TURNING}
 REASON = "changes its sign; error over the sum of its terms"
+NOISE_REASON = "terms of both signs; error over the sum of their sizes"
 TOWERS = {
     "minimum_variance_by_lag": "minimum_variance",
     "random_acceleration_by_lag": "stable_acceleration",
     "random_jerk_by_lag": BY_LAG,
     "random_jerk_by_gain": BY_GAIN,
     "random_acceleration_by_gain": "stable_acceleration",
+    **dict.fromkeys(noise_graphs(), NOISE_TOWER),
 }
 LEAST_LAGS = {
     "minimum_variance": "1/8",
@@ -64,7 +70,10 @@ def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
     symbols = [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
     named = graph.get("names", {})
-    meanings = {**MEANINGS, **OWN_MEANINGS}
+    meanings, scales, reason = {**MEANINGS, **OWN_MEANINGS}, SCALES, REASON
+    if TOWERS.get(kernel) == NOISE_TOWER:
+        scales, reason = NOISE_SCALES, NOISE_REASON
+        meanings |= {x: f"added to the {meanings[x]}" for x in meanings if x[-2:].isdigit()}
     return Kernel(
         name=kernel,
         result="".join(word.capitalize() for word in kernel.split("_")),
@@ -72,13 +81,13 @@ def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
         equations=EQUATIONS[kernel],
         inputs=tuple(_input(kernel, symbol, meanings[symbol]) for symbol in symbols),
         outputs=tuple(
-            Output(entry, meanings[entry], SCALES.get(entry))
+            Output(entry, meanings[entry], scales.get(entry))
             for entry in graph["outputs"]
             if not entry.endswith(SCALE)
         ),
         graph=graph,
         source=f"derivation {name}",
-        cancellations={difference(x): REASON for x in SCALES if difference(x) in named},
+        cancellations={difference(x): reason for x in scales if difference(x) in named},
     )
 
 
@@ -108,7 +117,7 @@ def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
         Step(
             f"kernel-{name.replace('_', '-')}",
             f"The kernel {name} computes what it says.",
-            Relation("program", {"program": name, "outputs": _meant(graph)}),
+            Relation("program", {"program": name, "outputs": _meant(name, graph)}),
             "Evaluate the kernel's graph as a rational function.",
             tower=TOWERS.get(name, "main"),
             hint={"graph": graph, "roots": roots.get(name, {})},
@@ -118,8 +127,10 @@ def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
     ]
 
 
-def _meant(graph: Graph) -> dict[str, sp.Expr]:
+def _meant(kernel: str, graph: Graph) -> dict[str, sp.Expr]:
     """What each output stands for, over the names of its tower."""
+    if TOWERS.get(kernel) == NOISE_TOWER:
+        return noise_meanings(kernel, graph)
     g = 2 * ALPHA * BETA - GAMMA * (2 - ALPHA)
     gap, below = 2 * BETA - GAMMA, g * MARGIN
     known: dict[str, sp.Expr] = {

@@ -190,7 +190,8 @@ def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> 
         if len(middle) <= WIDTH:
             yield middle
         else:
-            yield from (f"    {line}," for line in inputs + options)
+            whole = (f"    {line}," for line in inputs + options)
+            yield from (x if len(x) <= WIDTH else x.replace("] |", "]\n    |") for x in whole)
         yield f") -> {kernel.result}:"
     text = docstring(kernel, bounds)
     quoted = f'r"""{text}' if "\\" in text else f'"""{text}'
