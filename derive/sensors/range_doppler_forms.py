@@ -47,3 +47,27 @@ def dot(one: Vector, other: Vector) -> Any:
 def differences(one: Vector, other: Vector) -> list[Any]:
     """Entry by entry."""
     return [a - b for a, b in zip(one, other, strict=True)]
+
+
+def across(unit: Vector) -> dict[tuple[int, int], Any]:
+    """P = I - u u' by the places of its entries, upper half; on the diagonal 1 - u_i^2 as the sum
+    of the other squares, which does not cancel.
+    """
+    count = range(len(unit))
+    found: dict[tuple[int, int], Any] = {}
+    for i in count:
+        others = [unit[j] for j in count if j != i]
+        for j in count[i:]:
+            found[i, j] = dot(others, others) if i == j else -(unit[i] * unit[j])
+    return found
+
+
+def bending(sight: Sight) -> dict[tuple[int, int], Any]:
+    """M = -(u h' + h u' + g P/f)/f by the places of its entries, upper half."""
+    u, h = sight.unit, sight.turning
+    steep, flat = sight.rate / sight.range, across(sight.unit)
+    found: dict[tuple[int, int], Any] = {}
+    for (i, j), p in flat.items():
+        turned = 2 * (u[i] * h[i]) if i == j else u[i] * h[j] + u[j] * h[i]
+        found[i, j] = -(turned + steep * p) / sight.range
+    return found

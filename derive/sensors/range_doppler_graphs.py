@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
-from gainproof.derive.sensors.range_doppler_forms import Sight, differences, dot
+from gainproof.derive.sensors.range_doppler_forms import (
+    Sight,
+    across,
+    bending,
+    differences,
+    dot,
+)
 from gainproof.derive.sensors.range_doppler_names import (
     PLANE,
     PLANE_AXES,
@@ -28,6 +34,8 @@ def graphs() -> dict[str, Graph]:
         "range_rate": range_rate,
         "range_rate_jacobian": range_rate_jacobian,
         "range_doppler": range_doppler,
+        "range_hessian": range_hessian,
+        "range_rate_hessian": range_rate_hessian,
     }
     return {
         f"{name}{end}": graph(along)
@@ -92,6 +100,25 @@ def range_doppler(along: tuple[str, ...]) -> Graph:
     return _graph(builder, found, values | unit_vector(found, along) | turning(found, along))
 
 
+def range_hessian(along: tuple[str, ...]) -> Graph:
+    """By the position, twice; of the range rate by position and velocity too."""
+    builder = GraphBuilder()
+    found = seen(builder, along, moving=False)
+    entries = {at: p / found.range for at, p in across(found.unit).items()}
+    return _graph(builder, found, _twice("range", along, entries))
+
+
+def range_rate_hessian(along: tuple[str, ...]) -> Graph:
+    """By the position, twice."""
+    builder = GraphBuilder()
+    found = seen(builder, along)
+    return _graph(builder, found, _twice("range_rate", along, bending(found)))
+
+
+def _twice(what: str, along: tuple[str, ...], entries: dict[tuple[int, int], Node]) -> Outputs:
+    return {f"{what}_D_{along[i]}{along[j]}": each for (i, j), each in entries.items()}
+
+
 def unit_vector(found: Sight, along: tuple[str, ...]) -> Outputs:
     """The derivative of the range by the target's position."""
     return {f"range_D_{axis}": each for axis, each in zip(along, found.unit, strict=True)}
@@ -104,4 +131,9 @@ def turning(found: Sight, along: tuple[str, ...]) -> Outputs:
 
 def _graph(builder: GraphBuilder, found: Sight, outputs: Outputs) -> Graph:
     """The outputs, and the range, which has to be above 0."""
-    return builder.graph({**outputs, RANGE: found.range}, {RANGE: found.range})
+    names = {RANGE: found.range}
+    if found.velocity:
+        along = SPACE_AXES[: len(found.unit)]
+        turned = zip(along, found.turning, strict=True)
+        names |= {"range_rate": found.rate, **{f"turning_{axis}": h for axis, h in turned}}
+    return builder.graph({**outputs, RANGE: found.range}, names)

@@ -50,9 +50,7 @@ def with_range(kernel: str) -> bool:
 
 def cancels(entry: str) -> bool:
     """Whether an output is a sum whose terms may have different signs."""
-    return entry == "range_rate" or (
-        entry.startswith("range_rate_D_") and not entry.startswith("range_rate_D_velocity_")
-    )
+    return entry.startswith("range_rate") and not entry.startswith("range_rate_D_velocity_")
 
 
 def _input(entry: str) -> Input:

@@ -16,13 +16,16 @@ from gainproof.derive.sensors.polar_steps_map import BELOW
 from gainproof.derive.sensors.range_doppler_names import PLANE, PLANE_AXES, SPACE_AXES
 from gainproof.derive.sensors.range_doppler_towers import (
     COS_B,
-    COS_T,
     RANGE,
+    RATE,
     SIN_B,
-    SIN_T,
     TILT,
-    meanings,
+    frame,
+    motions,
     of,
+    relative,
+    sight,
+    tilt,
 )
 
 SIDES = {"plane": "", "above": " (the target above)", "below": " (the target below)"}
@@ -51,49 +54,69 @@ def component_steps(towers: Sequence[Tower]) -> list[Step]:
 
 
 def _steps(tower: Tower) -> list[Step]:
-    name, axes_ = tower.name, along(tower)
+    name, axes = tower.name, along(tower)
     bearing = column(
         (4 * G * K - (1 - G**2) * (1 - K**2)) / BELOW,
         -(2 * G * (1 - K**2) + 2 * K * (1 - G**2)) / BELOW,
     )
-    direction: tuple[sp.Expr, ...] = (SIN_B, COS_B)
-    made = [_quiet(f"{name}-bearing", equal(column(COS_B, SIN_B), bearing), name)]
+    found = {"bearing": equal(column(COS_B, SIN_B), bearing)}
     if name != "plane":
-        side = 1 if name == "above" else -1
-        tilt = column(side * (1 - TILT**2) / (1 + TILT**2), 2 * TILT / (1 + TILT**2))
-        made.append(_quiet(f"{name}-tilt", equal(column(COS_T, SIN_T), tilt), name))
-        direction = (SIN_T * SIN_B, SIN_T * COS_B, COS_T)
-    unit = of("unit", axes_)
-    made.append(_quiet(f"{name}-unit", equal(column(*unit), column(*direction)), name))
-    one = sp.Add(*(each**2 for each in unit))
-    made.append(_quiet(f"{name}-unit-length", equal(one, sp.Integer(1)), name))
-    meant = meanings(axes_)
-    for start in range(0, len(meant), 8):
-        part = dict(list(meant.items())[start : start + 8])
-        relation = equal(column(*map(real, part)), column(*part.values()))
-        made.append(_quiet(f"{name}-names-{start // 8 + 1}", relation, name))
+        circle = tilt(1 if name == "above" else -1)
+        found["tilt"] = equal(column(*map(real, circle)), column(*circle.values()))
+    across = sp.ImmutableDenseMatrix(frame(axes))
+    unit = sp.eye(len(axes)).as_immutable()
+    found["frame"] = equal(sp.MatMul(across, across.T.as_immutable(), evaluate=False), unit)
+    found["sight"] = _all(relative(axes))
+    found["station"] = _all({k: v for k, v in motions(axes).items() if k.startswith("station")})
+    found["target"] = _all({k: v for k, v in motions(axes).items() if k.startswith("target")})
+    seen = sight(axes)
+    meant = zip(of("turning", axes), seen.turning, strict=True)
+    found["parts"] = _all({"range_rate": seen.rate, **{str(h): each for h, each in meant}})
+    made = [_quiet(f"{name}-{part}", relation, name) for part, relation in found.items()]
     return [*made, *_chains(tower)]
 
 
+def _all(meant: Mapping[str, sp.Expr]) -> Relation:
+    """Each name stands for its expression; of many entries rows of four, filled up with 0."""
+    left, right = ([*side] for side in (map(real, meant), meant.values()))
+    rows = -(-len(left) // 4)
+    fill = [sp.Integer(0)] * (4 * rows - len(left))
+    matrix = sp.ImmutableDenseMatrix
+    return equal(matrix(rows, 4, [*left, *fill]), matrix(rows, 4, [*right, *fill]))
+
+
 def _chains(tower: Tower) -> list[Step]:
-    """Along each parameter of the place, and along the velocity."""
-    axes_ = along(tower)
-    unit, place, turning = (of(kind, axes_) for kind in ("unit", "place", "turning"))
-    parameters = [RANGE, G, K] if tower.name == "plane" else [RANGE, G, K, TILT]
-    found = []
-    for value, slope, what in ((RANGE, unit, "range"), (real("range_rate"), turning, "rate")):
-        sides = [
-            [
-                sp.Derivative(value, by),
-                sp.Add(*(s * sp.Derivative(p, by) for s, p in zip(slope, place, strict=True))),
-            ]
-            for by in parameters
-        ]
-        left, right = (column(*each) for each in zip(*sides, strict=True))
-        found.append(_quiet(f"{tower.name}-{what}-chain", equal(left, right), tower.name))
-    faster = [sp.Derivative(real("range_rate"), real(f"more_{axis}")) for axis in axes_]
-    relation = equal(column(*faster), column(*unit))
-    return [*found, _quiet(f"{tower.name}-rate-by-velocity", relation, tower.name)]
+    """Along each parameter of the place, and along each of the velocity."""
+    axes, name = along(tower), tower.name
+    unit, place, turning = (of(kind, axes) for kind in ("unit", "place", "turning"))
+    angles = [G, K] if name == "plane" else [G, K, TILT]
+
+    def chain(slope: Sequence[sp.Symbol], by: sp.Symbol) -> sp.Expr:
+        return sp.Add(*(s * sp.Derivative(p, by) for s, p in zip(slope, place, strict=True)))
+
+    ranges = column(*(sp.Derivative(RANGE, by) for by in (RANGE, *angles)))
+    found = [
+        _quiet(
+            f"{name}-range-chain",
+            equal(ranges, column(*(chain(unit, by) for by in (RANGE, *angles)))),
+            name,
+        )
+    ]
+    # the velocity held: its own change along the parameter is taken off
+    held = column(
+        *(
+            sp.Add(
+                chain(turning, by),
+                *(
+                    u * sp.Derivative(w, by)
+                    for u, w in zip(unit, of("velocity", axes), strict=True)
+                ),
+            )
+            for by in (RANGE, *angles)
+        )
+    )
+    rates = column(*(sp.Derivative(RATE, by) for by in (RANGE, *angles)))
+    return [*found, _quiet(f"{name}-rate-chain", equal(rates, held), name)]
 
 
 def kernel_steps(graphs: Mapping[str, Graph]) -> list[Step]:
@@ -120,16 +143,32 @@ def _kernel(name: str, graph: Graph, tower: str) -> Step:
         ),
         "Evaluate the kernel's graph.",
         tower=tower,
-        hint={"graph": graph, "roots": {"slant_range": RANGE}},
+        hint={"graph": graph, "roots": {"slant_range": RANGE}, "values": _values(graph)},
         shown=False,
     )
 
 
+def _values(graph: Graph) -> dict[str, sp.Symbol]:
+    """Named nodes with what they are called in the towers."""
+    return {name: real(name) for name in graph.get("names", {}) if name != str(RANGE)}
+
+
 def meant(output: str) -> sp.Expr:
-    """The quantity of the tower that an output stands for."""
+    """What an output stands for, over the names of the towers."""
     what, _, by = output.partition("_D_")
     if not by:
         return real(what)
+    if by[:-1] in SPACE_AXES:
+        return _second(what, *by)
     if what == "range" or by.startswith("velocity_"):
         return real(f"unit_{by[-1]}")
     return real(f"turning_{by[-1]}")
+
+
+def _second(what: str, a: str, b: str) -> sp.Expr:
+    """An entry of P/f, or of M as the derivation writes it."""
+    (u, v), (g, h) = (map(real, (f"{kind}_{a}", f"{kind}_{b}")) for kind in ("unit", "turning"))
+    flat = sp.Integer(a == b) - u * v
+    if what == "range":
+        return flat / RANGE
+    return -(u * h + g * v + RATE / RANGE * flat) / RANGE

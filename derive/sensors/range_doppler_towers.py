@@ -4,19 +4,18 @@ Directions are points of the unit circle or sphere, made of tangents of half ang
 the bearing is that of polar coordinates, of two parts that are each below half a turn, so that it
 is any. In space the angle from the upward direction is one such part: straight down is left out in
 the tower `above`, straight up in its mirror image `below`, so that the two hold every direction.
-A velocity relative to the station is the difference of two numbers from 0 on; what else may have
-either sign is u - 1/u of a positive u of its own.
+A relative velocity is given by its parts along the line of sight and across it, the range rate and
+those of h along perpendicular unit vectors, each the difference of two numbers from 0 on. What else
+may have either sign is u - 1/u of a positive u of its own.
 """
 
 from __future__ import annotations
-
-from collections.abc import Sequence
 
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.expression import real
-from gainproof.derive.sensors.polar_towers import LEFT, RIGHT, bearing_circle
+from gainproof.derive.sensors.polar_towers import bearing_circle
 from gainproof.derive.sensors.range_doppler_forms import Sight
 from gainproof.derive.sensors.range_doppler_names import (
     PLANE_AXES,
@@ -26,65 +25,105 @@ from gainproof.derive.sensors.range_doppler_names import (
 )
 
 Elements = dict[str, sp.Expr]
-RANGE = real("slant_range")
+Axes = tuple[str, ...]
+RANGE, RATE = real("slant_range"), real("range_rate")
 TILT = real("a")
 COS_B, SIN_B = real("cos_bearing"), real("sin_bearing")
 COS_T, SIN_T = real("cos_tilt"), real("sin_tilt")
+ZERO = sp.Integer(0)
+SIDES = ("tilt", "turn")
+"""The two ways across the line of sight; in the plane the last alone."""
 
 
 def towers() -> tuple[Tower, ...]:
     """The plane, and the two that hold space."""
-    return plane_tower(), space_tower("above", 1), space_tower("below", -1)
+    tilts = {name: tilt(side) for name, side in (("above", 1), ("below", -1))}
+    return (
+        _tower("plane", PLANE_AXES, bearing_circle(), ("g", "k")),
+        *(
+            _tower(name, SPACE_AXES, {**bearing_circle(), **circle}, ("g", "k", "a"))
+            for name, circle in tilts.items()
+        ),
+    )
 
 
-def of(kind: str, along: tuple[str, ...]) -> list[sp.Symbol]:
+def tilt(side: int) -> Elements:
+    """Cosine and sine of the angle from straight up (1) or, mirrored, from straight down (-1)."""
+    return {
+        "cos_tilt": side * (1 - TILT**2) / (1 + TILT**2),
+        "sin_tilt": 2 * TILT / (1 + TILT**2),
+    }
+
+
+def frame(along: Axes) -> list[list[sp.Expr]]:
+    """The unit vector u, then those across it."""
+    if along == PLANE_AXES:
+        return [[SIN_B, COS_B], [COS_B, -SIN_B]]
+    return [
+        [SIN_T * SIN_B, SIN_T * COS_B, COS_T],
+        [COS_T * SIN_B, COS_T * COS_B, -SIN_T],
+        [COS_B, -SIN_B, ZERO],
+    ]
+
+
+def of(kind: str, along: Axes) -> list[sp.Symbol]:
     """The named entries of a vector: `unit`, `place`, `velocity`, `turning`."""
     return [real(f"{kind}_{axis}") for axis in along]
 
 
-def plane_tower() -> Tower:
-    """Every direction of the plane."""
-    direction = {"unit_x": SIN_B, "unit_y": COS_B}
-    return _tower("plane", PLANE_AXES, {**bearing_circle(), **direction}, ("g", "k"))
+def difference(name: str) -> sp.Expr:
+    """A number of either sign."""
+    return real(f"more_{name}") - real(f"less_{name}")
 
 
-def space_tower(name: str, side: int) -> Tower:
-    """Every direction of space but one: straight down, or straight up."""
-    tilt: Elements = {
-        "cos_tilt": side * (1 - TILT**2) / (1 + TILT**2),
-        "sin_tilt": 2 * TILT / (1 + TILT**2),
-    }
-    direction = {"unit_x": SIN_T * SIN_B, "unit_y": SIN_T * COS_B, "unit_z": COS_T}
-    circles = {**bearing_circle(), **tilt, **direction}
-    return _tower(name, SPACE_AXES, circles, ("g", "k", "a"))
+def signed(name: str) -> sp.Expr:
+    """A number of either sign, of one parameter."""
+    return real(f"root_of_{name}") - 1 / real(f"root_of_{name}")
 
 
-def meanings(along: tuple[str, ...]) -> Elements:
-    """What the names mean, but for the direction."""
-    unit, place, velocity = (of(kind, along) for kind in ("unit", "place", "velocity"))
-    sides = zip(velocity, along, strict=True)
-    found: Elements = {str(v): real(RIGHT[axis]) - real(LEFT[axis]) for v, axis in sides}
-    found |= {str(p): RANGE * u for p, u in zip(place, unit, strict=True)}
-    for name in (*places("station", along), *velocities("station", along)):
-        found[name] = real(f"root_of_{name}") - 1 / real(f"root_of_{name}")
-    for names, other, relative in (
-        (places("target", along), places("station", along), place),
-        (velocities("target", along), velocities("station", along), velocity),
-    ):
-        for name, station, each in zip(names, other, relative, strict=True):
-            found[name] = real(station) + each
-    seen = Sight(RANGE, unit, velocity)
-    found["range_rate"] = seen.rate
-    found |= {str(h): each for h, each in zip(of("turning", along), seen.turning, strict=True)}
+def parts(along: Axes) -> tuple[str, ...]:
+    """What a relative velocity is made of."""
+    return ("range_rate", *SIDES[3 - len(along) :])
+
+
+def relative(along: Axes) -> Elements:
+    """Range rate, direction, h, place and velocity, by the frame."""
+    unit, *aside = frame(along)
+    turns = [difference(name) for name in SIDES[3 - len(along) :]]
+    found: Elements = {"range_rate": difference("range_rate")}
+    found |= dict(zip(map(str, of("unit", along)), unit, strict=True))
+    for n, name in enumerate(of("turning", along)):
+        turned = zip(turns, aside, strict=True)
+        found[str(name)] = sp.Add(*(turn * each[n] for turn, each in turned))
+    for axis, u, h in zip(along, of("unit", along), of("turning", along), strict=True):
+        found[f"place_{axis}"] = RANGE * u
+        found[f"velocity_{axis}"] = RATE * u + RANGE * h
     return found
 
 
-def _tower(name: str, along: tuple[str, ...], circles: Elements, angles: Sequence[str]) -> Tower:
-    closed = [*angles, *(side[axis] for axis in along for side in (LEFT, RIGHT))]
-    signed = [*places("station", along), *velocities("station", along)]
+def motions(along: Axes) -> Elements:
+    """Positions and velocities of station and target."""
+    names = (*places("station", along), *velocities("station", along))
+    found = {name: signed(name) for name in names}
+    for axis in along:
+        found[f"target_{axis}"] = real(f"station_{axis}") + real(f"place_{axis}")
+        found[f"target_velocity_{axis}"] = real(f"station_velocity_{axis}") + real(
+            f"velocity_{axis}"
+        )
+    return found
+
+
+def sight(along: Axes) -> Sight:
+    """What the names mean by each other."""
+    return Sight(RANGE, of("unit", along), of("velocity", along))
+
+
+def _tower(name: str, along: Axes, circles: Elements, angles: tuple[str, ...]) -> Tower:
+    closed = [*angles, *(f"{side}_{part}" for part in parts(along) for side in ("more", "less"))]
+    either = [*places("station", along), *velocities("station", along)]
     parameters = (
         Parameter("slant_range"),
-        *(Parameter(f"root_of_{each}") for each in signed),
+        *(Parameter(f"root_of_{each}") for each in either),
         *(Parameter(each, above=None, start="0") for each in closed),
     )
-    return Tower(name, parameters, (), {**circles, **meanings(along)})
+    return Tower(name, parameters, (), {**circles, **relative(along), **motions(along)})

@@ -26,6 +26,10 @@ def meaning(entry: str) -> str:
         return _VALUES[entry]
     what, _, by = entry.partition("_D_")
     word, units = _BY[what]
+    if by[:-1] in ("x", "y", "z"):
+        axes = f"{by[0]}, twice" if by[0] == by[1] else f"{by[0]} and {by[1]}"
+        unit = {"range": "1/m", "range_rate": "1/(m s)"}[what]
+        return f"second derivative of the {word} by the target's position along {axes}, {unit}"
     kind = "velocity_" if by.startswith("velocity_") else ""
     text = f"derivative of the {word} by the target's {'velocity' if kind else 'position'}"
     return f"{text} along {by[-1]}, {units[kind]}"
@@ -41,6 +45,8 @@ _SPACE = {
     "range_rate": "Range rate of moving targets from moving stations.",
     "range_rate_jacobian": "Derivative of the range rate by position and velocity.",
     "range_doppler": "Range and range rate with their derivatives.",
+    "range_hessian": "Second derivatives of the range by the position.",
+    "range_rate_hessian": "Second derivatives of the range rate by the position.",
 }
 SUMMARIES = {
     f"{name}{end}": text.replace(".", " in the plane.") if end else text
@@ -72,6 +78,18 @@ _EQUATIONS: dict[str, tuple[str, ...]] = {
         f"{_MINUS}.",
         f"{_SIZE}.",
         *_NEAR,
+    ),
+    "range_hessian": (
+        f"(I - u u')/f, u = r/f, {_R}.",
+        "Of the range rate these are the second derivatives by a position and a velocity; by two",
+        "velocities these are 0. Each time that the station's is taken for the target's the sign",
+        "changes",
+    ),
+    "range_rate_hessian": (
+        "-(u h' + h u' + (g/f) (I - u u'))/f, g = u'w, h = (w - g u)/f,",
+        f"{_W};",
+        "by position and velocity see `range_hessian`, by two velocities it is 0. The terms of an",
+        "entry add up to at most 5 |w|/f^2",
     ),
 }
 EQUATIONS = {f"{name}{end}": text for end in ("", PLANE) for name, text in _EQUATIONS.items()}

@@ -111,6 +111,14 @@ def test_whole_distances_are_exact(place: tuple[int, ...], distance: int, dtype:
         assert abs(Fraction(float(value)) - true) <= 20 * EPSILON[dtype] * 100 / distance * 13
 
 
+def test_second_derivatives_of_a_circle_and_of_a_straight_line() -> None:
+    """5 m away along x: across it the range bends as a circle, along it not at all."""
+    flat = range_doppler.range_hessian(5, 0, 0, 0, 0, 0)
+    assert np.array_equal(flat, [0, 0, 0, 0.2, 0, 0.2])
+    bent = range_doppler.range_rate_hessian(5, 0, 0, 10, 25, 0, 0, 0, 0, 0, 0, 0)
+    assert np.allclose(bent, [0, -1, 0, -0.4, 0, -0.4], rtol=1e-15, atol=0)
+
+
 def test_signs() -> None:
     """A target that goes away has a positive range rate; the station's motion counts against it."""
     away = range_doppler.range_rate_in_plane(5, 0, 2, 0, 0, 0, 0, 0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import flint
@@ -24,6 +25,11 @@ def truth(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
             size = sight.distance(target, station)
             by = _slopes(lambda place: sight.distance(place, station), target, size)
             values = {"slant_range": size} | _named("range_D_", axes, by)
+            if "hessian" in kernel:
+                function = partial(_rate, velocity, station, moving)
+                if not moves(kernel):
+                    function = partial(_range, station)
+                return _square(kernel, axes, sight.curvatures(function, target, size))
             if not moves(kernel):
                 return values
             values["range_rate"] = sight.rate(target, velocity, station, moving)
@@ -47,6 +53,18 @@ def terms(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
             fast = [abs(flint.arb(a) - flint.arb(b)) for a, b in zip(velocity, moving, strict=True)]
             along = sum((abs(u) * w for u, w in zip(unit, fast, strict=True)), flint.arb(0))
             by = [(w + abs(u) * along) / size for u, w in zip(unit, fast, strict=True)]
+            if "hessian" in kernel:
+                flat = [[abs(u * v) for v in unit] for u in unit]
+                for i in range(len(axes)):
+                    flat[i][i] = sum((u * u for j, u in enumerate(unit) if j != i), flint.arb(0))
+                bent = [
+                    [
+                        (abs(unit[i]) * by[j] + abs(unit[j]) * by[i] + along / size * p) / size
+                        for j, p in enumerate(row)
+                    ]
+                    for i, row in enumerate(flat)
+                ]
+                return _square(kernel, axes, bent)
             return {"range_rate": along} | _named("range_rate_D_", axes, by)
 
     return found if moves(kernel) else lambda *_: {}
@@ -54,7 +72,7 @@ def terms(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
 
 def moves(kernel: str) -> bool:
     """Whether a kernel takes velocities."""
-    return kernel.removesuffix(PLANE) not in ("slant_range", "range_jacobian")
+    return kernel.removesuffix(PLANE) not in ("slant_range", "range_jacobian", "range_hessian")
 
 
 def axes_of(kernel: str) -> str:
@@ -69,6 +87,26 @@ def motions(kernel: str, given: Sequence[float]) -> Motions:
     if len(parts) == 2:
         return parts[0], (0.0,) * count, parts[1], (0.0,) * count
     return parts[0], parts[1], parts[2], parts[3]
+
+
+def _range(station: Sequence[Any], place: Sequence[Any]) -> flint.arb:
+    return sight.distance(place, station)
+
+
+def _rate(
+    velocity: Sequence[Any], station: Sequence[Any], moving: Sequence[Any], place: Sequence[Any]
+) -> flint.arb:
+    return sight.rate(place, velocity, station, moving)
+
+
+def _square(kernel: str, axes: str, rows: Sequence[Sequence[flint.arb]]) -> Values:
+    """The upper half of a symmetric matrix by its names."""
+    what = "range_rate" if moves(kernel) else "range"
+    return {
+        f"{what}_D_{a}{axes[j]}": row[j]
+        for i, (a, row) in enumerate(zip(axes, rows, strict=True))
+        for j in range(i, len(axes))
+    }
 
 
 def _slopes(function: Callable[[Any], flint.arb], at: Sequence[Any], size: Any) -> list[flint.arb]:

@@ -61,28 +61,27 @@ def rate(
 
 def slopes(function: Function, at: Sequence[Number], size: Number) -> Vector:
     """The derivatives of a function by several coordinates; it bends over lengths of this size."""
-    with flint.ctx.workprec(BITS):
-        point, step = _balls(at), _size(_ball(size))
-        found = []
-        for number in range(len(point)):
-            ends = []
-            for sign in (1, -1):
-                moved = list(point)
-                moved[number] += sign * step
-                ends.append(function(moved))
-            found.append((ends[0] - ends[1]) / (2 * step))
-        return found
+    return [_slope(function, at, number, size) for number in range(len(at))]
 
 
 def curvatures(function: Function, at: Sequence[Number], size: Number) -> list[Vector]:
     """The second derivatives by several coordinates."""
+
+    def slope(number: int) -> Function:
+        return lambda place: _slope(function, place, number, size)
+
+    return [slopes(slope(number), at, size) for number in range(len(at))]
+
+
+def _slope(function: Function, at: Sequence[Number], number: int, size: Number) -> Ball:
     with flint.ctx.workprec(BITS):
-        count = len(at)
-
-        def slope(number: int) -> Function:
-            return lambda place: slopes(function, place, size)[number]
-
-        return [slopes(slope(number), at, size) for number in range(count)]
+        point, step = _balls(at), _size(_ball(size))
+        ends = []
+        for sign in (1, -1):
+            moved = list(point)
+            moved[number] += sign * step
+            ends.append(function(moved))
+        return (ends[0] - ends[1]) / (2 * step)
 
 
 def _size(value: Ball) -> Ball:

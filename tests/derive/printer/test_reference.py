@@ -130,6 +130,51 @@ def test_a_difference_may_be_as_small_as_the_rounding_of_its_terms() -> None:
     assert prove(kernel(power, *near), FLOAT32).outputs[0].beside > 0
 
 
+def required_root(least: str) -> Kernel:
+    """x over a root of squares that may underflow, of which something is required."""
+    b = GraphBuilder()
+    x, z = b.symbol("x"), b.symbol("z")
+    root = b.sqrt(x * x + z * z)
+    anywhere = [signed(name, "an argument", "0", "1e30", ("0", "1e12")) for name in ("x", "z")]
+    return Kernel(
+        "kernel",
+        "Result",
+        "Under test.",
+        ("y",),
+        tuple(anywhere),
+        (Output("root", "a root"), Output("y", "a share")),
+        b.graph({"root": root, "y": x / root}),
+        "this test",
+        requirements=(Requirement("root", "the root", least, "1e-6"),),
+    )
+
+
+def test_squares_that_underflow_are_nothing_beside_a_root_that_is_required() -> None:
+    """Numbers next to 0 beside others, which the requirement keeps away from 0."""
+    made = required_root("1e-20")
+    run = module_of(made)["kernel"]
+    for form, dtype in ((FLOAT64, np.float64), (FLOAT32, np.float32)):
+        root, share = prove(made, form).outputs
+        assert root.beside == 0
+        assert Fraction(1) <= root.bound <= Fraction(126, 100)
+        assert share.beside > 0
+        for small in (form.least, 5 * form.least, form.least_normal, 1e-25, 1e-22):
+            for large in (3e-20, 1.0) if form is FLOAT64 else (2e-6, 1.0):
+                x, z = dtype(small), dtype(large)
+                found = run(x, z)
+                true = with_terms(made.graph, {"x": float(x), "z": float(z)})
+                for name, value, bound in zip(("root", "y"), found, (root, share), strict=True):
+                    exact = true[name][0]
+                    room = abs(exact) * float(bound.bound) * form.epsilon + bound.beside
+                    assert abs(flint.arb(float(value)) - exact) <= room * (1 + 1e-9)
+
+
+def test_squares_that_underflow_are_something_beside_a_root_next_to_zero() -> None:
+    for least in ("0", "1e-300", "1e-155"):
+        with pytest.raises(PrintingError, match="uncertain value"):
+            prove(required_root(least), FLOAT64)
+
+
 def test_an_absolute_error_grows_with_what_it_is_multiplied_by() -> None:
     small = signed("x", "an argument", "1e-30", "1e3", ("1e-30", "1e3"))
     large = closed("z", "an argument", "1e-3", "1e25", ("1e-3", "1e25"))

@@ -151,3 +151,56 @@ def test_branch_not_taken_is_not_evaluated(memory: Data) -> None:
 def test_calls_belong_in_programs(memory: Data) -> None:
     claim = {"nodes": [["symbol", "g"], ["call", "abs", 0]], "outputs": {"value": 1}}
     assert "only in programs" in changed(memory, "root", "claim.outputs.low", claim)
+
+
+def with_values(data: Data, values: Any) -> Data:
+    statement(data, "kernel")["evidence"]["values"] = values
+    return data
+
+
+def test_values_take_the_place_of_nodes_that_equal_them(acceleration: Data) -> None:
+    """Node 3 is 4/p, node 9 is s, the outputs are alpha and beta."""
+    alpha, beta = sp.symbols("alpha beta")
+    values = {"3": graph(4 / p), "9": graph(s), "14": graph(alpha), "16": graph(beta)}
+    assert reason(with_values(acceleration, values), "kernel") == ""
+    assert not refused(acceleration)
+
+
+@pytest.mark.parametrize(
+    ("values", "why"),
+    [
+        ({"3": graph(4 / p + 1)}, "node 3: the value given is not the value of the node"),
+        ({"9": graph(2 * s)}, "node 9: the value given is not the value of the node"),
+        ({"9": graph(sp.Symbol("alpha"))}, "node 9: the value given is not the value"),
+        ({"14": graph(sp.Symbol("beta"))}, "node 14: the value given is not the value"),
+        ({"9": graph(sp.Matrix([[s, s]]))}, "matrix"),
+        ({"9": graph(1 / (s - p))}, "not shown to be nonzero"),
+        ({"9": graph(sp.Symbol("nothing"))}, "neither a variable nor an element"),
+        ({"17": graph(s)}, "not used"),
+        ({"09": graph(s)}, "not a node number"),
+        ({"9": "s"}, "record"),
+        ({}, "left out"),
+        ([], ""),
+        (None, ""),
+    ],
+)
+def test_false_values(acceleration: Data, values: Any, why: str) -> None:
+    found = reason(with_values(acceleration, values), "kernel")
+    assert found
+    assert why in found
+
+
+def test_a_value_of_a_node_that_no_claimed_output_needs(acceleration: Data) -> None:
+    """Node 16 leads to beta alone."""
+    claim = statement(acceleration, "kernel")["claim"]
+    del claim["outputs"]["beta"]
+    values = {"16": graph(sp.Symbol("beta"))}
+    assert "not used" in reason(with_values(acceleration, values), "kernel")
+
+
+def test_a_false_value_does_not_hide_a_false_graph(acceleration: Data) -> None:
+    """The kernel computes something else, and evidence says that it does not."""
+    acceleration["programs"]["gains"]["graph"]["nodes"][15] = ["mul", 4, 3]
+    values = {"15": graph(2 * p), "16": graph(sp.Symbol("beta"))}
+    for given in ({"15": values["15"]}, {"16": values["16"]}, values):
+        assert "not the value of the node" in reason(with_values(acceleration, given), "kernel")

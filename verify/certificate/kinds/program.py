@@ -8,19 +8,19 @@ from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.case import Case, Program
 from gainproof.verify.certificate.expression import Evaluation, Value
 from gainproof.verify.certificate.graph import Call, Graph, Skipped
+from gainproof.verify.certificate.kinds.program_evidence import (
+    CHOICES,
+    branches_taken,
+    fractions,
+    input_values,
+    values_given,
+)
 from gainproof.verify.certificate.matrix import Matrix
 from gainproof.verify.certificate.nonzero import Nonzero
-from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.ratio import Ratio
 from gainproof.verify.certificate.rejection import RejectedError
 from gainproof.verify.certificate.steepness import effort, require_one_fixed_point, shown_positive
-from gainproof.verify.certificate.tower import Tower
 from gainproof.verify.certificate.written import WrittenFraction
-
-_CHOICES: Mapping[str, tuple[str, ...]] = {
-    "select": ("then", "else"),
-    "abs": ("positive", "negative"),
-}
 
 
 def program(case: Case) -> str:
@@ -29,10 +29,12 @@ def program(case: Case) -> str:
     Claim: program (name), outputs (for each output a graph).
     Evidence: roots (for each evaluated power with a fractional exponent its root, manifestly
     nonnegative; for each unknown its value, manifestly positive), branches and gaps (for each
-    evaluated ``select`` and ``abs``), nonzero.
+    evaluated ``select`` and ``abs``), nonzero, and possibly values (for nodes expressions that
+    their values equal and that then take their place).
     """
     claim = case.claims("program", "outputs")
-    evidence = case.evidences("roots", "branches", "gaps", "nonzero")
+    more = ("values",) if "values" in schema.table(case.evidence, case.place) else ()
+    evidence = case.evidences("roots", "branches", "gaps", "nonzero", *more)
     name = schema.name(claim["program"], f"{case.place}.claim.program")
     if name not in case.programs:
         raise RejectedError(f"the program {name!r} is not in the certificate")
@@ -44,13 +46,14 @@ def program(case: Case) -> str:
     for output in claimed:
         if output not in kernel.graph.outputs:
             raise RejectedError(f"the program has no output {output!r}")
-    roots = _fractions(case, evidence["roots"], "roots")
-    branches = _branches(case, evidence["branches"], kernel.graph)
-    gaps = _fractions(case, evidence["gaps"], "gaps")
-    run = _Run(case, nonzero, kernel, roots, branches, gaps)
+    roots = fractions(case, evidence["roots"], "roots")
+    branches = branches_taken(case, evidence["branches"], kernel.graph)
+    gaps = fractions(case, evidence["gaps"], "gaps")
+    evaluation = case.evaluation(nonzero)
+    values = values_given(case, evaluation, evidence)
+    run = _Run(case, nonzero, kernel, roots, branches, gaps, values)
     found = run.outputs(kernel.graph, tuple(claimed))
     run.finish()
-    evaluation = case.evaluation(nonzero)
     for output, value in found.items():
         wanted = evaluation.scalar(case.expression(claimed[output], f"outputs.{output}"))
         if isinstance(value, Matrix) or not value.equals(wanted):
@@ -70,14 +73,17 @@ class _Run(Evaluation):
         roots: Mapping[int, WrittenFraction],
         branches: Mapping[int, str],
         gaps: Mapping[int, WrittenFraction],
+        values: Mapping[int, Ratio],
     ) -> None:
         super().__init__(case.tower, nonzero)
-        self._inputs = _input_values(case.tower, case.evaluation(nonzero), kernel)
+        self._inputs = input_values(case.tower, case.evaluation(nonzero), kernel)
         self._graph = kernel.graph
         self._effort = effort(kernel.graph)
         self._roots = dict(roots)
         self._branches = dict(branches)
         self._gaps = dict(gaps)
+        self._given = dict(values)
+        self._replaced_nodes: set[int] = set()
         self._positive: dict[int, bool] = {}
         self._fixed: set[int] = set()
         self._rooted: set[int] = set()
@@ -114,7 +120,7 @@ class _Run(Evaluation):
             return self._unknown(index)
         if node.function == "fixed_point":
             return self._fixed_point(node, values)
-        if node.function not in _CHOICES:
+        if node.function not in CHOICES:
             raise RejectedError(f"{node.function!r} stands only where an unknown starts")
         if index not in self._branches or index not in self._gaps:
             raise RejectedError(f"no branch or no gap is given for {node.function!r}")
@@ -154,9 +160,21 @@ class _Run(Evaluation):
         self._fixed.add(unknown)
         return self._scalar(values, wanted)
 
+    def _node(self, graph: Graph, index: int, values: Mapping[int, Value]) -> Value:
+        """The value; where one is given it equals that, and is written so from here on."""
+        found = super()._node(graph, index, values)
+        if index not in self._given:
+            return found
+        self._replaced_nodes.add(index)
+        given = self._given[index]
+        if isinstance(found, Matrix) or not found.equals(given):
+            raise RejectedError("the value given is not the value of the node")
+        return given
+
     def finish(self) -> None:
         """Reject evidence for nodes that were not evaluated."""
         for listed, visited, what in (
+            (self._given, self._replaced_nodes, "values"),
             (self._roots, self._rooted, "roots"),
             (self._branches, self._decided, "branches"),
             (self._gaps, self._decided, "gaps"),
@@ -172,36 +190,3 @@ class _Run(Evaluation):
     def _require(self, gap: Ratio, difference: Ratio) -> None:
         if not gap.equals(difference):
             raise RejectedError("the gap given is not the difference that decides the branch")
-
-
-def _input_values(
-    tower: Tower,
-    evaluation: Evaluation,
-    kernel: Program,
-) -> dict[str, Ratio]:
-    return {
-        name: tower.value(meaning) if isinstance(meaning, str) else evaluation.scalar(meaning)
-        for name, meaning in kernel.inputs.items()
-    }
-
-
-def _fractions(case: Case, value: Plain, field: str) -> dict[int, WrittenFraction]:
-    place = f"{case.place}.evidence.{field}"
-    return {
-        schema.index(key, place): case.fraction(entry, f"{field}.{key}")
-        for key, entry in schema.table(value, place).items()
-    }
-
-
-def _branches(case: Case, value: Plain, graph: Graph) -> dict[int, str]:
-    place = f"{case.place}.evidence.branches"
-    branches: dict[int, str] = {}
-    for key, choice in schema.table(value, place).items():
-        index = schema.index(key, place)
-        node = graph.nodes[index] if index < len(graph.nodes) else None
-        if not isinstance(node, Call) or node.function not in _CHOICES:
-            raise RejectedError(f"{place}: node {key} has no branches")
-        if not isinstance(choice, str) or choice not in _CHOICES[node.function]:
-            raise RejectedError(f"{place}.{key}: one of {_CHOICES[node.function]} is wanted")
-        branches[index] = choice
-    return branches
