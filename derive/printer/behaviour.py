@@ -25,6 +25,7 @@ Floats = NDArray[Any]
 
 ROUNDS = 12
 GREATEST_COUNT = 40_000  # of boxes still uncertain after a round
+ENOUGH = 64  # boxes of a round: NumPy takes hardly longer for these than for one
 
 
 class Behaviour:
@@ -145,7 +146,9 @@ def exclude_nan(
             return
         grid = boxes.grid(grid.low[:, bad], grid.high[:, bad])
         finer = boxes.halves(boxes.halves(grid, form), form)
-        # one pass over a point of each box and its quarters: few boxes cost as much as many
+        while finer.count < ENOUGH:
+            finer = boxes.halves(finer, form)
+        # one pass over a point of each box and its parts: few boxes cost as much as many
         points = boxes.grid(grid.low, grid.low)
         forward = again(boxes.joined(points, finer))
         found = _uncertain(Behaviour(forward), ends, domains)
