@@ -11,6 +11,8 @@ from typing import Any
 
 WIDTH = 120
 INDENT = 2
+# made once: `json.dumps` would make one for each of the many short texts
+_ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False, separators=(", ", ": "))
 
 
 def canonical_json(value: Any) -> str:
@@ -19,14 +21,35 @@ def canonical_json(value: Any) -> str:
 
 
 def _compact(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(", ", ": "))
+    return _ENCODER.encode(value)
+
+
+def _is_long(value: Mapping[str, Any] | Sequence[Any]) -> bool:
+    """Whether the text is surely longer than a line, told without writing it all."""
+    room, left = WIDTH, [value]
+    while left and room >= 0:
+        entry = left.pop()
+        if isinstance(entry, str):
+            room -= len(entry) + 2
+        elif isinstance(entry, dict):
+            room -= 6 * len(entry)
+            left += entry.values()
+        elif isinstance(entry, (list, tuple)):
+            room -= 2 * len(entry)
+            left += entry[: WIDTH // 2]
+        else:
+            room -= 1
+    return room < 0
 
 
 def _lines(value: Any, indent: int, used: int) -> list[str]:
     """The lines of a value that starts after `used` characters of a line indented by `indent`."""
-    text = _compact(value)
-    if indent + used + len(text) < WIDTH or not isinstance(value, (Mapping, list, tuple)):
-        return [text]
+    if not isinstance(value, (Mapping, list, tuple)):
+        return [_compact(value)]
+    if not _is_long(value):
+        text = _compact(value)
+        if indent + used + len(text) < WIDTH:
+            return [text]
     inner = indent + INDENT
     if isinstance(value, Mapping):
         blocks = list(_members(value, inner))

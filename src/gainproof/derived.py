@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 Plain = dict[str, Any]
@@ -55,8 +55,11 @@ class Derived:
     programs: Mapping[str, Any]
 
     def plain(self) -> Plain:
-        """As plain data for a JSON file."""
-        return asdict(self)
+        """As plain data for a JSON file, of which parts are this one's own.
+
+        `dataclasses.asdict` would copy every number of the certificate.
+        """
+        return {**vars(self), "steps": tuple(dict(vars(step)) for step in self.steps)}
 
 
 def derived_from(data: Mapping[str, Any]) -> Derived:
