@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from functools import cache
 
 import pytest
 import samples
@@ -11,6 +12,7 @@ from catalogue_subjects import prepare_all
 
 from gainproof import workers
 from gainproof.cache import FOLDER_VARIABLE
+from gainproof.verify.judge.claim import file
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -41,6 +43,8 @@ def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         changed.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
         # the tests themselves take all processors; what asks for several processes names them
         changed.setattr(workers, "processors", lambda: 1)
+        # pages and lists read all claim files, which takes a second; it depends on the text alone
+        changed.setattr(file, "read_claim_text", cache(file.read_claim_text))
         yield
 
 

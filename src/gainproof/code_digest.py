@@ -18,9 +18,9 @@ def of_everything() -> str:
     """Digest of the code of derive, verify and the front door, and of all versions."""
     front = Path(__file__).resolve().parent
     parts = [
-        of_files(package_folder("derive"), package_folder("derive").rglob("*")),
-        of_files(package_folder("verify"), package_folder("verify").rglob("*")),
-        of_files(front, front.glob("*")),
+        of_files(package_folder("derive"), package_folder("derive").rglob("*.py")),
+        of_files(package_folder("verify"), package_folder("verify").rglob("*.py")),
+        of_files(front, front.glob("*.py")),
         *(f"{name} {version}" for name, version in versions().items()),
     ]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
@@ -29,7 +29,8 @@ def of_everything() -> str:
 def of_files(folder: Path, paths: Iterable[Path]) -> str:
     """Digest of the source files among the paths, by name and content."""
     digest = hashlib.sha256()
-    for path in sorted(p for p in paths if p.suffix == ".py" and p.is_file()):
+    named = {str(path): path for path in paths if path.suffix == ".py" and path.is_file()}
+    for path in (named[name] for name in sorted(named)):
         content = path.read_bytes()
         name = path.relative_to(folder).as_posix()
         digest.update(f"{name} {len(content)}\n".encode() + content)

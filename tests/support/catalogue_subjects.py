@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import sqlite3
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,15 +15,34 @@ import pytest
 
 from gainproof import derivations, workers
 from gainproof.bad_input import BadInputError
-from gainproof.cache import default_folder
+from gainproof.cache import Cache, default_folder
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.subject import Subject
 from gainproof.derived import Derived
-from gainproof.workshop import open_workshop
+from gainproof.workers import Job
+from gainproof.workshop import Workshop, open_workshop
 
 OTHER_SEED = "4242"
 PROCESSORS = workers.processors
 """As it is without tests."""
+USERS_CACHE = default_folder()
+"""As it is without tests: this module is imported before they get a folder of their own."""
+ALIKE = frozenset(
+    {
+        "random-acceleration",  # like random velocity
+        "continuous-white-acceleration",
+        "wiener-acceleration",  # like increments of acceleration
+        "random-jerk",
+        "continuous-white-jerk",
+        "least-squares-mean",  # like the line
+        "least-squares-parabola",
+        "position-velocity",  # like that of random velocity
+        "position-velocity-random-acceleration",
+        "recursion-three-states",  # like two states
+        "alpha-beta-gamma",  # like alpha-beta
+    }
+)
+"""Subjects derived in the way of another: those that a session takes from the user's cache."""
 LONGEST_WAIT = 3600.0  # seconds: only for a process that hangs; one that ends lets others go on
 
 
@@ -58,10 +78,12 @@ def models() -> list[Mapping[str, Any]]:
 
 
 def prepare_all() -> None:
-    """Every subject with its files is in the shared cache, made in one go by one process only.
+    """Every subject with its files is in the shared cache, put there by one process only.
 
-    Made with another hash seed than `gainproof run` has: that both come to the committed files
-    shows that no order of a set is in them. What fails is not tried again.
+    One of each way of derivation is derived here, with another hash seed than `gainproof run` has:
+    that both come to the committed files shows that no order of a set is in them. The others are
+    what the user's cache holds under the keys of this very code and these versions, as it does
+    after `gainproof run`, and are derived here if it does not. What fails is not tried again.
     """
     failure = _preparing()
     if failure is not None:
@@ -79,13 +101,40 @@ def _preparing() -> Exception | None:
 
 def _prepare() -> None:
     shop = open_workshop(quiet=True)
+    with _one_process_at_a_time(default_folder() / "deriving.lock"):
+        names = derivations.catalogue(shop)
+        assert set(names) >= ALIKE
+        derive_with_another_seed(shop, [name for name in names if name not in ALIKE])
+        both = CacheOfTwo(shop.cache.folder, users=Cache(USERS_CACHE))
+        derive_with_another_seed(Workshop(both, shop.progress, shop.code), names)
+
+
+def derive_with_another_seed(shop: Workshop, names: Sequence[str]) -> None:
+    """The subjects with their files are in the cache of the workshop; what is not is derived."""
     assert workers.REPRODUCIBLE["PYTHONHASHSEED"] != OTHER_SEED
     with pytest.MonkeyPatch.context() as changed:
         changed.setitem(workers.REPRODUCIBLE, "PYTHONHASHSEED", OTHER_SEED)
         changed.setattr(workers, "processors", PROCESSORS)
-        with _one_process_at_a_time(default_folder() / "deriving.lock"):
-            jobs = [derivations.everything_job(name) for name in derivations.catalogue(shop)]
-            shop.ahead(jobs, lambda _: [])
+        shop.ahead([derivations.everything_job(name) for name in names], _nothing)
+
+
+def _nothing(_: Job) -> list[Job]:
+    return []
+
+
+@dataclass(frozen=True)
+class CacheOfTwo(Cache):
+    """A cache that takes over what it lacks and the user's holds. That one is only read."""
+
+    users: Cache | None = None
+
+    def load(self, key: str) -> Any | None:
+        found = super().load(key)
+        if found is None and self.users is not None:
+            found = self.users.load(key)
+            if found is not None:
+                self.store(key, found)
+        return found
 
 
 @contextmanager
