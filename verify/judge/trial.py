@@ -11,6 +11,7 @@ from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.matrices.decide import decide
 from gainproof.verify.judge.pruning import seen_false
 from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.setting.environment import Environment, NotEstablished
@@ -45,6 +46,9 @@ def try_claim(
 ) -> Trial:
     """The claim under every convention of its setting; `solved` keeps environments for others."""
     start = time.perf_counter()
+    if claim.matrices is not None and setting.matrices is not None:
+        finding = decide(claim.matrices, setting.matrices)
+        return Trial(claim, {"": finding}, (), False, time.perf_counter() - start)
     findings: dict[str, Finding] = {}
     found: list[Convention | Unusable] = []
     failure = None

@@ -17,6 +17,8 @@ from gainproof.verify.judge.claim.kinds import OWN_FIELDS, WITHOUT_FORMULA, with
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
 from gainproof.verify.judge.formula import Formula
+from gainproof.verify.judge.matrices import claim_fields
+from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.reader.latex import reading_to_latex
 from gainproof.verify.judge.reader.words import BRANCHES
 
@@ -37,6 +39,7 @@ FIELDS = (
     "held",
     "quoted",
     "note",
+    *claim_fields.FIELDS,
     *dict.fromkeys(name for names in OWN_FIELDS.values() for name in names),
 )
 """Fields of a claim."""
@@ -62,7 +65,7 @@ def read_claims(
         lines[identifier] = line
         start = line + 1
         fields = Fields(text, f"claims.{identifier}", content, FIELDS, line)
-        claims.append(_claim(fields, settings))
+        claims.append(_claim(fields, settings, claims))
     return tuple(claims)
 
 
@@ -78,10 +81,17 @@ def _identifier(text: FileText, number: int, content: object) -> str:
     return identifier
 
 
-def _claim(fields: Fields, settings: Mapping[str, Setting]) -> Claim:
+def _claim(fields: Fields, settings: Mapping[str, Setting], before: Sequence[Claim]) -> Claim:
     identifier = fields.required_text("id")
     kind = fields.choice("kind", CLAIM_KINDS)
     setting = _setting(fields, settings)
+    if setting.matrices is not None:
+        return _of_matrices(fields, identifier, kind, setting.name, setting.matrices, before)
+    for name in claim_fields.FIELDS:
+        if fields.has(name):
+            raise fields.fail(name, f"claims of a setting of kind {setting.kind} do not take this")
+    if kind in claim_fields.KINDS:
+        raise fields.fail("kind", f"only settings of kind matrices have claims of kind {kind}")
     domain = fields.text_or_none("domain")
     fields.text_or_none("quoted")  # for readers of the file; only its form is checked
     words = fields.text_or_none("text")
@@ -111,6 +121,40 @@ def _claim(fields: Fields, settings: Mapping[str, Setting]) -> Claim:
     )
     _check_domain(fields, claim, setting)
     return with_own_fields(claim, fields, setting.symbols)
+
+
+def _of_matrices(
+    fields: Fields,
+    identifier: str,
+    kind: str,
+    name: str,
+    setting: MatrixSetting,
+    before: Sequence[Claim],
+) -> Claim:
+    """A claim of a setting of matrices, which has a reader of its own."""
+    allowed = ("id", "place", "kind", "setting", "latex", "text", "given", "quoted", "note")
+    for field in fields.given():
+        if field not in (*allowed, *claim_fields.FIELDS):
+            raise fields.fail(field, "claims of a setting of matrices do not take this field")
+    fields.text_or_none("quoted")
+    is_remark = kind == "remark"
+    latex = (fields.text_or_none("latex") or "") if is_remark else fields.required_text("latex")
+    words = fields.required_text("text") if is_remark and not latex else fields.text_or_none("text")
+    earlier: dict[str, MatrixClaim] = {
+        claim.id: claim.matrices for claim in before if claim.setting == name and claim.matrices
+    }
+    return Claim(
+        id=identifier,
+        place=fields.required_text("place"),
+        kind=kind,
+        setting=name,
+        latex=latex,
+        formula=None,
+        text=words,
+        note=fields.text_or_none("note"),
+        line=fields.line or 1,
+        matrices=claim_fields.read_matrix_claim(fields, identifier, kind, latex, setting, earlier),
+    )
 
 
 def _check_domain(fields: Fields, claim: Claim, setting: Setting) -> None:

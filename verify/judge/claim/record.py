@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
+from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 
 
 @dataclass(frozen=True)
@@ -81,9 +82,10 @@ class Setting:
 
     `kind` is `steady_state` (`model` is a catalogue name, `search`, or None with `own_model`),
     `growing_memory` (least squares over all samples with a polynomial of `degree`), `fixed_gain`
-    (a filter with any gains: of `states`, position with its derivatives, or of `gain_matrices`), or
-    `algebra` (no model: identities that follow from the definitions). `symbols` holds every symbol
-    of the file with this setting's own declarations put over the file's.
+    (a filter with any gains: of `states`, position with its derivatives, or of `gain_matrices`),
+    `algebra` (no model: identities that follow from the definitions), or `matrices` (letters that
+    are matrices of any size: these are in `matrices`, and `symbols` is empty). `symbols` holds
+    every symbol of the file with this setting's own declarations put over the file's.
 
     `filters` are named filters with free gains, each with the equations between its gains.
 
@@ -116,6 +118,7 @@ class Setting:
     index_origin: str = "0"
     covariance: str = "search"
     note: str | None = None
+    matrices: MatrixSetting | None = None
 
 
 @dataclass(frozen=True)
@@ -134,7 +137,8 @@ class Claim:
     whose graph is `subject`, and the symbol with which it changes. `order` is that of the error in
     a claim of kind `asymptotics`, if its formula does not say it. `sense` says how conditions of a
     claim of kind `stability` are meant. `minimised` is what an `optimum` minimises or an
-    `ordering` compares, `fixed` what is kept or equal, `ascending` the names of filters.
+    `ordering` compares, `fixed` what is kept or equal, `ascending` the names of filters. `matrices`
+    is what a claim of a setting of matrices says; `formula` is then None.
     """
 
     id: str
@@ -163,6 +167,7 @@ class Claim:
     minimised: Graph | None = None
     fixed: tuple[Graph, ...] = ()
     ascending: tuple[str, ...] = ()
+    matrices: MatrixClaim | None = None
 
 
 @dataclass(frozen=True)

@@ -18,10 +18,11 @@ from gainproof.verify.judge.claim.models import (
 )
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import complete_symbols
+from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
 MOST_SETTINGS = 100
 MOST_DEGREE = 8
-SETTING_KINDS = ("steady_state", "growing_memory", "fixed_gain", "algebra")
+SETTING_KINDS = ("steady_state", "growing_memory", "fixed_gain", "algebra", "matrices")
 MOST_STATES = 3
 MOST_FILTERS = 20
 MOST_EQUATIONS = 3
@@ -51,6 +52,7 @@ FIELDS = (
     "filters",
     "note",
     "symbols",
+    "sizes",
     *MATRICES,
     *CONVENTIONS,
 )
@@ -88,6 +90,10 @@ def _setting(
     degree = fields.whole_number("degree", 0, MOST_DEGREE)
     note = fields.text_or_none("note")
     own_symbols = fields.take("symbols")
+    if kind == "matrices":
+        return _of_matrices(fields, name, title, note)
+    if fields.has("sizes"):
+        raise fields.fail("sizes", f"a setting of kind {kind} does not take this field")
     _check_kind(fields, kind, model, degree)
     if models is not None and model not in (None, "search", *models):
         hint = nearest_hint(str(model), models) or f"; known are {', '.join(models)}"
@@ -114,8 +120,19 @@ def _setting(
         gain_matrices=gain_matrices,
         filters=_filters(fields, symbols),
         note=note,
+        matrices=None,
         **_conventions(fields, symbols),
     )
+
+
+def _of_matrices(fields: Fields, name: str, title: str, note: str | None) -> Setting:
+    """A setting of letters that are matrices; no symbol of the file's own table is seen in it."""
+    for other in fields.given():
+        if other not in ("kind", "title", "note", "symbols", "sizes"):
+            raise fields.fail(other, "a setting of kind matrices does not take this field")
+    where = f"{fields.where}.symbols"
+    letters = read_letters(fields.text, where, fields.take("symbols"), read_sizes(fields))
+    return Setting(name, "matrices", title, {}, note=note, matrices=letters)
 
 
 def _conventions(fields: Fields, symbols: Mapping[str, SymbolEntry]) -> dict[str, str]:

@@ -19,6 +19,10 @@ CLAIM_KINDS = (
     "stability",
     "optimum",
     "ordering",
+    "dimension",
+    "invertible",
+    "unbiased",
+    "covariance",
     "remark",
 )
 """What a claim may be.
@@ -43,6 +47,8 @@ CLAIM_KINDS = (
 * `optimum`: the gains that the formula states are the one minimum of `minimised` while `fixed`
   stays;
 * `ordering`: `compared` rises strictly along the filters `ascending`, all with the same `fixed`;
+* `dimension`, `invertible`, `unbiased`, `covariance`: of matrices of every size: the shape is the
+  one said, there is an inverse, a mean is the one said, a mean of squares is;
 * `remark`: a sentence without decidable content; its note says why.
 """
 

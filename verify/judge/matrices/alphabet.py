@@ -1,0 +1,212 @@
+"""The letters of one statement as words need them: free letters, blocks of sizes, inverses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from gainproof.verify.judge.matrices.instance import Unsupported
+from gainproof.verify.judge.matrices.letter import (
+    DEFINITE,
+    SEMIDEFINITE,
+    SYMMETRIC,
+    MatrixSetting,
+)
+from gainproof.verify.judge.matrices.polynomial import Polynomial, Word
+from gainproof.verify.judge.matrices.size import ZERO, Shape, Size
+
+ONE = Fraction(1)
+SYMMETRIC_FACTS = frozenset((SYMMETRIC, DEFINITE, SEMIDEFINITE))
+
+
+@dataclass
+class Alphabet:
+    """`names` and `shapes` by number; `blocks`: the letters that fill each size that is cut;
+    `inverse`: number of the inverse of a letter; `elements`: what a letter is short for;
+    `symmetric`: letters that are their own transpose, free ones, elements or inverses of these.
+    """
+
+    setting: MatrixSetting
+    cuts: Mapping[Size, list[Size]]
+    names: list[str] = field(default_factory=list)
+    shapes: list[Shape] = field(default_factory=list)
+    blocks: dict[Size, list[int]] = field(default_factory=dict)
+    place: dict[int, tuple[Size, int]] = field(default_factory=dict)
+    inverse: dict[int, int] = field(default_factory=dict)
+    base: dict[int, int] = field(default_factory=dict)
+    elements: dict[int, Polynomial] = field(default_factory=dict)
+    symmetric: set[int] = field(default_factory=set)
+    _numbers: dict[str, int] = field(default_factory=dict)
+    _sizes: dict[Size, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for size in sorted(self.cuts, key=str):
+            self.blocks[size] = []
+            for at, width in enumerate(self.cuts[size]):
+                number = self._new(f"block_{self.size_name(size)}_{at + 1}", (size, width))
+                self.blocks[size].append(number)
+                self.place[number] = (size, at)
+
+    def _new(self, name: str, shape: Shape) -> int:
+        while name in self.names:
+            name += "x"
+        self.names.append(name)
+        self.shapes.append(shape)
+        return len(self.names) - 1
+
+    def number(self, name: str) -> int:
+        """The number of a letter of the setting."""
+        if name not in self._numbers:
+            shape = self.setting.letters[name].shape
+            number = self._numbers[name] = self._new(_plain(name), shape)
+            if set(self.setting.letters[name].facts) & SYMMETRIC_FACTS:
+                self.symmetric.add(number)
+        return self._numbers[name]
+
+    def has(self, name: str) -> bool:
+        """Whether a letter of the setting was spoken of."""
+        return name in self._numbers
+
+    def letter(self, number: int) -> Polynomial:
+        """The letter as a polynomial."""
+        return Polynomial({(2 * number,): ONE}, self.shapes[number])
+
+    def unit(self, size: Size) -> Polynomial:
+        """The unit matrix."""
+        return Polynomial({(): ONE}, (size, size))
+
+    def short_for(self, value: Polynomial) -> int:
+        """The letter that is short for a polynomial, in normal form."""
+        for number, known in self.elements.items():
+            if known.shape == value.shape and known.key == value.key:
+                return number
+        number = self._new(f"element_{len(self.elements) + 1}", value.shape)
+        self.elements[number] = value
+        if value.shape[0] == value.shape[1] and self.reduced(value.T).key == value.key:
+            self.symmetric.add(number)
+        return number
+
+    def inverse_of(self, number: int) -> int:
+        """The letter of the inverse."""
+        if number in self.base:
+            return self.base[number]
+        if number not in self.inverse:
+            other = self._new(f"{self.names[number]}_inverse", self.shapes[number])
+            self.inverse[number], self.base[other] = other, number
+            if number in self.symmetric:
+                self.symmetric.add(other)
+        return self.inverse[number]
+
+    def embedded(self, whole: Size, start: Size, size: Size) -> Polynomial:
+        """The columns of the unit matrix of `whole` that begin at `start`, so many."""
+        if size == whole:
+            return self.unit(whole)
+        total, place, covered = Polynomial({}, (whole, size)), ZERO, ZERO
+        own = self.blocks.get(size, [])
+        for number, width in zip(self.blocks[whole], self.cuts[whole], strict=True):
+            if place - start == ZERO and width == size:
+                return self.letter(number)
+            before = ZERO
+            for other in own:
+                if place - start == before and self.shapes[other][1] == width:
+                    total = total + self.letter(number) @ self.letter(other).T
+                    covered = covered + width
+                before = before + self.shapes[other][1]
+            place = place + width
+        if covered != size:
+            raise Unsupported(f"blocks of {whole} and of {size} do not fit together")
+        return total
+
+    def normal(self, word: Word) -> Word | None:
+        """The word after what is always done: symmetric letters lose their transpose, blocks and
+        inverses that meet vanish. None for a word that is zero.
+        """
+        found: list[int] = []
+        for letter in word:
+            if letter // 2 in self.symmetric:
+                letter -= letter % 2
+            if found:
+                met = self.meeting(found[-1], letter)
+                if met is False:
+                    return None
+                if met:
+                    found.pop()
+                    continue
+            found.append(letter)
+        return tuple(found)
+
+    def last_pair(self, word: Word) -> int | None:
+        """Where in a word the last block of a size meets its transpose, if it does: E E' there is
+        the unit matrix less those of the other blocks.
+        """
+        for at in range(len(word) - 1):
+            found = self.place.get(word[at] // 2)
+            if found is None or word[at + 1] != word[at] + 1 or word[at] % 2:
+                continue
+            if found[1] == len(self.blocks[found[0]]) - 1:
+                return at
+        return None
+
+    def contracted(self, word: Word) -> dict[Word, int]:
+        """The normal form in which no last block meets its transpose, of a word in normal form."""
+        total: dict[Word, int] = {}
+        waiting = [(word, 1)]
+        while waiting:
+            word, factor = waiting.pop()
+            at = self.last_pair(word)
+            if at is None:
+                rest = total.pop(word, 0) + factor
+                if rest:
+                    total[word] = rest
+                continue
+            before, after = word[:at], word[at + 2 :]
+            *others, _ = self.blocks[self.place[word[at] // 2][0]]
+            pairs = [((), factor), *(((2 * n, 2 * n + 1), -factor) for n in others)]
+            for pair, value in pairs:
+                short = self.normal(before + pair + after)
+                if short is not None:
+                    waiting.append((short, value))
+        return total
+
+    def meeting(self, one: int, other: int) -> bool | None:
+        """True if two neighbours make the unit matrix, False if zero, None if neither."""
+        left, right = self.place.get(one // 2), self.place.get(other // 2)
+        if left is not None and right is not None and one % 2 and not other % 2:
+            return left == right if left[0] == right[0] else None
+        if one % 2 == other % 2 and (
+            self.inverse.get(one // 2) == other // 2 or self.base.get(one // 2) == other // 2
+        ):
+            return True if (one // 2 in self.inverse or one // 2 in self.base) else None
+        return None
+
+    def reduced(self, value: Polynomial) -> Polynomial:
+        """All words in normal form."""
+        terms: dict[Word, Fraction] = {}
+        for word, factor in value.terms.items():
+            short = self.normal(word)
+            if short is not None:
+                total = terms.pop(short, Fraction(0)) + factor
+                if total:
+                    terms[short] = total
+        return Polynomial(terms, value.shape)
+
+    def size_name(self, size: Size) -> str:
+        """A size as certificates name it."""
+        if size not in self._sizes:
+            if not size.terms and size.constant and size not in self.cuts:
+                self._sizes[size] = str(size.constant)
+            else:
+                name = "size_" + _plain(self.setting.sizes.shown(size))
+                while name in self._sizes.values():
+                    name += "x"
+                self._sizes[size] = name
+        return self._sizes[size]
+
+
+def _plain(text: str) -> str:
+    """Letters, digits and underscores."""
+    words = text.replace("+", " plus ").replace("-", " minus ")
+    kept = "".join(c if c.isascii() and c.isalnum() else "_" for c in words).strip("_")
+    name = "_".join(part for part in kept.split("_") if part)[:50]
+    return name if name[:1].isalpha() else f"m_{name}"

@@ -1,0 +1,95 @@
+"""Proofs as certificates of `gainproof.verify.certificate.words`, which decides them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from gainproof.verify.certificate.rejection import Meter, RejectedError
+from gainproof.verify.certificate.words import prove, read_setting
+from gainproof.verify.judge.matrices.book import Book
+
+
+@dataclass(frozen=True)
+class _Statement:
+    id: str
+    kind: str
+    claim: Any
+    evidence: Any
+
+
+def written(book: Book) -> dict[str, Any]:
+    """Setting and statements as plain data."""
+    return {"setting": _setting(book), "statements": list(book.statements)}
+
+
+def rejected(certificate: Mapping[str, Any]) -> str | None:
+    """Why the checker does not accept a statement; None if it accepts all. Never raises."""
+    try:
+        setting = read_setting(certificate["setting"], Meter(), "setting")
+        statements = [_Statement(**entry) for entry in certificate["statements"]]
+        for number, statement in enumerate(statements):
+            prove(setting, statement, statements[:number])
+    except RejectedError as rejection:
+        return str(rejection)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        return f"malformed: {type(error).__name__}"
+    return None if certificate["statements"] else "nothing is stated"
+
+
+def _setting(book: Book) -> dict[str, Any]:
+    """The letters that are spoken of, and those that they are made of."""
+    alphabet = book.alphabet
+    names = {name: number for number, name in enumerate(alphabet.names)}
+    spoken = {
+        names[text.removesuffix("'")]
+        for text in _texts(book.statements)
+        if text.removesuffix("'") in names
+    }
+    waiting = list(spoken)
+    while waiting:
+        number = waiting.pop()
+        more = {alphabet.base[number]} if number in alphabet.base else set()
+        if number in alphabet.elements:
+            more |= {each // 2 for word in alphabet.elements[number].terms for each in word}
+        if number in alphabet.place:
+            more |= set(alphabet.blocks[alphabet.place[number][0]])
+        waiting += more - spoken
+        spoken |= more
+    size = alphabet.size_name
+    units = {text for text in _texts(book.statements) if text.startswith("unit_")}
+    return {
+        "parameters": [],
+        "matrices": {
+            alphabet.names[n]: [size(alphabet.shapes[n][0]), size(alphabet.shapes[n][1])]
+            for n in sorted(spoken)
+        },
+        "units": {name: name.removeprefix("unit_") for name in sorted(units)},
+        "blocks": {
+            size(whole): [alphabet.names[n] for n in numbers]
+            for whole, numbers in alphabet.blocks.items()
+            if numbers[0] in spoken
+        },
+        "elements": {
+            alphabet.names[n]: book.data(value)
+            for n, value in alphabet.elements.items()
+            if n in spoken
+        },
+        "inverses": {
+            alphabet.names[n]: alphabet.names[base]
+            for n, base in alphabet.base.items()
+            if n in spoken
+        },
+    }
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping):
+        for inner in value.values():
+            yield from _texts(inner)
+    elif isinstance(value, list | tuple):
+        for inner in value:
+            yield from _texts(inner)

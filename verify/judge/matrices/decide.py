@@ -1,0 +1,171 @@
+"""Verdicts on claims about matrices of every size."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import islice
+
+from gainproof.verify.judge.matrices.book import UnprovedError
+from gainproof.verify.judge.matrices.certificate import rejected, written
+from gainproof.verify.judge.matrices.conditions import possible_conditions
+from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
+from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.polynomial import TooLongError
+from gainproof.verify.judge.matrices.prove import Question, proof_of
+from gainproof.verify.judge.matrices.sample import holds, instances
+from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
+from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
+from gainproof.verify.judge.matrices.witness import witness_of
+from gainproof.verify.judge.verdict import Finding
+
+TRIED = 4
+"""Instances before a proof is looked for."""
+METHOD = "words"
+
+
+@dataclass(frozen=True)
+class Case:
+    """One direction of a claim, with what restricts the sizes."""
+
+    question: Question
+    bounds: tuple[Bound, ...]
+
+
+def decide(claim: MatrixClaim, setting: MatrixSetting) -> Finding:
+    """The verdict; nothing is raised for what cannot be decided."""
+    shapes = Shapes(setting.letters, setting.sizes)
+    try:
+        cases = cases_of(claim, shapes)
+    except ShapeFault as reason:
+        return Finding("refuted", f"shapes do not fit: {reason}", method="shapes")
+    fault = wrong_shape(claim, shapes)
+    if fault is not None:
+        return Finding("refuted", fault, method="shapes")
+    if claim.kind in ("dimension", "definition"):
+        verdict = "proved" if claim.kind == "dimension" else "definition"
+        return Finding(verdict, "the shapes of the letters give this one", method="shapes")
+    findings = [_decided(case, setting) for case in cases]
+    return _together(findings)
+
+
+def wrong_shape(claim: MatrixClaim, shapes: Shapes) -> str | None:
+    """Why the shape that is said is not the one that there is."""
+    if claim.shape is None:
+        return None
+    chain = shapes.chain(claim.statement.chains[0])
+    found = shapes.of(chain.sides[0])
+    if found == claim.shape:
+        return None
+    return f"the shape is {shapes.said(found)}, not {shapes.said(claim.shape)}"
+
+
+def cases_of(claim: MatrixClaim, shapes: Shapes) -> list[Case]:
+    """What has to be proved, with fitted shapes. Raises ShapeFault."""
+    statement = claim.statement
+    chains = tuple(shapes.chain(chain) for chain in statement.chains)
+    after = tuple(shapes.chain(chain) for chain in statement.after)
+    given = tuple(shapes.chain(c) for other in claim.given for c in other.chains)
+    inverted = tuple(_square(node, shapes) for node in claim.invertible)
+    hints = tuple(_filled(node, shapes) for node in claim.hints)
+    premises = tuple(
+        case.question for premise in claim.premises for case in cases_of(premise, shapes)
+    )
+    if claim.kind == "invertible":
+        chains = tuple(Chain(chain.sides, (REGULAR,)) for chain in chains)
+    pairs: list[tuple[tuple[Chain, ...], tuple[Chain, ...]]] = [((), chains)]
+    if statement.connective:
+        pairs = [(chains, after), (after, chains)]
+    if statement.connective == "=>":
+        pairs.pop()
+    return [
+        Case(
+            Question(
+                tuple(c for c in wanted if c.operators != (REGULAR,)),
+                (*given, *(c for c in supposed if c.operators != (REGULAR,))),
+                (*inverted, *(c.sides[0] for c in supposed if c.operators == (REGULAR,))),
+                hints,
+                tuple(c.sides[0] for c in wanted if c.operators == (REGULAR,)),
+                premises,
+            ),
+            tuple(b for other in (statement, *claim.given) for b in other.bounds),
+        )
+        for supposed, wanted in pairs
+    ]
+
+
+def _filled(node: Node, shapes: Shapes) -> Node:
+    return shapes.filled(node, shapes.of(node))
+
+
+def _square(node: Node, shapes: Shapes) -> Node:
+    return shapes.chain(Chain((node,), (REGULAR,))).sides[0]
+
+
+def _decided(case: Case, setting: MatrixSetting) -> Finding:
+    found, failed = _tried(case, setting)
+    if not found:
+        return Finding("undecided", "no exact instance of the hypotheses was found")
+    if failed is None:
+        return _proved(case, setting)
+    instance, missing = failed
+    wanted = possible_conditions(case.question, setting, instance, missing)
+    for said, question in wanted:
+        more = replace(case, question=question)
+        found, again = _tried(more, setting)
+        if found and again is None:
+            finding = _proved(more, setting)
+            if finding.verdict == "proved":
+                reason = f"not true as stated; true where {said}"
+                witness = witness_of(case.question, setting, instance)
+                return replace(
+                    finding, verdict="conditional", reason=reason, domain=said, witness=witness
+                )
+    witness = witness_of(case.question, setting, instance)
+    if missing:
+        reason = "an inverse in it does not always exist, and with it no proof was found"
+        return Finding("undecided", reason, witness=witness)
+    return Finding("refuted", "an exact counterexample", method="instance", witness=witness)
+
+
+def _tried(
+    case: Case, setting: MatrixSetting
+) -> tuple[list[Instance], tuple[Instance, bool] | None]:
+    """Instances of the hypotheses, and the first at which the claim fails or has no value."""
+    question, found = case.question, list[Instance]()
+    wanted = (*question.chains, *(Chain((n,), (REGULAR,)) for n in question.existing))
+    missing = None
+    for instance in islice(
+        instances(setting, question.given, question.invertible, case.bounds), TRIED
+    ):
+        found.append(instance)
+        try:
+            if not all(holds(chain, instance) for chain in wanted):
+                return found, (instance, False)
+        except NoValueError:
+            missing = missing or (instance, True)
+        except Unsupported:
+            found.pop()
+    return found, missing
+
+
+def _proved(case: Case, setting: MatrixSetting) -> Finding:
+    try:
+        book = proof_of(case.question, setting)
+        certificate = written(book)
+        fault = rejected(certificate)
+    except (UnprovedError, TooLongError, Unsupported, NoValueError) as reason:
+        return Finding("undecided", f"true at {TRIED} exact instances; {reason}")
+    if fault is not None:
+        return Finding("undecided", f"the proof that was found is not accepted: {fault}")
+    return Finding("proved", "for every size", method=METHOD, certificate=certificate)
+
+
+def _together(findings: list[Finding]) -> Finding:
+    """Both directions of an equivalence: the worse one."""
+    order = ("refuted", "undecided", "conditional", "proved")
+    worst = min(findings, key=lambda finding: order.index(finding.verdict))
+    if worst.verdict != "proved":
+        return worst
+    parts = {str(n): dict(f.certificate) for n, f in enumerate(findings, start=1)}
+    certificate = parts if len(findings) > 1 else findings[0].certificate
+    return replace(findings[0], certificate=certificate)

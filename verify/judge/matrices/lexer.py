@@ -1,0 +1,220 @@
+"""Tokens of a formula of matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from fractions import Fraction
+
+from gainproof.verify.judge.matrices.size import Shape, Sizes
+from gainproof.verify.judge.matrices.size_text import read_size
+from gainproof.verify.judge.matrices.symbol import (
+    scan_subscript,
+    scan_symbol,
+    skip_blanks,
+    with_subscript,
+)
+from gainproof.verify.judge.reader.alphabet import command_at
+from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
+from gainproof.verify.judge.reader.limits import MOST_CHARACTERS, MOST_DIGITS
+
+MOST_TOKENS = 1500
+RELATIONS = {
+    "=": "=",
+    "<": "<",
+    ">": ">",
+    "\\lt": "<",
+    "\\gt": ">",
+    "\\le": "<=",
+    "\\leq": "<=",
+    "\\leqq": "<=",
+    "\\leqslant": "<=",
+    "\\preceq": "<=",
+    "\\prec": "<",
+    "\\ge": ">=",
+    "\\geq": ">=",
+    "\\geqq": ">=",
+    "\\geqslant": ">=",
+    "\\succeq": ">=",
+    "\\succ": ">",
+}
+ARROWS = {
+    "\\Rightarrow": "=>",
+    "\\implies": "=>",
+    "\\Longrightarrow": "=>",
+    "\\Leftrightarrow": "<=>",
+    "\\iff": "<=>",
+    "\\Longleftrightarrow": "<=>",
+}
+WIDE = ("\\quad", "\\qquad")
+_SILENT = frozenset(("\\left", "\\right", "\\bigl", "\\bigr", "\\Bigl", "\\Bigr", "\\big", "\\Big"))
+_TIMES = frozenset(("\\cdot", "\\times"))
+_MATRICES = ("{pmatrix}", "{bmatrix}", "{array}", "{matrix}")
+_POWERS = {
+    "T": "T",
+    "{T}": "T",
+    "\\top": "T",
+    "{\\top}": "T",
+    "{\\mathsf{T}}": "T",
+    "{\\mathrm{T}}": "T",
+    "{-1}": "-1",
+    "{-T}": "-T",
+}
+
+
+@dataclass(frozen=True)
+class Token:
+    """`kind`: name, number, unit, zero, power, relation, arrow, begin, end, expect, wide, or the
+    character itself. `value` is its text; sizes of units and zeros are in `shape`.
+    """
+
+    kind: str
+    position: int
+    value: str = ""
+    number: Fraction = Fraction(0)
+    shape: Shape | None = None
+
+
+def tokens_of(text: str, letters: Collection[str], sizes: Sizes) -> list[Token]:
+    """All tokens. Raises ReaderError for what is not known."""
+    if len(text) > MOST_CHARACTERS:
+        raise ReaderError(f"more than {MOST_CHARACTERS} characters", text[:100], 0)
+    found: list[Token] = []
+    position = skip_blanks(text, 0)
+    while position < len(text):
+        token, position = _token(text, position, letters, sizes)
+        if token is not None:
+            found.append(token)
+        if len(found) > MOST_TOKENS:
+            raise ReaderError(f"more than {MOST_TOKENS} signs", text, position)
+        position = skip_blanks(text, position)
+    return found
+
+
+def _token(
+    text: str, position: int, letters: Collection[str], sizes: Sizes
+) -> tuple[Token | None, int]:
+    character = text[position]
+    command = command_at(text, position) if character == "\\" else character
+    after = position + len(command)
+    if command in RELATIONS:
+        return Token("relation", position, RELATIONS[command]), after
+    if command in ("\\ne", "\\neq"):
+        return Token("unequal", position), after
+    if command == "\\det":
+        return Token("det", position), after
+    if command in ARROWS:
+        return Token("arrow", position, ARROWS[command]), after
+    if command in WIDE:
+        return Token("wide", position), after
+    if command in _SILENT or command in _TIMES:
+        return None, after
+    if command == "\\\\":
+        return Token("row", position), after
+    if command in ("\\begin", "\\end"):
+        return _environment(text, position, command)
+    if command == "\\frac":
+        return _fraction(text, position)
+    if command in ("\\text", "\\mbox") and text[after : after + 1] == "{":
+        end = text.find("}", after)
+        if text[after + 1 : end].strip() in ("and", ","):
+            return Token(",", position), end + 1
+    if character == "^":
+        return _power(text, position)
+    if character.isascii() and character.isdigit():
+        return _number(text, position)
+    if character in "+-()[],&{}":
+        return Token(character, position), after
+    return _symbol(text, position, letters, sizes)
+
+
+def _environment(text: str, position: int, command: str) -> tuple[Token, int]:
+    place = skip_blanks(text, position + len(command))
+    for name in _MATRICES:
+        if text.startswith(name, place):
+            end = place + len(name)
+            if command == "\\begin" and name == "{array}":
+                start = skip_blanks(text, end)
+                end = text.find("}", start) + 1
+                if text[start : start + 1] != "{" or not end:
+                    raise ReaderError("an array says how its columns stand", text, start)
+            return Token(command[1:], position, name), end
+    raise ReaderError("a matrix is wanted: pmatrix, bmatrix, matrix or array", text, place)
+
+
+def _fraction(text: str, position: int) -> tuple[Token, int]:
+    place, values = position + len("\\frac"), []
+    for _ in range(2):
+        place = skip_blanks(text, place)
+        end = text.find("}", place)
+        inner = text[place + 1 : end] if text[place : place + 1] == "{" and end > 0 else ""
+        if not (inner.isascii() and inner.isdigit() and len(inner) <= MOST_DIGITS):
+            raise ReaderError("fractions are of whole numbers here", text, place)
+        values.append(int(inner))
+        place = end + 1
+    if values[1] == 0:
+        raise ReaderError("division by zero", text, position)
+    return Token("number", position, number=Fraction(*values)), place
+
+
+def _number(text: str, position: int) -> tuple[Token, int]:
+    end = position
+    while text[end : end + 1].isascii() and (text[end : end + 1].isdigit() or text[end] == "."):
+        end += 1
+        if end >= len(text):
+            break
+    digits = text[position:end]
+    if digits.count(".") > 1 or digits.endswith(".") or len(digits) > MOST_DIGITS:
+        raise ReaderError("not a number", text, position, digits[:20])
+    return Token("number", position, number=Fraction(digits)), end
+
+
+def _power(text: str, position: int) -> tuple[Token, int]:
+    place = skip_blanks(text, position + 1)
+    end = place + 1
+    if text[place : place + 1] == "{":
+        depth = 0
+        for end in range(place, min(len(text), place + 20)):
+            depth += {"{": 1, "}": -1}.get(text[end], 0)
+            if depth == 0:
+                break
+        end += 1
+    elif text[place : place + 1] == "\\":
+        end = place + len(command_at(text, place))
+    inner = "".join(text[place:end].split())
+    if inner not in _POWERS:
+        raise ReaderError("a power of a matrix is ^T or ^{-1}", text, place, inner)
+    return Token("power", position, _POWERS[inner]), end
+
+
+def _symbol(text: str, position: int, letters: Collection[str], sizes: Sizes) -> tuple[Token, int]:
+    found = scan_symbol(text, position)
+    if found is None:
+        raise ReaderError("this is not read here", text, position, text[position : position + 10])
+    base, place = found
+    subscript, end = scan_subscript(text, place)
+    # X^T_l is the same letter as X_l^T
+    powers = ""
+    if not subscript and text[place : place + 1] == "^":
+        token, after = _power(text, place)
+        subscript, stop = scan_subscript(text, after)
+        if subscript:
+            powers, end = token.value, stop
+    name = with_subscript(base, subscript) if subscript else base
+    if powers:
+        raise ReaderError(f"write {name}^{{{powers}}}, the subscript first", text, position, name)
+    if name in letters:
+        return Token("name", position, name), end
+    if base == "I" and subscript:
+        size = read_size(subscript, sizes)
+        return Token("unit", position, shape=(size, size)), end
+    if base == "O" and "," in subscript:
+        rows, _, columns = subscript.partition(",")
+        shape = (read_size(rows, sizes), read_size(columns, sizes))
+        return Token("zero", position, shape=shape), end
+    if base.rstrip("}").endswith("0"):
+        return Token("number", position), end
+    if name == "E":
+        return Token("expect", position), end
+    near = nearest_names(name, letters)
+    raise ReaderError(f"the matrix {name} is not declared", text, position, name, near)

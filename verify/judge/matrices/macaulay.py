@@ -1,0 +1,150 @@
+"""Whether a polynomial is a sum of products with equations: linear algebra over words.
+
+Starting from its words, every equation that has one of them inside a product gives such a product,
+whose words are looked at in their turn; a few rounds of this, then one linear system. Nothing is
+oriented, so nothing has to be completed, and nothing that is found is believed: the cofactors are
+checked elsewhere. Numbers are taken modulo a prime and read back as fractions at the end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeVar
+
+from gainproof.verify.judge.matrices.alphabet import Alphabet
+from gainproof.verify.judge.matrices.polynomial import MOST_LETTERS, Polynomial, Word
+
+PRIME = 2**61 - 1
+MOST_PRODUCTS = 2500
+MOST_ROUNDS = 7
+LARGEST = 10_000
+"""Numerator and denominator of a coefficient that is read back."""
+
+Product = tuple[Word, int, Word]
+"""Left word, number of the equation, right word."""
+Row = dict[Word, int]
+_Key = TypeVar("_Key")
+
+
+@dataclass
+class _System:
+    """Products in echelon form, each with how it is made of those that were put in."""
+
+    rows: dict[Word, tuple[Row, dict[Product, int]]]
+
+    def reduced(self, row: Row, made: dict[Product, int]) -> tuple[Row, dict[Product, int]]:
+        """What is left of a row."""
+        left: Row = {}
+        row = dict(row)
+        while row:
+            word = max(row, key=_order)
+            value = row.pop(word)
+            if word not in self.rows:
+                left[word] = value
+                continue
+            other, how = self.rows[word]
+            for key, factor in other.items():
+                if key != word:
+                    _add(row, key, -value * factor)
+            for product, factor in how.items():
+                _add(made, product, -value * factor)
+        return left, made
+
+    def insert(self, row: Row, product: Product) -> None:
+        """Put in a product."""
+        left, made = self.reduced(row, {product: 1})
+        if not left:
+            return
+        lead = max(left, key=_order)
+        scale = pow(left[lead], -1, PRIME)
+        self.rows[lead] = (
+            {word: value * scale % PRIME for word, value in left.items()},
+            {key: value * scale % PRIME for key, value in made.items()},
+        )
+
+
+def products_for(
+    residual: Polynomial,
+    equations: Sequence[Polynomial],
+    alphabet: Alphabet,
+    contract: bool = False,
+) -> list[tuple[Fraction, Product]] | None:
+    """Products of equations whose sum, in normal form, is the residual. None if none are found.
+    With `contract` the normal form is that in which no last block meets its transpose.
+    """
+    if not residual.terms:
+        return []
+    goal = {word: _modulo(value) for word, value in residual.terms.items()}
+    by_first: dict[int, list[tuple[Word, int]]] = {}
+    for number, equation in enumerate(equations):
+        for word in equation.terms:
+            if word:
+                by_first.setdefault(word[0], []).append((word, number))
+    system = _System({})
+    seen: set[Product] = set()
+    known, frontier = set(goal), set(goal)
+    for _ in range(MOST_ROUNDS):
+        fresh: set[Word] = set()
+        for word in sorted(frontier, key=_order):
+            for product in _matches(word, by_first):
+                if product in seen:
+                    continue
+                seen.add(product)
+                if len(seen) > MOST_PRODUCTS:
+                    return None
+                row = _row(product, equations[product[1]], alphabet, contract)
+                fresh.update(row)
+                system.insert(row, product)
+        left, made = system.reduced(goal, {})
+        if not left:
+            return [(_fraction(-value), product) for product, value in made.items()]
+        frontier = {word for word in fresh - known if len(word) <= MOST_LETTERS}
+        known |= fresh
+        if not frontier:
+            return None
+    return None
+
+
+def _matches(word: Word, by_first: dict[int, list[tuple[Word, int]]]) -> Iterator[Product]:
+    for start, letter in enumerate(word):
+        for inner, number in by_first.get(letter, ()):
+            if word[start : start + len(inner)] == inner:
+                yield word[:start], number, word[start + len(inner) :]
+
+
+def _row(product: Product, equation: Polynomial, alphabet: Alphabet, contract: bool) -> Row:
+    row: Row = {}
+    before, _, after = product
+    for word, value in equation.terms.items():
+        short = alphabet.normal(before + word + after)
+        if short is not None and contract:
+            for other, times in alphabet.contracted(short).items():
+                _add(row, other, times * _modulo(value))
+        elif short is not None:
+            _add(row, short, _modulo(value))
+    return row
+
+
+def _add(row: dict[_Key, int], key: _Key, value: int) -> None:
+    total = (row.pop(key, 0) + value) % PRIME
+    if total:
+        row[key] = total
+
+
+def _order(word: Word) -> tuple[int, Word]:
+    return len(word), word
+
+
+def _modulo(value: Fraction) -> int:
+    return value.numerator * pow(value.denominator, -1, PRIME) % PRIME
+
+
+def _fraction(value: int) -> Fraction:
+    """The small fraction that this is modulo the prime; a wrong one is seen by the checker."""
+    low, high, p, q = PRIME, value % PRIME, 0, 1
+    while high > LARGEST:
+        factor = low // high
+        low, high, p, q = high, low - factor * high, q, p - factor * q
+    return Fraction(high, q) if q else Fraction(0)

@@ -1,0 +1,234 @@
+"""Orders of matrices as sums of squares F' D F with D known to be positive (semi)definite."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+from gainproof.verify.judge.matrices.book import Book, Known, UnprovedError
+from gainproof.verify.judge.matrices.full_rank import left_inverses
+from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
+from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
+from gainproof.verify.judge.matrices.size import ZERO, Size
+
+MOST_SQUARES = 3
+MOST_CANDIDATES = 60
+MOST_SEARCHED = 12
+
+
+@dataclass(frozen=True)
+class Square:
+    """weight F' D F."""
+
+    factor: Polynomial
+    known: Known
+    weight: Fraction = Fraction(1)
+
+
+def definite(book: Book, number: int) -> tuple[object, ...]:
+    """Prove a letter positive definite. Raises UnprovedError."""
+    letter = book.alphabet.letter(number)
+    for known in book.known:
+        if known.strict and known.value.key == letter.key:
+            return known.reference
+    if number not in book.alphabet.elements or number not in book.alphabet.symmetric:
+        raise UnprovedError("it is not known to be symmetric")
+    evidence = prove_order(book, letter, True)
+    claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter), "relation": ">"}
+    reference = ("statement", book.state("matrix_order", claim, evidence))
+    book.known.append(Known(reference, letter, True))
+    return reference
+
+
+def prove_order(book: Book, difference: Polynomial, strict: bool) -> dict[str, Any]:
+    """Evidence that a matrix is positive (semi)definite. Raises UnprovedError."""
+    value = book.alphabet.reduced(book.without_elements(difference)[0])
+    for squares in _attempts(book, value):
+        rest = difference
+        for square in squares:
+            middle = square.factor.T @ square.known.value @ square.factor
+            rest = rest - middle.times(square.weight)
+        try:
+            cofactors = book.vanishing(rest)
+            evidence = {
+                "squares": [_plain(book, square) for square in squares],
+                "cofactors": cofactors,
+            }
+            if strict:
+                evidence["rank"] = _rank(book, squares, difference.shape[0])
+        except (UnprovedError, TooLongError):
+            continue
+        return evidence
+    raise UnprovedError("no sum of squares was found")
+
+
+def _plain(book: Book, square: Square) -> dict[str, Any]:
+    return {
+        "weight": [[str(square.weight), [], []]],
+        "factor": _positive(book, square.factor),
+        "definite": square.known.reference,
+    }
+
+
+def _positive(book: Book, factor: Polynomial) -> Polynomial:
+    """With a positive first term, as the checker wants it: the square is the same."""
+    return -factor if str(book.data(factor)[0][0]).startswith("-") else factor
+
+
+def _attempts(book: Book, value: Polynomial) -> Iterator[list[Square]]:
+    """Lists of squares whose sum may be the value."""
+    known = [*book.known, *_units(book, value)]
+    if not value.terms:
+        yield []
+    for hint in book.hints:
+        for one in known:
+            if hint.shape == (one.value.shape[0], value.shape[0]) and hint.terms:
+                square = Square(hint, one)
+                own = _expanded(book, square)
+                if own is not None and own.key == value.key:
+                    yield [square]
+    gram = decomposed(book, value, known)
+    if gram is not None:
+        yield [Square(factor, one, weight) for factor, one, weight in gram]
+    signed = signed_squares(book, value, known)
+    if signed:
+        yield [Square(factor, one) for factor, one in signed]
+    candidates = list(_candidates(book, value, known))[:MOST_CANDIDATES]
+    by_key = [(s, _expanded(book, s)) for s in candidates]
+    found = [(s, v) for s, v in by_key if v is not None and v.terms]
+    for count in range(1, MOST_SQUARES + 1):
+        for group in combinations(found, count):
+            total = value
+            for _, own in group:
+                total = total - own
+            if not total.terms:
+                yield [s for s, _ in group]
+    for square, own in found[:MOST_SEARCHED]:
+        if set(own.terms) & set(value.terms):
+            yield [square]
+    yield from _of_inverses(book, known)
+
+
+def _expanded(book: Book, square: Square) -> Polynomial | None:
+    try:
+        product = square.factor.T @ square.known.value @ square.factor
+        return book.alphabet.reduced(book.without_elements(product)[0])
+    except TooLongError:
+        return None
+
+
+def _units(book: Book, value: Polynomial) -> list[Known]:
+    """Unit matrices."""
+    alphabet = book.alphabet
+    sizes = {s for shape in alphabet.shapes for s in shape} | set(value.shape)
+    return [Known(("unit", s), alphabet.unit(s), True) for s in sorted(sizes, key=str)]
+
+
+def _candidates(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterator[Square]:
+    size = value.shape[0]
+    for one in known:
+        for hint in (*book.hints, *(h.T for h in book.hints)):
+            if hint.shape == (one.value.shape[0], size) and hint.terms:
+                yield Square(hint, one)
+    for one in known:
+        if one.value.shape[0] == size and one.reference[0] != "unit":
+            yield Square(book.alphabet.unit(size), one)
+    for one in known:
+        if one.reference[0] != "unit":
+            yield from _schur(book, one, size)
+
+
+def _schur(book: Book, one: Known, size: Size) -> Iterator[Square]:
+    """F = E - C Z C' D E for blocks E of this size and the rest C of the size of D, Z being the
+    inverse of C' D C: then F' D F is the Schur complement.
+    """
+    alphabet = book.alphabet
+    whole = one.value.shape[0]
+    if whole not in alphabet.blocks:
+        return
+    value = alphabet.reduced(book.without_elements(one.value)[0])
+    for start, rest_start in ((ZERO, size), (whole - size, ZERO)):
+        rest = whole - size
+        if not rest.is_never_negative or rest == ZERO:
+            return
+        try:
+            picked = alphabet.embedded(whole, start, size)
+            other = alphabet.embedded(whole, rest_start, rest)
+            corner = alphabet.reduced(other.T @ value @ other)
+            beside = alphabet.reduced(other.T @ value @ picked)
+        except (ValueError, KeyError):
+            continue
+        yield Square(picked, one)
+        for inverse in _inverses_of(book, corner):
+            yield Square(picked - alphabet.reduced(other @ inverse @ beside), one)
+
+
+def _inverses_of(book: Book, value: Polynomial) -> Iterator[Polynomial]:
+    """Letters, or the unit matrix, that are the inverse of a polynomial."""
+    alphabet = book.alphabet
+    unit = alphabet.unit(value.shape[0])
+    if value.key == unit.key or _is_unit(book, value - unit):
+        yield unit
+    for base, inverse in alphabet.inverse.items():
+        meaning = alphabet.elements.get(base, alphabet.letter(base))
+        if meaning.shape == value.shape and meaning.key == value.key:
+            yield alphabet.letter(inverse)
+
+
+def _is_unit(book: Book, gap: Polynomial) -> bool:
+    try:
+        book.vanishing(gap)
+    except (UnprovedError, TooLongError):
+        return False
+    return True
+
+
+def _of_inverses(book: Book, known: Sequence[Known]) -> Iterator[list[Square]]:
+    """Y2 - Y1 = Y1 G Y1 + Y1 G Y2 G Y1 for inverses of X1 and X2 with G = X1 - X2 >= 0."""
+    alphabet = book.alphabet
+    for one in known:
+        gap = (
+            alphabet.reduced(book.without_elements(one.value)[0])
+            if one.reference[0] == "given"
+            else one.value
+        )
+        words = sorted(gap.terms.items(), key=lambda term: -term[1])
+        if [c for _, c in words] != [1, -1] or any(len(w) != 1 for w, _ in words):
+            continue
+        first, second = (_inverse_letter(book, word[0] // 2) for word, _ in words)
+        if first is None or second is None:
+            continue
+        for other in known:
+            if other.value.key == second.key:
+                yield [
+                    Square(first, one),
+                    Square(alphabet.reduced(gap @ first), other),
+                ]
+
+
+def _inverse_letter(book: Book, number: int) -> Polynomial | None:
+    alphabet = book.alphabet
+    if number in alphabet.inverse:
+        return alphabet.letter(alphabet.inverse[number])
+    if number in alphabet.base:
+        return alphabet.letter(alphabet.base[number])
+    return None
+
+
+def _rank(book: Book, squares: Sequence[Square], size: Size) -> dict[str, Any]:
+    """Evidence that the squares vanish at zero only."""
+    unit = book.alphabet.unit(size)
+    for number, square in enumerate(squares):
+        if not square.known.strict:
+            continue
+        factor = _positive(book, square.factor)
+        for left in left_inverses(book, factor):
+            try:
+                cofactors = book.vanishing(unit - left @ factor)
+            except (UnprovedError, TooLongError):
+                continue
+            return {"left_inverses": [[number, left]], "cofactors": cofactors}
+    raise UnprovedError("no left inverse was found")

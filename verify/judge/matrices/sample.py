@@ -1,0 +1,210 @@
+"""Instances at random, in which all hypotheses are true: some by construction, all by test."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+
+from flint import fmpq_mat
+
+from gainproof.verify.judge.matrices.definite_values import bad_direction, is_symmetric
+from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
+from gainproof.verify.judge.matrices.letter import (
+    DEFINITE,
+    INVERTIBLE,
+    SEMIDEFINITE,
+    SYMMETRIC,
+    Letter,
+    MatrixSetting,
+)
+from gainproof.verify.judge.matrices.size import Shape
+from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
+
+MOST_TRIES = 60
+STEPS = (1, 2, 3, 2, 1, 4, 6, 7, 8)
+"""What the steps of sizes are tried with, small ones first; six unknowns want six equations."""
+
+
+def holds(chain: Chain, instance: Instance) -> bool:
+    """Whether a chain is true. Raises NoValueError."""
+    values = [instance.of(side) for side in chain.sides]
+    if chain.operators == (REGULAR,):
+        return bool(values[0].det() != 0)
+    return all(
+        compared(left, operator, right)
+        for left, operator, right in zip(values, chain.operators, values[1:], strict=False)
+    )
+
+
+def compared(left: fmpq_mat, operator: str, right: fmpq_mat) -> bool:
+    """Whether a relation of two matrices is true."""
+    if operator == "=":
+        return bool(left == right)
+    gap = left - right if operator.startswith(">") else right - left
+    return is_symmetric(gap) and bad_direction(gap, "=" not in operator) is None
+
+
+def instances(
+    setting: MatrixSetting,
+    given: Sequence[Chain],
+    invertible: Sequence[Node],
+    bounds: Sequence[Bound] = (),
+    seed: int = 1,
+) -> Iterator[Instance]:
+    """Instances that satisfy all facts of letters, the hypotheses and the bounds on sizes."""
+    source = random.Random(seed)
+    for number in range(MOST_TRIES):
+        base = STEPS[number % len(STEPS)]
+        steps = {name: max(1, base + source.choice((-1, 0, 0, 1))) for name in setting.sizes.steps}
+        if not all(_within(bound, steps) for bound in bounds):
+            continue
+        try:
+            instance = Instance(setting, steps)
+            _fill(instance, given, source)
+            if (
+                all(holds(chain, instance) for chain in given)
+                and all(instance.of(node).det() != 0 for node in invertible)
+                and all(_as_declared(letter, instance) for letter in setting.letters.values())
+            ):
+                yield instance
+        except (NoValueError, Unsupported):
+            continue
+
+
+def _within(bound: Bound, steps: dict[str, int]) -> bool:
+    left, right = bound.left.value(steps), bound.right.value(steps)
+    return left < right if bound.strict else left <= right
+
+
+def _as_declared(letter: Letter, instance: Instance) -> bool:
+    """What is said of a free letter is tested too: a hypothesis may have given it its value."""
+    if letter.definition is not None:
+        return True
+    value = instance.letter(letter.name)
+    if letter.variance is not None:
+        variance = instance.of(letter.variance)
+        if not (is_symmetric(variance) and bad_direction(variance, False) is None):
+            return False
+    for fact in letter.facts:
+        if fact == INVERTIBLE:
+            if value.det() == 0:
+                return False
+        elif not is_symmetric(value) or (
+            fact != SYMMETRIC and bad_direction(value, fact == DEFINITE) is not None
+        ):
+            return False
+    return True
+
+
+def _fill(instance: Instance, given: Sequence[Chain], source: random.Random) -> None:
+    """Values for all free letters; those that a hypothesis names alone on a side come from it."""
+    setting = instance.setting
+    named = {s.name for chain in given for s in chain.sides if s.kind == "name"}
+    for letter in setting.letters.values():
+        if letter.definition is None and letter.name not in named:
+            instance.values[letter.name] = _of_letter(letter, instance, source)
+    later = [
+        letter
+        for letter in setting.letters.values()
+        if letter.name in named and letter.definition is None
+    ]
+    for letter in later:
+        value = _from_hypothesis(letter.name, instance, given, later, source)
+        instance.values[letter.name] = (
+            _of_letter(letter, instance, source) if value is None else value
+        )
+    for chain in given:
+        if chain.operators == ("=",):
+            _clear_block(chain, instance)
+
+
+def _of_letter(letter: Letter, instance: Instance, source: random.Random) -> fmpq_mat:
+    rows, columns = instance.dimensions(letter.shape)
+    if DEFINITE in letter.facts or SEMIDEFINITE in letter.facts:
+        strict = DEFINITE in letter.facts
+        width = rows if strict or INVERTIBLE in letter.facts else source.randint(0, rows)
+        return _gram(rows, width, strict, source)
+    found = _random(rows, columns, source)
+    if SYMMETRIC in letter.facts:
+        found = found + found.transpose()
+    return found
+
+
+def _gram(rows: int, width: int, strict: bool, source: random.Random) -> fmpq_mat:
+    found = fmpq_mat(rows, rows)
+    if width:
+        root = _random(rows, width, source)
+        found = root * root.transpose()
+    for i in range(rows if strict else 0):
+        found[i, i] += source.randint(1, 3)
+    return found
+
+
+def _random(rows: int, columns: int, source: random.Random) -> fmpq_mat:
+    return fmpq_mat(rows, columns, [source.randint(-3, 3) for _ in range(rows * columns)])
+
+
+def _from_hypothesis(
+    name: str,
+    instance: Instance,
+    given: Sequence[Chain],
+    later: Sequence[Letter],
+    source: random.Random,
+) -> fmpq_mat | None:
+    """A value that makes the first comparison of the letter with known ones true."""
+    waiting = {letter.name for letter in later if letter.name not in instance.values}
+    for chain in given:
+        pairs = zip(chain.sides, chain.operators, chain.sides[1:], strict=False)
+        for left, operator, right in pairs:
+            for own, other, above in ((left, right, ">"), (right, left, "<")):
+                if own.kind != "name" or own.name != name:
+                    continue
+                if any(part.kind == "name" and part.name in waiting for part in other.walk()):
+                    continue
+                value = instance.of(other)
+                if operator == "=":
+                    return value
+                size = value.nrows()
+                strict = "=" not in operator
+                gap = _gram(size, source.randint(0, size), strict, source)
+                return value + gap if operator.startswith(above) else value - gap
+    return None
+
+
+def _clear_block(chain: Chain, instance: Instance) -> None:
+    """V_ld = 0 for a block of a free letter: that block and its mirror image become 0."""
+    for own, other in (chain.sides, chain.sides[::-1]):
+        block = instance.setting.letters[own.name].definition if own.kind == "name" else None
+        if other.kind != "zero" or block is None or not is_block(block):
+            continue
+        owner = block.parts[1].name
+        if owner not in instance.values:
+            continue
+        value = fmpq_mat(instance.values[owner])
+        rows = _picked(instance.of(block.parts[0].parts[0]))
+        columns = _picked(instance.of(block.parts[2]))
+        for i in rows:
+            for j in columns:
+                value[i, j] = 0
+                if value.nrows() == value.ncols():
+                    value[j, i] = 0
+        instance.values[owner] = value
+
+
+def is_block(node: Node) -> bool:
+    """Whether a definition picks rows and columns of one letter."""
+    return (
+        node.kind == "product"
+        and [part.kind for part in node.parts] == ["transpose", "name", "matrix"]
+        and node.parts[0].parts[0].kind == "matrix"
+    )
+
+
+def _picked(columns: fmpq_mat) -> list[int]:
+    return [i for i in range(columns.nrows()) for j in range(columns.ncols()) if columns[i, j] != 0]
+
+
+def shape_of_instance(shape: Shape, instance: Instance) -> str:
+    """`2 x 3`."""
+    rows, columns = instance.dimensions(shape)
+    return f"{rows} x {columns}"
