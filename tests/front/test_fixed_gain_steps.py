@@ -104,6 +104,19 @@ def test_bad_input_leaves_the_tracks_as_they_were() -> None:
     assert (velocity == 1).all()
 
 
+@pytest.mark.parametrize("place", [0, 1023, 1024, 2499])
+@pytest.mark.parametrize("bad", [1.0000001e4, -1.0000001e4, np.inf, -np.inf, np.nan])
+def test_one_gain_beyond_its_domain_among_the_largest_is_found(place: int, bad: float) -> None:
+    """Whether sums of squares tell that all are small or not: among rows of them and beyond."""
+    for size in (1.0, 1e4):
+        gains = np.resize([size, -size], 2500)
+        states = np.zeros(2500), np.ones(2500)
+        steps.step_two_states(*states, 1.0, 0.0, gains, 0.0)
+        gains[place] = bad
+        with pytest.raises(ValueError, match=f"alpha must be of magnitude .* at index {place}$"):
+            steps.step_two_states(*states, 1.0, 0.0, gains, 0.0)
+
+
 def test_gains_of_each_axis_and_intervals_of_each_track() -> None:
     generator = np.random.default_rng(4)
     position, velocity, observed = generator.normal(size=(3, 3, 10))

@@ -9,7 +9,10 @@ import numpy as np
 if TYPE_CHECKING:
     from gainproof.derive.printer.shipped._signature import Array, Arrays, Domain, Signature
 
-ROW = 8192  # numbers of a sum of squares: libraries take threads for more, which may have to wait
+ROW = 1024
+"""Numbers of a sum of squares: of more, numbers of the domain would often add up to too much, and
+from 8193 on libraries take threads, which may have to wait.
+"""
 
 
 def admit(
@@ -29,10 +32,12 @@ def _guard(
     low, high = domain.single if x.dtype == np.float32 else domain.double
     if domain.signed and not low and _small(x, high):
         return
-    came, x = x, np.abs(x) if domain.signed else x
-    inside = not x.size or bool(np.minimum.reduce(x) >= low and np.maximum.reduce(x) <= high)
+    came, x = x, np.abs(x) if domain.signed and low else x
+    least = -high if domain.signed and not low else low
+    inside = not x.size or bool(np.minimum.reduce(x) >= least and np.maximum.reduce(x) <= high)
     if inside and not (domain.whole and np.any(x != np.floor(x))):
         return
+    x = np.abs(x) if domain.signed else x
     fine = (x >= low) & (x <= high)
     if domain.zero:
         fine |= x == 0
@@ -56,10 +61,14 @@ def _small(x: Array, high: float) -> bool:
     """Whether sums of squares, one pass that is as fast as memory, show all magnitudes to be at
     most `high`; no says nothing.
     """
+    limit = high * high / 2
     whole = x.size - x.size % ROW
-    rows, rest = x[:whole].reshape(-1, ROW), x[whole:]
-    most = np.maximum.reduce(np.vecdot(rows, rows), initial=np.vecdot(rest, rest))
-    return bool(most <= high * high / 2)
+    if whole:
+        rows = x[:whole].reshape(-1, ROW)
+        if not np.maximum.reduce(np.vecdot(rows, rows)) <= limit:
+            return False
+    rest = x[whole:]
+    return not rest.size or bool(np.vecdot(rest, rest) <= limit)
 
 
 def _require(kernel: Signature, parts: Arrays, start: int, shape: tuple[int, ...]) -> None:
