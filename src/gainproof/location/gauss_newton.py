@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.problem import Linear, Problem, linearised, residual
 
-MOST_ITERATIONS = 100
-MOST_HALVINGS = 30
+MOST_ITERATIONS = 60
+MOST_HALVINGS = 24
 SMALL_STEP = 1e-10
 """In units of the deviations: a step of this length is the last."""
 EPSILON = float(np.finfo(np.float64).eps)
@@ -73,7 +73,7 @@ def _full_rank(triangle: Reals, tolerance: float) -> NDArray[np.bool_]:
     size = np.sqrt(np.square(triangle).sum(axis=(1, 2)))
     diagonal = np.abs(np.diagonal(triangle, axis1=1, axis2=2))
     with np.errstate(all="ignore"):
-        fine = (diagonal / size[:, None]).prod(axis=1) > tolerance
+        fine = np.asarray((diagonal / size[:, None]).prod(axis=1) > tolerance)
     doubtful = np.flatnonzero(~fine)
     if doubtful.size:
         singular = np.linalg.svd(triangle[doubtful], compute_uv=False)
@@ -127,18 +127,27 @@ def _descend(
     slack: Reals,
 ) -> NDArray[np.intp]:
     """Take the steps in place, each halved until the cost does not grow: how often; -1: never."""
+    limit = cost[now] * (1 + 8 * EPSILON) + slack
     halved = np.full(now.size, -1)
-    left = np.arange(now.size)
-    for count in range(MOST_HALVINGS + 1):
-        if not left.size:
-            break
-        at = now[left]
-        trial = x[at] + change[left] * 0.5**count
-        found = _cost(asked, trial, z[at])
-        fine = found <= cost[at] * (1 + 8 * EPSILON) + slack[left]
-        x[at[fine]], cost[at[fine]] = trial[fine], found[fine]
-        halved[left[fine]] = count
-        left = left[~fine]
+    trial = x[now] + change
+    found = _cost(asked, trial, z[now])
+    fine = found <= limit
+    x[now[fine]], cost[now[fine]], halved[fine] = trial[fine], found[fine], 0
+    left = np.flatnonzero(~fine)
+    if not left.size:
+        return halved
+    # every share at once: most that need halving need it often
+    shares = 0.5 ** np.arange(1, MOST_HALVINGS + 1)
+    at, m = now[left], len(asked.used.values)
+    trials = x[at][:, None, :] + change[left][:, None, :] * shares[:, None]
+    rows = np.repeat(z[at], len(shares), axis=0).reshape(-1, m)
+    costs = _cost(asked, trials.reshape(-1, x.shape[1]), rows).reshape(len(at), -1)
+    lower = costs <= limit[left][:, None]
+    first = np.argmax(lower, axis=1)
+    some = np.flatnonzero(lower.any(axis=1))
+    taken = first[some]
+    x[at[some]], cost[at[some]] = trials[some, taken], costs[some, taken]
+    halved[left[some]] = taken + 1
     return halved
 
 

@@ -1,4 +1,4 @@
-"""Ranges and range rates of targets from stations, with their derivatives, by the printed kernels."""
+"""Ranges and range rates of targets from stations, with derivatives, by the printed kernels."""
 
 from __future__ import annotations
 

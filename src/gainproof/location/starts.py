@@ -23,10 +23,10 @@ FLAT = (1e-6, 0.2)
 both are tried, as heights of stations that are nearly level lose the digits of a linear solution.
 """
 NO_LENGTH = 1e-6
-MOST_SUBSETS = 32
+MOST_SUBSETS = 16
 DISTANCES = np.geomspace(0.05, 30.0, 14)
 """Over the stations' spread."""
-KEPT = 12
+KEPT = 8
 """Places of the grid from which it is iterated."""
 
 

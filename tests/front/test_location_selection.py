@@ -1,0 +1,83 @@
+"""The chi-square test of a bias beside SciPy's distributions; covariances that are none."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from gainproof.location import locate
+from gainproof.location.example import example_observations, example_stations
+from gainproof.location.noise import diagonal, whitening
+from gainproof.location.selection import detection, exceeded, threshold
+
+
+@pytest.mark.parametrize("false_alarm", [1e-200, 1e-12, 1e-3, 0.05, 0.5, 0.999])
+def test_the_threshold_is_the_quantile(false_alarm: float) -> None:
+    assert threshold(false_alarm) == pytest.approx(stats.chi2.isf(false_alarm, 1), rel=1e-12)
+
+
+def test_five_per_cent_is_the_papers_number() -> None:
+    assert f"{threshold(0.05):.2f}" == "3.84"
+
+
+@pytest.mark.parametrize("false_alarm", [0.0, 1.0, -0.1, float("nan")])
+def test_what_is_no_probability_is_refused(false_alarm: float) -> None:
+    with pytest.raises(ValueError, match="between 0 and 1"):
+        threshold(false_alarm)
+    with pytest.raises(ValueError, match="between 0 and 1"):
+        locate(example_stations(), example_observations(), false_alarm=false_alarm)
+
+
+@pytest.mark.parametrize("bias", [0.0, 3.0, -25.0, 60.0])
+def test_detection_is_the_noncentral_chi_square(bias: float) -> None:
+    wanted = stats.ncx2.sf(threshold(0.05), 1, (bias / 13) ** 2) if bias else 0.05
+    assert detection(bias, 13, 0.05) == pytest.approx(wanted, rel=1e-9)
+
+
+@pytest.mark.parametrize("freedom", [1, 2, 3, 4, 7, 10, 41])
+@pytest.mark.parametrize("cost", [0.0, 1e-9, 0.3, 4.0, 30.0, 400.0])
+def test_how_often_noise_gives_more(cost: float, freedom: int) -> None:
+    wanted = stats.chi2.sf(cost, freedom)
+    assert exceeded(cost, freedom) == pytest.approx(wanted, rel=1e-11, abs=1e-300)
+
+
+def test_the_example_finds_its_two_biased_ranges() -> None:
+    found = locate(example_stations(), example_observations())
+    assert found.selection is not None
+    assert found.selection.clean == ("B1", "B2")
+    assert [each.station for each in found.biases] == ["B3", "B4"]
+    assert found.first is not None
+    for decision, bias in zip(found.selection.decisions, found.first.biases, strict=True):
+        assert decision.statistic == (bias.value / bias.deviation) ** 2
+        assert decision.clean == (decision.statistic <= found.selection.threshold)
+    rare = locate(example_stations(), example_observations(), false_alarm=1e-30)
+    assert rare.selection is not None
+    assert rare.selection.clean == ("B1", "B2", "B3", "B4")
+    assert any("residuals are larger than their noise" in each for each in rare.warnings)
+
+
+def test_white_is_white() -> None:
+    noise = diagonal([10, 20, 0.1, 1e-9], [0.3, -0.999999])
+    white = whitening(noise)
+    assert np.allclose(white @ noise @ white.T, np.eye(4), atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("noise", "message"),
+    [
+        (
+            [[1, 0.5], [0.4, 1]],
+            "number 1 with number 2 has 0.5, number 2 with number 1 0.4",
+        ),
+        ([[1, 2], [2, 1]], "positive definite: the least eigenvalue of its correlations is -1"),
+        ([[1, 1], [1, 1]], "positive definite"),
+        ([[1, 0], [0, 0]], r"the variance of number 2 must be above 0, got 0\.0"),
+        ([[1, 0], [0, -4]], "the variance of number 2 must be above 0"),
+        ([[1, 0, 0], [0, 1, 0]], r"square matrix, got shape \(2, 3\)"),
+        ([[1, float("nan")], [0, 1]], "must be finite"),
+    ],
+)
+def test_a_covariance_that_is_none_is_named(noise: list[list[float]], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        whitening(noise)
