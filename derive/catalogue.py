@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from gainproof.derive.estimation import multipath_location
 from gainproof.derive.families import (
     acceleration_increments,
     continuous_white_acceleration,
@@ -78,5 +79,6 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(interacting_gains.NAME, interacting_gains.TITLE, interacting_gains.build),
     Entry(polar_coordinates.NAME, polar_coordinates.TITLE, polar_coordinates.build),
     Entry(range_doppler.NAME, range_doppler.TITLE, range_doppler.build),
+    Entry(multipath_location.NAME, multipath_location.TITLE, multipath_location.build),
     Entry(filter_step.NAME, filter_step.TITLE, filter_step.build),
 )

@@ -31,6 +31,7 @@ ONE_OF_A_KIND = {
     "alpha-beta",
     "filter-step",
     "interacting-gains",
+    "multipath-location",
 }
 """A subject of each method. That every step of the others is proved too, `gainproof run` says."""
 NAMES = cases([entry.name for entry in CATALOGUE], lambda name: name in ONE_OF_A_KIND)

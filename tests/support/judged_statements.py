@@ -17,7 +17,7 @@ from gainproof.verify.judge.setting.quantities import steady_state
 DEGREES = {"least-squares-mean": 0, "least-squares-line": 1, "least-squares-parabola": 2}
 
 # the judge reads relations over one index; those over several parameters have the checker alone
-SEVERAL = ("position-velocity", "recursion", "interacting", "polar")
+SEVERAL = ("position-velocity", "recursion", "interacting", "multipath", "polar")
 OF_ONE_INDEX: tuple[Entry, ...] = tuple(
     entry for entry in CATALOGUE if not entry.name.startswith(SEVERAL)
 )

@@ -14,6 +14,7 @@ from typing import Any
 
 import flint
 from both_measured import BothMeasuredTruth, both_measured
+from estimated_bias import BiasDeviationTruth
 from fixed_gain_triples import AlphaBetaGammaTruth
 from fixed_gain_truth import AlphaBetaTruth
 from shared_variances import PositionGainTruth
@@ -105,7 +106,7 @@ class HandOverTruth:
         return 1 / n + (k / 2) ** 2 / (n * (n * n - 1) / 12)
 
 
-FixedGainTruth = AlphaBetaTruth | AlphaBetaGammaTruth | PositionGainTruth
+FixedGainTruth = AlphaBetaTruth | AlphaBetaGammaTruth | PositionGainTruth | BiasDeviationTruth
 
 
 @cache
@@ -129,6 +130,8 @@ def truth_of(
         return AlphaBetaGammaTruth()
     if family == "interacting_gains":
         return PositionGainTruth()
+    if family == "multipath_location":
+        return BiasDeviationTruth()
     raise LookupError(f"no oracle knows the family {family}: add its model to kernel_truth")
 
 

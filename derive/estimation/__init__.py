@@ -1,0 +1,1 @@
+"""Estimation from linear models: what holds for every number of measurements and unknowns."""

@@ -1,0 +1,84 @@
+# Made by: gainproof generate multipath-location
+# From: gainproof derive multipath-location, SymPy 1.14.0
+"""Location from range and Doppler in multipath: the deviation of an estimated bias."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from gainproof.generated._runtime import evaluate
+from gainproof.generated._signature import Domain, Signature
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from gainproof.generated._signature import Arrays, Real
+
+__all__ = ["BiasDeviation", "bias_deviation"]
+
+_VARIANCE_RATIO_DOMAIN = Domain(
+    "variance_ratio",
+    "a number at least 1e-300 and at most 1e300, in float32 at least 1e-30 and at most 1e30",
+    (1e-300, 1e300),
+    (1.0000000031710769e-30, 1.0000000150474662e30),
+)
+
+
+class BiasDeviation(NamedTuple):
+    """Result of `bias_deviation`."""
+
+    deviation: Real
+    """Standard deviation of the bias over that of the range."""
+    share: Real
+    """Share of the range's own noise in the variance of the bias."""
+
+
+def bias_deviation(
+    variance_ratio: ArrayLike, *, out: tuple[Real, Real] | None = None
+) -> BiasDeviation:
+    """Deviation of an estimated bias over that of its range.
+
+        deviation = sqrt(1 + r)
+        share = 1/(1 + r)
+
+    variance_ratio: variance of the range to the estimated position over that of the range's noise,
+        r; a number at least 1e-300 and at most 1e300, in float32 at least 1e-30 and at most 1e30.
+
+    deviation: standard deviation of the bias over that of the range. Relative error at most 0.76 *
+        2^-52 (float64), 0.76 * 2^-23 (float32), proved for 1e-300 <= variance_ratio <= 1e300
+        (float64) and 1e-30 <= variance_ratio <= 1e30 (float32).
+    share: share of the range's own noise in the variance of the bias. Relative error at most 1.01 *
+        2^-52 (float64), 1.01 * 2^-23 (float32), proved for 1e-300 <= variance_ratio <= 1e300
+        (float64) and 1e-30 <= variance_ratio <= 1e30 (float32).
+
+    Outside an output's range, a few numbers next to its ends apart, its true value is no normal
+    number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
+    taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
+    integers become float64. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation multipath-location
+    """
+    return BiasDeviation(*evaluate(_BIAS_DEVIATION, (variance_ratio,), out))
+
+
+def _bias_deviation_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (variance_ratio,) = given
+    deviation, share = out
+    (w0,) = work
+    t2 = np.add(1.0, variance_ratio, w0)
+    np.sqrt(t2, deviation)
+    np.divide(1.0, t2, share)
+
+
+_BIAS_DEVIATION = Signature(
+    "bias_deviation",
+    (_VARIANCE_RATIO_DOMAIN,),
+    ("deviation", "share"),
+    1,
+    _bias_deviation_block,
+)
