@@ -1,4 +1,4 @@
-"""Example 1 of Kosuge et al. (2020) over many draws of noise and several sets of biases.
+"""Example 1 of kosuge-doppler over many draws of noise and several sets of biases.
 
     python tests/campaigns/location.py [--runs N] [--seed N] [--false-alarm P] [--trust P]
 
@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
 from location_monte_carlo import Outcome, compared, simulate
 
-HELP = "example 1 of Kosuge et al. (2020) over many draws of noise and several sets of biases"
+HELP = "example 1 of kosuge-doppler over many draws of noise and several sets of biases"
 SETS = (
     (0, 0, 0, 0),
     (0, 0, 30, 20),

@@ -1,4 +1,4 @@
-"""Example 1 of Kosuge et al. (2020) over many draws of noise: errors, and how multipath is found.
+"""Example 1 of kosuge-doppler over many draws of noise: errors, and how multipath is found.
 
 Every run is iterated as a single location is, from the true state, which is the example's start;
 all runs of one set of biases at once.

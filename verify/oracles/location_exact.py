@@ -1,10 +1,10 @@
 """Weighted least squares of ranges and range rates, exact in fractions at rational distances.
 
 Independent because nothing is whitened, scaled, projected or factorised and no printed derivative
-enters: ranges and range rates are taken as rational functions of a displacement e, whose first-order
-part is computed with dual numbers over Python's fractions, biases are ordinary columns, and the
-normal equations, which no program in floats should form, are solved exactly. The square root of a
-distance is taken in integers and has to be exact.
+enters: ranges and range rates are taken as rational functions of a displacement e, whose part of
+first order is computed with dual numbers over Python's fractions, biases are ordinary columns, and
+the normal equations, which no program in floats should form, are solved exactly. The square root of
+a distance is taken in integers and has to be exact.
 """
 
 from __future__ import annotations

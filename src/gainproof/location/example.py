@@ -1,4 +1,4 @@
-"""Example 1 of Kosuge et al. (2020), (139)-(141), as numbers and as files.
+"""Example 1 of kosuge-doppler, (139)-(141), as numbers and as files.
 
 The source has no observations. Those of the files are the true ones with noise that is written down
 here in deviations, and multipath on the ranges of B3 and B4.

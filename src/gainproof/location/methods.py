@@ -16,7 +16,7 @@ class Method:
     """One method: the observations that it uses and its biases.
 
     Its unknowns are position, with range rates velocity, and the biases. source: the equations of
-    Kosuge et al. (2020).
+    kosuge-doppler.
     """
 
     name: str

@@ -15,6 +15,9 @@ from gainproof.location.selection import exceeded
 AMBIGUOUS = "ambiguous"
 UNLIKELY = 1e-3
 """How rarely noise alone may give such a cost before it is told."""
+NO_COST = 1e-12
+DILUTED = 100.0
+"""Deviation of a velocity over the largest of a range rate: beyond it the geometry is told."""
 WIDE = 0.1
 """Share of the distance to the nearest station that a 1-sigma may have for a linear covariance."""
 
@@ -34,6 +37,13 @@ def warnings(
             f"{asked.stations.names[nearest]}, is {near[nearest]:.3g} m away: the covariance, that "
             "of the linear model, says little there"
         )
+    if asked.velocity:
+        speed = float(np.sqrt(np.linalg.eigvalsh(covariance[d : 2 * d, d : 2 * d])[-1]))
+        if speed > DILUTED * float(asked.used.deviations[asked.used.is_rate].max()):
+            found.append(
+                f"the 1-sigma of the velocity reaches {speed:.3g} m/s, far beyond that of a range "
+                "rate: one direction of it is hardly observed"
+            )
     freedom = len(asked.used.values) - asked.unknowns - asked.columns.shape[1]
     if freedom == 0:
         found.append("there are as many unknowns as observations: no residual is left to check by")
@@ -52,10 +62,14 @@ def _other(asked: Problem, best: Candidate, other: Candidate) -> str:
     if asked.velocity:
         where += f" with velocity ({_numbers(velocity[0], 3)}) m/s"
     mirror = mirror_words(asked, best.unknowns, other.unknowns)
-    costs = f"cost {other.cost:.3g} against {best.cost:.3g}"
+    costs = f"cost {_cost(other.cost)} against {_cost(best.cost)}"
     if mirror:
         return f"{AMBIGUOUS}: {where}, {mirror}, explains the observations as well ({costs})"
     return f"{AMBIGUOUS}: {where} explains the observations as well ({costs})"
+
+
+def _cost(cost: float) -> str:
+    return "0" if cost < NO_COST else f"{cost:.3g}"
 
 
 def _numbers(values: Reals, places: int) -> str:
