@@ -17,7 +17,13 @@ if TYPE_CHECKING:
     from gainproof.generated._signature import Arrays, Real
 
 __all__ = [
+    "BistaticRangeDoppler",
+    "BistaticRangeDopplerInPlane",
+    "DopplerShift",
+    "DopplerShiftInPlane",
     "RangeDoppler",
+    "RangeDopplerDifference",
+    "RangeDopplerDifferenceInPlane",
     "RangeDopplerInPlane",
     "RangeHessian",
     "RangeHessianInPlane",
@@ -31,7 +37,13 @@ __all__ = [
     "RangeRateJacobianInPlane",
     "SlantRange",
     "SlantRangeInPlane",
+    "bistatic_range_doppler",
+    "bistatic_range_doppler_in_plane",
+    "doppler_shift",
+    "doppler_shift_in_plane",
     "range_doppler",
+    "range_doppler_difference",
+    "range_doppler_difference_in_plane",
     "range_doppler_in_plane",
     "range_hessian",
     "range_hessian_in_plane",
@@ -143,6 +155,252 @@ _STATION_VELOCITY_Z_DOMAIN = Domain(
     zero=True,
     signed=True,
 )
+_CARRIER_FREQUENCY_DOMAIN = Domain(
+    "carrier_frequency",
+    "a number at least 1e-10 and at most 1e30, in float32 at least 1e-3 and at most 1e15",
+    (1e-10, 1e30),
+    (0.0010000000474974513, 999999986991104.0),
+)
+_FIRST_STATION_X_DOMAIN = Domain(
+    "first_station_x",
+    "of magnitude at most 1e60, in float32 1e12",
+    (0.0, 1e60),
+    (0.0, 999999995904.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_Y_DOMAIN = Domain(
+    "first_station_y",
+    "of magnitude at most 1e60, in float32 1e12",
+    (0.0, 1e60),
+    (0.0, 999999995904.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_Z_DOMAIN = Domain(
+    "first_station_z",
+    "of magnitude at most 1e60, in float32 1e12",
+    (0.0, 1e60),
+    (0.0, 999999995904.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_VELOCITY_X_DOMAIN = Domain(
+    "first_station_velocity_x",
+    "of magnitude at most 1e60, in float32 1e9",
+    (0.0, 1e60),
+    (0.0, 1000000000.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_VELOCITY_Y_DOMAIN = Domain(
+    "first_station_velocity_y",
+    "of magnitude at most 1e60, in float32 1e9",
+    (0.0, 1e60),
+    (0.0, 1000000000.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_VELOCITY_Z_DOMAIN = Domain(
+    "first_station_velocity_z",
+    "of magnitude at most 1e60, in float32 1e9",
+    (0.0, 1e60),
+    (0.0, 1000000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_X_DOMAIN = Domain(
+    "second_station_x",
+    "of magnitude at most 1e60, in float32 1e12",
+    (0.0, 1e60),
+    (0.0, 999999995904.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_Y_DOMAIN = Domain(
+    "second_station_y",
+    "of magnitude at most 1e60, in float32 1e12",
+    (0.0, 1e60),
+    (0.0, 999999995904.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_Z_DOMAIN = Domain(
+    "second_station_z",
+    "of magnitude at most 1e60, in float32 1e12",
+    (0.0, 1e60),
+    (0.0, 999999995904.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_VELOCITY_X_DOMAIN = Domain(
+    "second_station_velocity_x",
+    "of magnitude at most 1e60, in float32 1e9",
+    (0.0, 1e60),
+    (0.0, 1000000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_VELOCITY_Y_DOMAIN = Domain(
+    "second_station_velocity_y",
+    "of magnitude at most 1e60, in float32 1e9",
+    (0.0, 1e60),
+    (0.0, 1000000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_VELOCITY_Z_DOMAIN = Domain(
+    "second_station_velocity_z",
+    "of magnitude at most 1e60, in float32 1e9",
+    (0.0, 1e60),
+    (0.0, 1000000000.0),
+    zero=True,
+    signed=True,
+)
+_TARGET_X_DOMAIN_2 = Domain(
+    "target_x",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_TARGET_Y_DOMAIN_2 = Domain(
+    "target_y",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_TARGET_Z_DOMAIN_2 = Domain(
+    "target_z",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_TARGET_VELOCITY_X_DOMAIN_2 = Domain(
+    "target_velocity_x",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
+_TARGET_VELOCITY_Y_DOMAIN_2 = Domain(
+    "target_velocity_y",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
+_TARGET_VELOCITY_Z_DOMAIN_2 = Domain(
+    "target_velocity_z",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_X_DOMAIN_2 = Domain(
+    "first_station_x",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_Y_DOMAIN_2 = Domain(
+    "first_station_y",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_Z_DOMAIN_2 = Domain(
+    "first_station_z",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_VELOCITY_X_DOMAIN_2 = Domain(
+    "first_station_velocity_x",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_VELOCITY_Y_DOMAIN_2 = Domain(
+    "first_station_velocity_y",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
+_FIRST_STATION_VELOCITY_Z_DOMAIN_2 = Domain(
+    "first_station_velocity_z",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_X_DOMAIN_2 = Domain(
+    "second_station_x",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_Y_DOMAIN_2 = Domain(
+    "second_station_y",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_Z_DOMAIN_2 = Domain(
+    "second_station_z",
+    "of magnitude at most 1e40, in float32 1e10",
+    (0.0, 1e40),
+    (0.0, 10000000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_VELOCITY_X_DOMAIN_2 = Domain(
+    "second_station_velocity_x",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_VELOCITY_Y_DOMAIN_2 = Domain(
+    "second_station_velocity_y",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
+_SECOND_STATION_VELOCITY_Z_DOMAIN_2 = Domain(
+    "second_station_velocity_z",
+    "of magnitude at most 1e30, in float32 1e6",
+    (0.0, 1e30),
+    (0.0, 1000000.0),
+    zero=True,
+    signed=True,
+)
 
 
 class SlantRange(NamedTuple):
@@ -201,12 +459,12 @@ def _slant_range_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) 
     target_x, target_y, target_z, station_x, station_y, station_z = given
     (slant_range,) = out
     w0, w1, w2 = work
-    t6 = np.subtract(target_x, station_x, w0)
-    t7 = np.subtract(target_y, station_y, w1)
-    t8 = np.subtract(target_z, station_z, w2)
-    t9 = np.square(t6, w0)
-    t10 = np.square(t7, w1)
-    t11 = np.square(t8, w2)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t9 = np.square(place_x, w0)
+    t10 = np.square(place_y, w1)
+    t11 = np.square(place_z, w2)
     t12 = np.add(t9, t10, w0)
     t13 = np.add(t12, t11, w0)
     np.sqrt(t13, slant_range)
@@ -216,12 +474,12 @@ def _slant_range_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _si
     target_x, target_y, target_z, station_x, station_y, station_z = given
     (slant_range,) = out
     w0, w1, w2 = work
-    t6 = np.subtract(target_x, station_x, w0)
-    t7 = np.subtract(target_y, station_y, w1)
-    t8 = np.subtract(target_z, station_z, w2)
-    t9 = np.square(t6, w0)
-    t10 = np.square(t7, w1)
-    t11 = np.square(t8, w2)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t9 = np.square(place_x, w0)
+    t10 = np.square(place_y, w1)
+    t11 = np.square(place_z, w2)
     t12 = np.add(t9, t10, w0)
     t13 = np.add(t12, t11, w0)
     np.sqrt(t13, slant_range)
@@ -321,18 +579,18 @@ def _range_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single: boo
     target_x, target_y, target_z, station_x, station_y, station_z = given
     range_D_x, range_D_y, range_D_z = out
     w0, w1, w2, w3, w4, w5 = work
-    t6 = np.subtract(target_x, station_x, w0)
-    t7 = np.subtract(target_y, station_y, w1)
-    t8 = np.subtract(target_z, station_z, w2)
-    t9 = np.square(t6, w3)
-    t10 = np.square(t7, w4)
-    t11 = np.square(t8, w5)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t9 = np.square(place_x, w3)
+    t10 = np.square(place_y, w4)
+    t11 = np.square(place_z, w5)
     t12 = np.add(t9, t10, w3)
     t13 = np.add(t12, t11, w3)
     slant_range = np.sqrt(t13, range_D_z)
-    np.divide(t6, slant_range, range_D_x)
-    np.divide(t7, slant_range, range_D_y)
-    np.divide(t8, slant_range, range_D_z)
+    np.divide(place_x, slant_range, range_D_x)
+    np.divide(place_y, slant_range, range_D_y)
+    np.divide(place_z, slant_range, range_D_z)
 
 
 def _range_jacobian_slant_range_block(
@@ -341,12 +599,12 @@ def _range_jacobian_slant_range_block(
     target_x, target_y, target_z, station_x, station_y, station_z = given
     (slant_range,) = out
     w0, w1, w2 = work
-    t6 = np.subtract(target_x, station_x, w0)
-    t7 = np.subtract(target_y, station_y, w1)
-    t8 = np.subtract(target_z, station_z, w2)
-    t9 = np.square(t6, w0)
-    t10 = np.square(t7, w1)
-    t11 = np.square(t8, w2)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t9 = np.square(place_x, w0)
+    t10 = np.square(place_y, w1)
+    t11 = np.square(place_z, w2)
     t12 = np.add(t9, t10, w0)
     t13 = np.add(t12, t11, w0)
     np.sqrt(t13, slant_range)
@@ -480,24 +738,24 @@ def _range_rate_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -
     ) = given
     (range_rate,) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
-    t12 = np.subtract(target_x, station_x, w0)
-    t13 = np.subtract(target_y, station_y, w1)
-    t14 = np.subtract(target_z, station_z, w2)
-    t15 = np.subtract(target_velocity_x, station_velocity_x, w3)
-    t16 = np.subtract(target_velocity_y, station_velocity_y, w4)
-    t17 = np.subtract(target_velocity_z, station_velocity_z, w5)
-    t18 = np.square(t12, w6)
-    t19 = np.square(t13, w7)
-    t20 = np.square(t14, w8)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w3)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w4)
+    velocity_z = np.subtract(target_velocity_z, station_velocity_z, w5)
+    t18 = np.square(place_x, w6)
+    t19 = np.square(place_y, w7)
+    t20 = np.square(place_z, w8)
     t21 = np.add(t18, t19, w6)
     t22 = np.add(t21, t20, w6)
     slant_range = np.sqrt(t22, range_rate)
-    t24 = np.divide(t12, slant_range, w0)
-    t25 = np.divide(t13, slant_range, w1)
-    t26 = np.divide(t14, slant_range, w2)
-    t27 = np.multiply(t24, t15, w0)
-    t28 = np.multiply(t25, t16, w1)
-    t29 = np.multiply(t26, t17, w2)
+    t24 = np.divide(place_x, slant_range, w0)
+    t25 = np.divide(place_y, slant_range, w1)
+    t26 = np.divide(place_z, slant_range, w2)
+    t27 = np.multiply(t24, velocity_x, w0)
+    t28 = np.multiply(t25, velocity_y, w1)
+    t29 = np.multiply(t26, velocity_z, w2)
     t30 = np.add(t27, t28, w0)
     np.add(t30, t29, range_rate)
 
@@ -519,12 +777,12 @@ def _range_rate_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _sin
     ) = given
     (slant_range,) = out
     w0, w1, w2 = work
-    t12 = np.subtract(target_x, station_x, w0)
-    t13 = np.subtract(target_y, station_y, w1)
-    t14 = np.subtract(target_z, station_z, w2)
-    t18 = np.square(t12, w0)
-    t19 = np.square(t13, w1)
-    t20 = np.square(t14, w2)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t18 = np.square(place_x, w0)
+    t19 = np.square(place_y, w1)
+    t20 = np.square(place_z, w2)
     t21 = np.add(t18, t19, w0)
     t22 = np.add(t21, t20, w0)
     np.sqrt(t22, slant_range)
@@ -705,32 +963,32 @@ def _range_rate_jacobian_block(given: Arrays, out: Arrays, work: Arrays, _single
         range_rate_D_velocity_z,
     ) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
-    t12 = np.subtract(target_x, station_x, w0)
-    t13 = np.subtract(target_y, station_y, w1)
-    t14 = np.subtract(target_z, station_z, w2)
-    t15 = np.subtract(target_velocity_x, station_velocity_x, w3)
-    t16 = np.subtract(target_velocity_y, station_velocity_y, w4)
-    t17 = np.subtract(target_velocity_z, station_velocity_z, w5)
-    t18 = np.square(t12, w6)
-    t19 = np.square(t13, w7)
-    t20 = np.square(t14, w8)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w3)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w4)
+    velocity_z = np.subtract(target_velocity_z, station_velocity_z, w5)
+    t18 = np.square(place_x, w6)
+    t19 = np.square(place_y, w7)
+    t20 = np.square(place_z, w8)
     t21 = np.add(t18, t19, w6)
     t22 = np.add(t21, t20, w6)
     slant_range = np.sqrt(t22, range_rate_D_z)
-    np.divide(t12, slant_range, range_rate_D_velocity_x)
-    np.divide(t13, slant_range, range_rate_D_velocity_y)
-    np.divide(t14, slant_range, range_rate_D_velocity_z)
-    t27 = np.multiply(range_rate_D_velocity_x, t15, w0)
-    t28 = np.multiply(range_rate_D_velocity_y, t16, w1)
-    t29 = np.multiply(range_rate_D_velocity_z, t17, w2)
+    np.divide(place_x, slant_range, range_rate_D_velocity_x)
+    np.divide(place_y, slant_range, range_rate_D_velocity_y)
+    np.divide(place_z, slant_range, range_rate_D_velocity_z)
+    t27 = np.multiply(range_rate_D_velocity_x, velocity_x, w0)
+    t28 = np.multiply(range_rate_D_velocity_y, velocity_y, w1)
+    t29 = np.multiply(range_rate_D_velocity_z, velocity_z, w2)
     t30 = np.add(t27, t28, w0)
     range_rate = np.add(t30, t29, w0)
     t32 = np.multiply(range_rate, range_rate_D_velocity_x, w1)
-    t33 = np.subtract(t15, t32, w3)
+    t33 = np.subtract(velocity_x, t32, w3)
     t35 = np.multiply(range_rate, range_rate_D_velocity_y, w1)
-    t36 = np.subtract(t16, t35, w4)
+    t36 = np.subtract(velocity_y, t35, w4)
     t38 = np.multiply(range_rate, range_rate_D_velocity_z, w0)
-    t39 = np.subtract(t17, t38, w5)
+    t39 = np.subtract(velocity_z, t38, w5)
     np.divide(t33, slant_range, range_rate_D_x)
     np.divide(t36, slant_range, range_rate_D_y)
     np.divide(t39, slant_range, range_rate_D_z)
@@ -755,12 +1013,12 @@ def _range_rate_jacobian_slant_range_block(
     ) = given
     (slant_range,) = out
     w0, w1, w2 = work
-    t12 = np.subtract(target_x, station_x, w0)
-    t13 = np.subtract(target_y, station_y, w1)
-    t14 = np.subtract(target_z, station_z, w2)
-    t18 = np.square(t12, w0)
-    t19 = np.square(t13, w1)
-    t20 = np.square(t14, w2)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t18 = np.square(place_x, w0)
+    t19 = np.square(place_y, w1)
+    t20 = np.square(place_z, w2)
     t21 = np.add(t18, t19, w0)
     t22 = np.add(t21, t20, w0)
     np.sqrt(t22, slant_range)
@@ -958,32 +1216,32 @@ def _range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _single: bool
         range_rate_D_z,
     ) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
-    t12 = np.subtract(target_x, station_x, w0)
-    t13 = np.subtract(target_y, station_y, w1)
-    t14 = np.subtract(target_z, station_z, w2)
-    t15 = np.subtract(target_velocity_x, station_velocity_x, w3)
-    t16 = np.subtract(target_velocity_y, station_velocity_y, w4)
-    t17 = np.subtract(target_velocity_z, station_velocity_z, w5)
-    t18 = np.square(t12, w6)
-    t19 = np.square(t13, w7)
-    t20 = np.square(t14, w8)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w3)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w4)
+    velocity_z = np.subtract(target_velocity_z, station_velocity_z, w5)
+    t18 = np.square(place_x, w6)
+    t19 = np.square(place_y, w7)
+    t20 = np.square(place_z, w8)
     t21 = np.add(t18, t19, w6)
     t22 = np.add(t21, t20, w6)
     np.sqrt(t22, slant_range)
-    np.divide(t12, slant_range, range_D_x)
-    np.divide(t13, slant_range, range_D_y)
-    np.divide(t14, slant_range, range_D_z)
-    t27 = np.multiply(range_D_x, t15, w0)
-    t28 = np.multiply(range_D_y, t16, w1)
-    t29 = np.multiply(range_D_z, t17, w2)
+    np.divide(place_x, slant_range, range_D_x)
+    np.divide(place_y, slant_range, range_D_y)
+    np.divide(place_z, slant_range, range_D_z)
+    t27 = np.multiply(range_D_x, velocity_x, w0)
+    t28 = np.multiply(range_D_y, velocity_y, w1)
+    t29 = np.multiply(range_D_z, velocity_z, w2)
     t30 = np.add(t27, t28, w0)
     np.add(t30, t29, range_rate)
     t32 = np.multiply(range_rate, range_D_x, w0)
-    t33 = np.subtract(t15, t32, w3)
+    t33 = np.subtract(velocity_x, t32, w3)
     t35 = np.multiply(range_rate, range_D_y, w0)
-    t36 = np.subtract(t16, t35, w4)
+    t36 = np.subtract(velocity_y, t35, w4)
     t38 = np.multiply(range_rate, range_D_z, w0)
-    t39 = np.subtract(t17, t38, w5)
+    t39 = np.subtract(velocity_z, t38, w5)
     np.divide(t33, slant_range, range_rate_D_x)
     np.divide(t36, slant_range, range_rate_D_y)
     np.divide(t39, slant_range, range_rate_D_z)
@@ -1008,12 +1266,12 @@ def _range_doppler_slant_range_block(
     ) = given
     (slant_range,) = out
     w0, w1, w2 = work
-    t12 = np.subtract(target_x, station_x, w0)
-    t13 = np.subtract(target_y, station_y, w1)
-    t14 = np.subtract(target_z, station_z, w2)
-    t18 = np.square(t12, w0)
-    t19 = np.square(t13, w1)
-    t20 = np.square(t14, w2)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t18 = np.square(place_x, w0)
+    t19 = np.square(place_y, w1)
+    t20 = np.square(place_z, w2)
     t21 = np.add(t18, t19, w0)
     t22 = np.add(t21, t20, w0)
     np.sqrt(t22, slant_range)
@@ -1145,18 +1403,18 @@ def _range_hessian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool
     target_x, target_y, target_z, station_x, station_y, station_z = given
     range_D_xx, range_D_xy, range_D_xz, range_D_yy, range_D_yz, range_D_zz = out
     w0, w1, w2, w3, w4, w5 = work
-    t6 = np.subtract(target_x, station_x, w0)
-    t7 = np.subtract(target_y, station_y, w1)
-    t8 = np.subtract(target_z, station_z, w2)
-    t9 = np.square(t6, w3)
-    t10 = np.square(t7, w4)
-    t11 = np.square(t8, w5)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t9 = np.square(place_x, w3)
+    t10 = np.square(place_y, w4)
+    t11 = np.square(place_z, w5)
     t12 = np.add(t9, t10, w3)
     t13 = np.add(t12, t11, w3)
     slant_range = np.sqrt(t13, range_D_zz)
-    t15 = np.divide(t6, slant_range, range_D_xx)
-    t16 = np.divide(t7, slant_range, range_D_xy)
-    t17 = np.divide(t8, slant_range, range_D_xz)
+    t15 = np.divide(place_x, slant_range, range_D_xx)
+    t16 = np.divide(place_y, slant_range, range_D_xy)
+    t17 = np.divide(place_z, slant_range, range_D_xz)
     t18 = np.square(t16, w0)
     t19 = np.square(t17, w1)
     t20 = np.add(t18, t19, w2)
@@ -1183,12 +1441,12 @@ def _range_hessian_slant_range_block(
     target_x, target_y, target_z, station_x, station_y, station_z = given
     (slant_range,) = out
     w0, w1, w2 = work
-    t6 = np.subtract(target_x, station_x, w0)
-    t7 = np.subtract(target_y, station_y, w1)
-    t8 = np.subtract(target_z, station_z, w2)
-    t9 = np.square(t6, w0)
-    t10 = np.square(t7, w1)
-    t11 = np.square(t8, w2)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t9 = np.square(place_x, w0)
+    t10 = np.square(place_y, w1)
+    t11 = np.square(place_z, w2)
     t12 = np.add(t9, t10, w0)
     t13 = np.add(t12, t11, w0)
     np.sqrt(t13, slant_range)
@@ -1362,34 +1620,34 @@ def _range_rate_hessian_block(given: Arrays, out: Arrays, work: Arrays, _single:
         range_rate_D_zz,
     ) = out
     w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
-    t12 = np.subtract(target_x, station_x, w0)
-    t13 = np.subtract(target_y, station_y, w1)
-    t14 = np.subtract(target_z, station_z, w2)
-    t15 = np.subtract(target_velocity_x, station_velocity_x, w3)
-    t16 = np.subtract(target_velocity_y, station_velocity_y, w4)
-    t17 = np.subtract(target_velocity_z, station_velocity_z, w5)
-    t18 = np.square(t12, w6)
-    t19 = np.square(t13, w7)
-    t20 = np.square(t14, w8)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w3)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w4)
+    velocity_z = np.subtract(target_velocity_z, station_velocity_z, w5)
+    t18 = np.square(place_x, w6)
+    t19 = np.square(place_y, w7)
+    t20 = np.square(place_z, w8)
     t21 = np.add(t18, t19, w6)
     t22 = np.add(t21, t20, w6)
     slant_range = np.sqrt(t22, range_rate_D_zz)
-    t24 = np.divide(t12, slant_range, range_rate_D_xx)
-    t25 = np.divide(t13, slant_range, range_rate_D_xy)
-    t26 = np.divide(t14, slant_range, range_rate_D_xz)
-    t27 = np.multiply(t24, t15, w0)
-    t28 = np.multiply(t25, t16, w1)
-    t29 = np.multiply(t26, t17, w2)
+    t24 = np.divide(place_x, slant_range, range_rate_D_xx)
+    t25 = np.divide(place_y, slant_range, range_rate_D_xy)
+    t26 = np.divide(place_z, slant_range, range_rate_D_xz)
+    t27 = np.multiply(t24, velocity_x, w0)
+    t28 = np.multiply(t25, velocity_y, w1)
+    t29 = np.multiply(t26, velocity_z, w2)
     t30 = np.add(t27, t28, w0)
     range_rate = np.add(t30, t29, w0)
     t32 = np.multiply(range_rate, t24, w1)
-    t33 = np.subtract(t15, t32, w3)
+    t33 = np.subtract(velocity_x, t32, w3)
     turning_x = np.divide(t33, slant_range, range_rate_D_yy)
     t35 = np.multiply(range_rate, t25, w1)
-    t36 = np.subtract(t16, t35, w4)
+    t36 = np.subtract(velocity_y, t35, w4)
     turning_y = np.divide(t36, slant_range, range_rate_D_yz)
     t38 = np.multiply(range_rate, t26, w1)
-    t39 = np.subtract(t17, t38, w5)
+    t39 = np.subtract(velocity_z, t38, w5)
     turning_z = np.divide(t39, slant_range, w5)
     t41 = np.divide(range_rate, slant_range, w0)
     t42 = np.square(t25, w1)
@@ -1464,12 +1722,12 @@ def _range_rate_hessian_slant_range_block(
     ) = given
     (slant_range,) = out
     w0, w1, w2 = work
-    t12 = np.subtract(target_x, station_x, w0)
-    t13 = np.subtract(target_y, station_y, w1)
-    t14 = np.subtract(target_z, station_z, w2)
-    t18 = np.square(t12, w0)
-    t19 = np.square(t13, w1)
-    t20 = np.square(t14, w2)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t18 = np.square(place_x, w0)
+    t19 = np.square(place_y, w1)
+    t20 = np.square(place_z, w2)
     t21 = np.add(t18, t19, w0)
     t22 = np.add(t21, t20, w0)
     np.sqrt(t22, slant_range)
@@ -1509,6 +1767,269 @@ _RANGE_RATE_HESSIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_rate_hessian_slant_range_block,
+        ),
+    ),
+)
+
+
+class DopplerShift(NamedTuple):
+    """Result of `doppler_shift`."""
+
+    doppler_shift: Real
+    """Received less sent frequency, Hz, below 0 where the target goes away."""
+    doppler_shift_D_x: Real
+    """Derivative of the shift by the target's position along x, Hz/m."""
+    doppler_shift_D_y: Real
+    """Derivative of the shift by the target's position along y, Hz/m."""
+    doppler_shift_D_z: Real
+    """Derivative of the shift by the target's position along z, Hz/m."""
+    doppler_shift_D_velocity_x: Real
+    """Derivative of the shift by the target's velocity along x, Hz s/m."""
+    doppler_shift_D_velocity_y: Real
+    """Derivative of the shift by the target's velocity along y, Hz s/m."""
+    doppler_shift_D_velocity_z: Real
+    """Derivative of the shift by the target's velocity along z, Hz s/m."""
+
+
+def doppler_shift(
+    target_x: ArrayLike,
+    target_y: ArrayLike,
+    target_z: ArrayLike,
+    target_velocity_x: ArrayLike,
+    target_velocity_y: ArrayLike,
+    target_velocity_z: ArrayLike,
+    station_x: ArrayLike,
+    station_y: ArrayLike,
+    station_z: ArrayLike,
+    station_velocity_x: ArrayLike,
+    station_velocity_y: ArrayLike,
+    station_velocity_z: ArrayLike,
+    carrier_frequency: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> DopplerShift:
+    """Doppler shift of a carrier that the target sends, with its derivatives.
+
+        -(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w and
+        h = (w - g u)/f; r = target - station, f = |r|, u = r/f, w = target velocity - station velocity.
+        This is the narrow-band shift of one way: with g at the time of sending the classical one
+        is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift
+
+    target_x: position of the target along x, m; of magnitude at most 1e60, in float32 1e12.
+    target_y: position of the target along y, m; of magnitude at most 1e60, in float32 1e12.
+    target_z: position of the target along z, m; of magnitude at most 1e60, in float32 1e12.
+    target_velocity_x: velocity of the target along x, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    target_velocity_y: velocity of the target along y, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    target_velocity_z: velocity of the target along z, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    station_x: position of the station along x, m; of magnitude at most 1e60, in float32 1e12.
+    station_y: position of the station along y, m; of magnitude at most 1e60, in float32 1e12.
+    station_z: position of the station along z, m; of magnitude at most 1e60, in float32 1e12.
+    station_velocity_x: velocity of the station along x, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    station_velocity_y: velocity of the station along y, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    station_velocity_z: velocity of the station along z, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    carrier_frequency: frequency of the carrier, Hz; a number at least 1e-10 and at most 1e30, in
+        float32 at least 1e-3 and at most 1e15.
+
+    The distance of the target from the station, of the inputs together, must be at least 1e-20, in
+        float32 1e-6.
+
+    doppler_shift: received less sent frequency, Hz, below 0 where the target goes away. Error over
+        the sum of its terms taken positive at most 5.76 * 2^-52 (float64), 6.26 * 2^-23 (float32),
+        proved for every input, and 6e-241 (float64) and 2e-28 (float32) beside it where a product
+        underflows.
+    doppler_shift_D_x: derivative of the shift by the target's position along x, Hz/m. Error over
+        the sum of its terms taken positive at most 11.76 * 2^-52 (float64), 12.26 * 2^-23
+        (float32), proved for every input, and 2e-220 (float64) and 3e-22 (float32) beside it where
+        a product underflows.
+    doppler_shift_D_y: derivative of the shift by the target's position along y, Hz/m. Error over
+        the sum of its terms taken positive at most 11.76 * 2^-52 (float64), 12.26 * 2^-23
+        (float32), proved for every input, and 2e-220 (float64) and 3e-22 (float32) beside it where
+        a product underflows.
+    doppler_shift_D_z: derivative of the shift by the target's position along z, Hz/m. Error over
+        the sum of its terms taken positive at most 11.76 * 2^-52 (float64), 12.26 * 2^-23
+        (float32), proved for every input, and 2e-220 (float64) and 3e-22 (float32) beside it where
+        a product underflows.
+    doppler_shift_D_velocity_x: derivative of the shift by the target's velocity along x, Hz s/m.
+        Relative error at most 3.76 * 2^-52 (float64), 4.26 * 2^-23 (float32), proved for every
+        input, and 9e-302 (float64) and 3e-38 (float32) beside it where a product underflows.
+    doppler_shift_D_velocity_y: derivative of the shift by the target's velocity along y, Hz s/m.
+        Relative error at most 3.76 * 2^-52 (float64), 4.26 * 2^-23 (float32), proved for every
+        input, and 9e-302 (float64) and 3e-38 (float32) beside it where a product underflows.
+    doppler_shift_D_velocity_z: derivative of the shift by the target's velocity along z, Hz s/m.
+        Relative error at most 3.76 * 2^-52 (float64), 4.26 * 2^-23 (float32), proved for every
+        input, and 9e-302 (float64) and 3e-38 (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation range-doppler
+    """
+    return DopplerShift(
+        *evaluate(
+            _DOPPLER_SHIFT,
+            (
+                target_x,
+                target_y,
+                target_z,
+                target_velocity_x,
+                target_velocity_y,
+                target_velocity_z,
+                station_x,
+                station_y,
+                station_z,
+                station_velocity_x,
+                station_velocity_y,
+                station_velocity_z,
+                carrier_frequency,
+            ),
+            out,
+        )
+    )
+
+
+def _doppler_shift_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (
+        target_x,
+        target_y,
+        target_z,
+        target_velocity_x,
+        target_velocity_y,
+        target_velocity_z,
+        station_x,
+        station_y,
+        station_z,
+        station_velocity_x,
+        station_velocity_y,
+        station_velocity_z,
+        carrier_frequency,
+    ) = given
+    (
+        doppler_shift,
+        doppler_shift_D_x,
+        doppler_shift_D_y,
+        doppler_shift_D_z,
+        doppler_shift_D_velocity_x,
+        doppler_shift_D_velocity_y,
+        doppler_shift_D_velocity_z,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w3)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w4)
+    velocity_z = np.subtract(target_velocity_z, station_velocity_z, w5)
+    t18 = np.square(place_x, w6)
+    t19 = np.square(place_y, w7)
+    t20 = np.square(place_z, w8)
+    t21 = np.add(t18, t19, w6)
+    t22 = np.add(t21, t20, w6)
+    slant_range = np.sqrt(t22, doppler_shift)
+    t24 = np.divide(place_x, slant_range, doppler_shift_D_velocity_x)
+    t25 = np.divide(place_y, slant_range, doppler_shift_D_velocity_y)
+    t26 = np.divide(place_z, slant_range, doppler_shift_D_velocity_z)
+    t29 = np.divide(carrier_frequency, 299792458.0, doppler_shift_D_x)
+    t30 = np.negative(t29, w0)
+    t31 = np.multiply(t24, velocity_x, w1)
+    t32 = np.multiply(t25, velocity_y, w2)
+    t33 = np.multiply(t26, velocity_z, w6)
+    t34 = np.add(t31, t32, w1)
+    range_rate = np.add(t34, t33, w1)
+    t37 = np.multiply(range_rate, t24, w2)
+    t38 = np.subtract(velocity_x, t37, w3)
+    turning_x = np.divide(t38, slant_range, doppler_shift_D_y)
+    t40 = np.multiply(range_rate, t25, w2)
+    t41 = np.subtract(velocity_y, t40, w4)
+    turning_y = np.divide(t41, slant_range, doppler_shift_D_z)
+    t43 = np.multiply(range_rate, t26, w2)
+    t44 = np.subtract(velocity_z, t43, w5)
+    turning_z = np.divide(t44, slant_range, w5)
+    np.multiply(range_rate, t30, doppler_shift)
+    np.multiply(turning_x, t30, doppler_shift_D_x)
+    np.multiply(turning_y, t30, doppler_shift_D_y)
+    np.multiply(turning_z, t30, doppler_shift_D_z)
+    np.multiply(t24, t30, doppler_shift_D_velocity_x)
+    np.multiply(t25, t30, doppler_shift_D_velocity_y)
+    np.multiply(t26, t30, doppler_shift_D_velocity_z)
+
+
+def _doppler_shift_slant_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        station_x,
+        station_y,
+        station_z,
+        _station_velocity_x,
+        _station_velocity_y,
+        _station_velocity_z,
+        _carrier_frequency,
+    ) = given
+    (slant_range,) = out
+    w0, w1, w2 = work
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    place_z = np.subtract(target_z, station_z, w2)
+    t18 = np.square(place_x, w0)
+    t19 = np.square(place_y, w1)
+    t20 = np.square(place_z, w2)
+    t21 = np.add(t18, t19, w0)
+    t22 = np.add(t21, t20, w0)
+    np.sqrt(t22, slant_range)
+
+
+_DOPPLER_SHIFT = Signature(
+    "doppler_shift",
+    (
+        _TARGET_X_DOMAIN,
+        _TARGET_Y_DOMAIN,
+        _TARGET_Z_DOMAIN,
+        _TARGET_VELOCITY_X_DOMAIN,
+        _TARGET_VELOCITY_Y_DOMAIN,
+        _TARGET_VELOCITY_Z_DOMAIN,
+        _STATION_X_DOMAIN,
+        _STATION_Y_DOMAIN,
+        _STATION_Z_DOMAIN,
+        _STATION_VELOCITY_X_DOMAIN,
+        _STATION_VELOCITY_Y_DOMAIN,
+        _STATION_VELOCITY_Z_DOMAIN,
+        _CARRIER_FREQUENCY_DOMAIN,
+    ),
+    (
+        "doppler_shift",
+        "doppler_shift_D_x",
+        "doppler_shift_D_y",
+        "doppler_shift_D_z",
+        "doppler_shift_D_velocity_x",
+        "doppler_shift_D_velocity_y",
+        "doppler_shift_D_velocity_z",
+    ),
+    9,
+    _doppler_shift_block,
+    (
+        Required(
+            "distance of the target from the station",
+            "at least 1e-20, in float32 1e-6",
+            1e-20,
+            9.999999974752427e-07,
+            3,
+            _doppler_shift_slant_range_block,
         ),
     ),
 )
@@ -1562,10 +2083,10 @@ def _slant_range_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _singl
     target_x, target_y, station_x, station_y = given
     (slant_range,) = out
     w0, w1 = work
-    t4 = np.subtract(target_x, station_x, w0)
-    t5 = np.subtract(target_y, station_y, w1)
-    t6 = np.square(t4, w0)
-    t7 = np.square(t5, w1)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t6 = np.square(place_x, w0)
+    t7 = np.square(place_y, w1)
     t8 = np.add(t6, t7, w0)
     np.sqrt(t8, slant_range)
 
@@ -1576,10 +2097,10 @@ def _slant_range_in_plane_slant_range_block(
     target_x, target_y, station_x, station_y = given
     (slant_range,) = out
     w0, w1 = work
-    t4 = np.subtract(target_x, station_x, w0)
-    t5 = np.subtract(target_y, station_y, w1)
-    t6 = np.square(t4, w0)
-    t7 = np.square(t5, w1)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t6 = np.square(place_x, w0)
+    t7 = np.square(place_y, w1)
     t8 = np.add(t6, t7, w0)
     np.sqrt(t8, slant_range)
 
@@ -1658,14 +2179,14 @@ def _range_jacobian_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _si
     target_x, target_y, station_x, station_y = given
     range_D_x, range_D_y = out
     w0, w1, w2, w3 = work
-    t4 = np.subtract(target_x, station_x, w0)
-    t5 = np.subtract(target_y, station_y, w1)
-    t6 = np.square(t4, w2)
-    t7 = np.square(t5, w3)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t6 = np.square(place_x, w2)
+    t7 = np.square(place_y, w3)
     t8 = np.add(t6, t7, w2)
     slant_range = np.sqrt(t8, range_D_y)
-    np.divide(t4, slant_range, range_D_x)
-    np.divide(t5, slant_range, range_D_y)
+    np.divide(place_x, slant_range, range_D_x)
+    np.divide(place_y, slant_range, range_D_y)
 
 
 def _range_jacobian_in_plane_slant_range_block(
@@ -1674,10 +2195,10 @@ def _range_jacobian_in_plane_slant_range_block(
     target_x, target_y, station_x, station_y = given
     (slant_range,) = out
     w0, w1 = work
-    t4 = np.subtract(target_x, station_x, w0)
-    t5 = np.subtract(target_y, station_y, w1)
-    t6 = np.square(t4, w0)
-    t7 = np.square(t5, w1)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t6 = np.square(place_x, w0)
+    t7 = np.square(place_y, w1)
     t8 = np.add(t6, t7, w0)
     np.sqrt(t8, slant_range)
 
@@ -1785,18 +2306,18 @@ def _range_rate_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single
     ) = given
     (range_rate,) = out
     w0, w1, w2, w3, w4, w5 = work
-    t8 = np.subtract(target_x, station_x, w0)
-    t9 = np.subtract(target_y, station_y, w1)
-    t10 = np.subtract(target_velocity_x, station_velocity_x, w2)
-    t11 = np.subtract(target_velocity_y, station_velocity_y, w3)
-    t12 = np.square(t8, w4)
-    t13 = np.square(t9, w5)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w2)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w3)
+    t12 = np.square(place_x, w4)
+    t13 = np.square(place_y, w5)
     t14 = np.add(t12, t13, w4)
     slant_range = np.sqrt(t14, range_rate)
-    t16 = np.divide(t8, slant_range, w0)
-    t17 = np.divide(t9, slant_range, w1)
-    t18 = np.multiply(t16, t10, w0)
-    t19 = np.multiply(t17, t11, w1)
+    t16 = np.divide(place_x, slant_range, w0)
+    t17 = np.divide(place_y, slant_range, w1)
+    t18 = np.multiply(t16, velocity_x, w0)
+    t19 = np.multiply(t17, velocity_y, w1)
     np.add(t18, t19, range_rate)
 
 
@@ -1815,10 +2336,10 @@ def _range_rate_in_plane_slant_range_block(
     ) = given
     (slant_range,) = out
     w0, w1 = work
-    t8 = np.subtract(target_x, station_x, w0)
-    t9 = np.subtract(target_y, station_y, w1)
-    t12 = np.square(t8, w0)
-    t13 = np.square(t9, w1)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t12 = np.square(place_x, w0)
+    t13 = np.square(place_y, w1)
     t14 = np.add(t12, t13, w0)
     np.sqrt(t14, slant_range)
 
@@ -1959,23 +2480,23 @@ def _range_rate_jacobian_in_plane_block(
     ) = given
     range_rate_D_x, range_rate_D_y, range_rate_D_velocity_x, range_rate_D_velocity_y = out
     w0, w1, w2, w3, w4, w5 = work
-    t8 = np.subtract(target_x, station_x, w0)
-    t9 = np.subtract(target_y, station_y, w1)
-    t10 = np.subtract(target_velocity_x, station_velocity_x, w2)
-    t11 = np.subtract(target_velocity_y, station_velocity_y, w3)
-    t12 = np.square(t8, w4)
-    t13 = np.square(t9, w5)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w2)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w3)
+    t12 = np.square(place_x, w4)
+    t13 = np.square(place_y, w5)
     t14 = np.add(t12, t13, w4)
     slant_range = np.sqrt(t14, range_rate_D_y)
-    np.divide(t8, slant_range, range_rate_D_velocity_x)
-    np.divide(t9, slant_range, range_rate_D_velocity_y)
-    t18 = np.multiply(range_rate_D_velocity_x, t10, w0)
-    t19 = np.multiply(range_rate_D_velocity_y, t11, w1)
+    np.divide(place_x, slant_range, range_rate_D_velocity_x)
+    np.divide(place_y, slant_range, range_rate_D_velocity_y)
+    t18 = np.multiply(range_rate_D_velocity_x, velocity_x, w0)
+    t19 = np.multiply(range_rate_D_velocity_y, velocity_y, w1)
     range_rate = np.add(t18, t19, w0)
     t21 = np.multiply(range_rate, range_rate_D_velocity_x, w1)
-    t22 = np.subtract(t10, t21, w2)
+    t22 = np.subtract(velocity_x, t21, w2)
     t24 = np.multiply(range_rate, range_rate_D_velocity_y, w0)
-    t25 = np.subtract(t11, t24, w3)
+    t25 = np.subtract(velocity_y, t24, w3)
     np.divide(t22, slant_range, range_rate_D_x)
     np.divide(t25, slant_range, range_rate_D_y)
 
@@ -1995,10 +2516,10 @@ def _range_rate_jacobian_in_plane_slant_range_block(
     ) = given
     (slant_range,) = out
     w0, w1 = work
-    t8 = np.subtract(target_x, station_x, w0)
-    t9 = np.subtract(target_y, station_y, w1)
-    t12 = np.square(t8, w0)
-    t13 = np.square(t9, w1)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t12 = np.square(place_x, w0)
+    t13 = np.square(place_y, w1)
     t14 = np.add(t12, t13, w0)
     np.sqrt(t14, slant_range)
 
@@ -2146,23 +2667,23 @@ def _range_doppler_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _sin
     ) = given
     slant_range, range_rate, range_D_x, range_D_y, range_rate_D_x, range_rate_D_y = out
     w0, w1, w2, w3, w4, w5 = work
-    t8 = np.subtract(target_x, station_x, w0)
-    t9 = np.subtract(target_y, station_y, w1)
-    t10 = np.subtract(target_velocity_x, station_velocity_x, w2)
-    t11 = np.subtract(target_velocity_y, station_velocity_y, w3)
-    t12 = np.square(t8, w4)
-    t13 = np.square(t9, w5)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w2)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w3)
+    t12 = np.square(place_x, w4)
+    t13 = np.square(place_y, w5)
     t14 = np.add(t12, t13, w4)
     np.sqrt(t14, slant_range)
-    np.divide(t8, slant_range, range_D_x)
-    np.divide(t9, slant_range, range_D_y)
-    t18 = np.multiply(range_D_x, t10, w0)
-    t19 = np.multiply(range_D_y, t11, w1)
+    np.divide(place_x, slant_range, range_D_x)
+    np.divide(place_y, slant_range, range_D_y)
+    t18 = np.multiply(range_D_x, velocity_x, w0)
+    t19 = np.multiply(range_D_y, velocity_y, w1)
     np.add(t18, t19, range_rate)
     t21 = np.multiply(range_rate, range_D_x, w0)
-    t22 = np.subtract(t10, t21, w2)
+    t22 = np.subtract(velocity_x, t21, w2)
     t24 = np.multiply(range_rate, range_D_y, w0)
-    t25 = np.subtract(t11, t24, w3)
+    t25 = np.subtract(velocity_y, t24, w3)
     np.divide(t22, slant_range, range_rate_D_x)
     np.divide(t25, slant_range, range_rate_D_y)
 
@@ -2182,10 +2703,10 @@ def _range_doppler_in_plane_slant_range_block(
     ) = given
     (slant_range,) = out
     w0, w1 = work
-    t8 = np.subtract(target_x, station_x, w0)
-    t9 = np.subtract(target_y, station_y, w1)
-    t12 = np.square(t8, w0)
-    t13 = np.square(t9, w1)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t12 = np.square(place_x, w0)
+    t13 = np.square(place_y, w1)
     t14 = np.add(t12, t13, w0)
     np.sqrt(t14, slant_range)
 
@@ -2280,14 +2801,14 @@ def _range_hessian_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _sin
     target_x, target_y, station_x, station_y = given
     range_D_xx, range_D_xy, range_D_yy = out
     w0, w1, w2, w3 = work
-    t4 = np.subtract(target_x, station_x, w0)
-    t5 = np.subtract(target_y, station_y, w1)
-    t6 = np.square(t4, w2)
-    t7 = np.square(t5, w3)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t6 = np.square(place_x, w2)
+    t7 = np.square(place_y, w3)
     t8 = np.add(t6, t7, w2)
     slant_range = np.sqrt(t8, range_D_yy)
-    t10 = np.divide(t4, slant_range, range_D_xx)
-    t11 = np.divide(t5, slant_range, range_D_xy)
+    t10 = np.divide(place_x, slant_range, range_D_xx)
+    t11 = np.divide(place_y, slant_range, range_D_xy)
     t12 = np.square(t11, w0)
     t13 = np.multiply(t10, t11, range_D_xy)
     t14 = np.negative(t13, range_D_xy)
@@ -2303,10 +2824,10 @@ def _range_hessian_in_plane_slant_range_block(
     target_x, target_y, station_x, station_y = given
     (slant_range,) = out
     w0, w1 = work
-    t4 = np.subtract(target_x, station_x, w0)
-    t5 = np.subtract(target_y, station_y, w1)
-    t6 = np.square(t4, w0)
-    t7 = np.square(t5, w1)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t6 = np.square(place_x, w0)
+    t7 = np.square(place_y, w1)
     t8 = np.add(t6, t7, w0)
     np.sqrt(t8, slant_range)
 
@@ -2431,24 +2952,24 @@ def _range_rate_hessian_in_plane_block(
     ) = given
     range_rate_D_xx, range_rate_D_xy, range_rate_D_yy = out
     w0, w1, w2, w3, w4, w5, w6 = work
-    t8 = np.subtract(target_x, station_x, w0)
-    t9 = np.subtract(target_y, station_y, w1)
-    t10 = np.subtract(target_velocity_x, station_velocity_x, w2)
-    t11 = np.subtract(target_velocity_y, station_velocity_y, w3)
-    t12 = np.square(t8, w4)
-    t13 = np.square(t9, w5)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w2)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w3)
+    t12 = np.square(place_x, w4)
+    t13 = np.square(place_y, w5)
     t14 = np.add(t12, t13, w4)
     slant_range = np.sqrt(t14, range_rate_D_yy)
-    t16 = np.divide(t8, slant_range, range_rate_D_xx)
-    t17 = np.divide(t9, slant_range, range_rate_D_xy)
-    t18 = np.multiply(t16, t10, w0)
-    t19 = np.multiply(t17, t11, w1)
+    t16 = np.divide(place_x, slant_range, range_rate_D_xx)
+    t17 = np.divide(place_y, slant_range, range_rate_D_xy)
+    t18 = np.multiply(t16, velocity_x, w0)
+    t19 = np.multiply(t17, velocity_y, w1)
     range_rate = np.add(t18, t19, w0)
     t21 = np.multiply(range_rate, t16, w1)
-    t22 = np.subtract(t10, t21, w2)
+    t22 = np.subtract(velocity_x, t21, w2)
     turning_x = np.divide(t22, slant_range, w2)
     t24 = np.multiply(range_rate, t17, w1)
-    t25 = np.subtract(t11, t24, w3)
+    t25 = np.subtract(velocity_y, t24, w3)
     turning_y = np.divide(t25, slant_range, w3)
     t27 = np.divide(range_rate, slant_range, w0)
     t28 = np.square(t17, w1)
@@ -2491,10 +3012,10 @@ def _range_rate_hessian_in_plane_slant_range_block(
     ) = given
     (slant_range,) = out
     w0, w1 = work
-    t8 = np.subtract(target_x, station_x, w0)
-    t9 = np.subtract(target_y, station_y, w1)
-    t12 = np.square(t8, w0)
-    t13 = np.square(t9, w1)
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t12 = np.square(place_x, w0)
+    t13 = np.square(place_y, w1)
     t14 = np.add(t12, t13, w0)
     np.sqrt(t14, slant_range)
 
@@ -2522,6 +3043,1635 @@ _RANGE_RATE_HESSIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_rate_hessian_in_plane_slant_range_block,
+        ),
+    ),
+)
+
+
+class DopplerShiftInPlane(NamedTuple):
+    """Result of `doppler_shift_in_plane`."""
+
+    doppler_shift: Real
+    """Received less sent frequency, Hz, below 0 where the target goes away."""
+    doppler_shift_D_x: Real
+    """Derivative of the shift by the target's position along x, Hz/m."""
+    doppler_shift_D_y: Real
+    """Derivative of the shift by the target's position along y, Hz/m."""
+    doppler_shift_D_velocity_x: Real
+    """Derivative of the shift by the target's velocity along x, Hz s/m."""
+    doppler_shift_D_velocity_y: Real
+    """Derivative of the shift by the target's velocity along y, Hz s/m."""
+
+
+def doppler_shift_in_plane(
+    target_x: ArrayLike,
+    target_y: ArrayLike,
+    target_velocity_x: ArrayLike,
+    target_velocity_y: ArrayLike,
+    station_x: ArrayLike,
+    station_y: ArrayLike,
+    station_velocity_x: ArrayLike,
+    station_velocity_y: ArrayLike,
+    carrier_frequency: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real] | None = None,
+) -> DopplerShiftInPlane:
+    """Doppler shift of a carrier that the target sends, with its derivatives in the plane.
+
+        -(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w and
+        h = (w - g u)/f; r = target - station, f = |r|, u = r/f, w = target velocity - station velocity.
+        This is the narrow-band shift of one way: with g at the time of sending the classical one
+        is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift
+
+    target_x: position of the target along x, m; of magnitude at most 1e60, in float32 1e12.
+    target_y: position of the target along y, m; of magnitude at most 1e60, in float32 1e12.
+    target_velocity_x: velocity of the target along x, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    target_velocity_y: velocity of the target along y, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    station_x: position of the station along x, m; of magnitude at most 1e60, in float32 1e12.
+    station_y: position of the station along y, m; of magnitude at most 1e60, in float32 1e12.
+    station_velocity_x: velocity of the station along x, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    station_velocity_y: velocity of the station along y, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    carrier_frequency: frequency of the carrier, Hz; a number at least 1e-10 and at most 1e30, in
+        float32 at least 1e-3 and at most 1e15.
+
+    The distance of the target from the station, of the inputs together, must be at least 1e-20, in
+        float32 1e-6.
+
+    doppler_shift: received less sent frequency, Hz, below 0 where the target goes away. Error over
+        the sum of its terms taken positive at most 5.01 * 2^-52 (float64), 5.51 * 2^-23 (float32),
+        proved for every input, and 4e-241 (float64) and 10e-29 (float32) beside it where a product
+        underflows.
+    doppler_shift_D_x: derivative of the shift by the target's position along x, Hz/m. Error over
+        the sum of its terms taken positive at most 10.51 * 2^-52 (float64), 11.01 * 2^-23
+        (float32), proved for every input, and 7e-221 (float64) and 2e-22 (float32) beside it where
+        a product underflows.
+    doppler_shift_D_y: derivative of the shift by the target's position along y, Hz/m. Error over
+        the sum of its terms taken positive at most 10.51 * 2^-52 (float64), 11.01 * 2^-23
+        (float32), proved for every input, and 7e-221 (float64) and 2e-22 (float32) beside it where
+        a product underflows.
+    doppler_shift_D_velocity_x: derivative of the shift by the target's velocity along x, Hz s/m.
+        Relative error at most 3.51 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every
+        input, and 9e-302 (float64) and 3e-38 (float32) beside it where a product underflows.
+    doppler_shift_D_velocity_y: derivative of the shift by the target's velocity along y, Hz s/m.
+        Relative error at most 3.51 * 2^-52 (float64), 4.01 * 2^-23 (float32), proved for every
+        input, and 9e-302 (float64) and 3e-38 (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation range-doppler
+    """
+    return DopplerShiftInPlane(
+        *evaluate(
+            _DOPPLER_SHIFT_IN_PLANE,
+            (
+                target_x,
+                target_y,
+                target_velocity_x,
+                target_velocity_y,
+                station_x,
+                station_y,
+                station_velocity_x,
+                station_velocity_y,
+                carrier_frequency,
+            ),
+            out,
+        )
+    )
+
+
+def _doppler_shift_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (
+        target_x,
+        target_y,
+        target_velocity_x,
+        target_velocity_y,
+        station_x,
+        station_y,
+        station_velocity_x,
+        station_velocity_y,
+        carrier_frequency,
+    ) = given
+    (
+        doppler_shift,
+        doppler_shift_D_x,
+        doppler_shift_D_y,
+        doppler_shift_D_velocity_x,
+        doppler_shift_D_velocity_y,
+    ) = out
+    w0, w1, w2, w3, w4, w5 = work
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    velocity_x = np.subtract(target_velocity_x, station_velocity_x, w2)
+    velocity_y = np.subtract(target_velocity_y, station_velocity_y, w3)
+    t12 = np.square(place_x, w4)
+    t13 = np.square(place_y, w5)
+    t14 = np.add(t12, t13, w4)
+    slant_range = np.sqrt(t14, doppler_shift)
+    t16 = np.divide(place_x, slant_range, doppler_shift_D_velocity_x)
+    t17 = np.divide(place_y, slant_range, doppler_shift_D_velocity_y)
+    t20 = np.divide(carrier_frequency, 299792458.0, doppler_shift_D_x)
+    t21 = np.negative(t20, w0)
+    t22 = np.multiply(t16, velocity_x, w1)
+    t23 = np.multiply(t17, velocity_y, w4)
+    range_rate = np.add(t22, t23, w1)
+    t26 = np.multiply(range_rate, t16, w4)
+    t27 = np.subtract(velocity_x, t26, w2)
+    turning_x = np.divide(t27, slant_range, doppler_shift_D_y)
+    t29 = np.multiply(range_rate, t17, w2)
+    t30 = np.subtract(velocity_y, t29, w3)
+    turning_y = np.divide(t30, slant_range, w3)
+    np.multiply(range_rate, t21, doppler_shift)
+    np.multiply(turning_x, t21, doppler_shift_D_x)
+    np.multiply(turning_y, t21, doppler_shift_D_y)
+    np.multiply(t16, t21, doppler_shift_D_velocity_x)
+    np.multiply(t17, t21, doppler_shift_D_velocity_y)
+
+
+def _doppler_shift_in_plane_slant_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        station_x,
+        station_y,
+        _station_velocity_x,
+        _station_velocity_y,
+        _carrier_frequency,
+    ) = given
+    (slant_range,) = out
+    w0, w1 = work
+    place_x = np.subtract(target_x, station_x, w0)
+    place_y = np.subtract(target_y, station_y, w1)
+    t12 = np.square(place_x, w0)
+    t13 = np.square(place_y, w1)
+    t14 = np.add(t12, t13, w0)
+    np.sqrt(t14, slant_range)
+
+
+_DOPPLER_SHIFT_IN_PLANE = Signature(
+    "doppler_shift_in_plane",
+    (
+        _TARGET_X_DOMAIN,
+        _TARGET_Y_DOMAIN,
+        _TARGET_VELOCITY_X_DOMAIN,
+        _TARGET_VELOCITY_Y_DOMAIN,
+        _STATION_X_DOMAIN,
+        _STATION_Y_DOMAIN,
+        _STATION_VELOCITY_X_DOMAIN,
+        _STATION_VELOCITY_Y_DOMAIN,
+        _CARRIER_FREQUENCY_DOMAIN,
+    ),
+    (
+        "doppler_shift",
+        "doppler_shift_D_x",
+        "doppler_shift_D_y",
+        "doppler_shift_D_velocity_x",
+        "doppler_shift_D_velocity_y",
+    ),
+    6,
+    _doppler_shift_in_plane_block,
+    (
+        Required(
+            "distance of the target from the station",
+            "at least 1e-20, in float32 1e-6",
+            1e-20,
+            9.999999974752427e-07,
+            2,
+            _doppler_shift_in_plane_slant_range_block,
+        ),
+    ),
+)
+
+
+class BistaticRangeDoppler(NamedTuple):
+    """Result of `bistatic_range_doppler`."""
+
+    bistatic_range: Real
+    """Sum of the target's distances from both stations, m."""
+    bistatic_range_rate: Real
+    """Its rate, m/s."""
+    bistatic_range_D_x: Real
+    """Derivative of the bistatic range by the target's position along x, dimensionless."""
+    bistatic_range_D_y: Real
+    """Derivative of the bistatic range by the target's position along y, dimensionless."""
+    bistatic_range_D_z: Real
+    """Derivative of the bistatic range by the target's position along z, dimensionless."""
+    bistatic_range_rate_D_x: Real
+    """Derivative of the rate of the bistatic range by the target's position along x, 1/s."""
+    bistatic_range_rate_D_y: Real
+    """Derivative of the rate of the bistatic range by the target's position along y, 1/s."""
+    bistatic_range_rate_D_z: Real
+    """Derivative of the rate of the bistatic range by the target's position along z, 1/s."""
+
+
+def bistatic_range_doppler(
+    target_x: ArrayLike,
+    target_y: ArrayLike,
+    target_z: ArrayLike,
+    target_velocity_x: ArrayLike,
+    target_velocity_y: ArrayLike,
+    target_velocity_z: ArrayLike,
+    first_station_x: ArrayLike,
+    first_station_y: ArrayLike,
+    first_station_z: ArrayLike,
+    first_station_velocity_x: ArrayLike,
+    first_station_velocity_y: ArrayLike,
+    first_station_velocity_z: ArrayLike,
+    second_station_x: ArrayLike,
+    second_station_y: ArrayLike,
+    second_station_z: ArrayLike,
+    second_station_velocity_x: ArrayLike,
+    second_station_velocity_y: ArrayLike,
+    second_station_velocity_z: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> BistaticRangeDoppler:
+    """Range and range rate over two stations, with their derivatives.
+
+        f_1 + f_2, g_1 + g_2, u_1 + u_2, h_1 + h_2 with f, g, u, h of `range_doppler` from each
+        station; the derivative of the rate by the target's velocity is u_1 + u_2 too, by a
+        station's position and velocity they are -u, -h and -u of its own. Terms are those of
+        `range_doppler`
+
+    target_x: position of the target along x, m; of magnitude at most 1e60, in float32 1e12.
+    target_y: position of the target along y, m; of magnitude at most 1e60, in float32 1e12.
+    target_z: position of the target along z, m; of magnitude at most 1e60, in float32 1e12.
+    target_velocity_x: velocity of the target along x, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    target_velocity_y: velocity of the target along y, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    target_velocity_z: velocity of the target along z, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    first_station_x: position of the first station along x, m; of magnitude at most 1e60, in float32
+        1e12.
+    first_station_y: position of the first station along y, m; of magnitude at most 1e60, in float32
+        1e12.
+    first_station_z: position of the first station along z, m; of magnitude at most 1e60, in float32
+        1e12.
+    first_station_velocity_x: velocity of the first station along x, m/s; of magnitude at most 1e60,
+        in float32 1e9.
+    first_station_velocity_y: velocity of the first station along y, m/s; of magnitude at most 1e60,
+        in float32 1e9.
+    first_station_velocity_z: velocity of the first station along z, m/s; of magnitude at most 1e60,
+        in float32 1e9.
+    second_station_x: position of the second station along x, m; of magnitude at most 1e60, in
+        float32 1e12.
+    second_station_y: position of the second station along y, m; of magnitude at most 1e60, in
+        float32 1e12.
+    second_station_z: position of the second station along z, m; of magnitude at most 1e60, in
+        float32 1e12.
+    second_station_velocity_x: velocity of the second station along x, m/s; of magnitude at most
+        1e60, in float32 1e9.
+    second_station_velocity_y: velocity of the second station along y, m/s; of magnitude at most
+        1e60, in float32 1e9.
+    second_station_velocity_z: velocity of the second station along z, m/s; of magnitude at most
+        1e60, in float32 1e9.
+
+    The distance of the target from the first station, of the inputs together, must be at least
+        1e-20, in float32 1e-6.
+    The distance of the target from the second station, of the inputs together, must be at least
+        1e-20, in float32 1e-6.
+
+    bistatic_range: sum of the target's distances from both stations, m. Relative error at most 2.26
+        * 2^-52 (float64), 2.26 * 2^-23 (float32), proved for every input.
+    bistatic_range_rate: its rate, m/s. Error over the sum of its terms taken positive at most 5.26
+        * 2^-52 (float64), 5.26 * 2^-23 (float32), proved for every input, and 4e-262 (float64) and
+        9e-35 (float32) beside it where a product underflows.
+    bistatic_range_D_x: derivative of the bistatic range by the target's position along x,
+        dimensionless. Error over the sum of its terms taken positive at most 3.26 * 2^-52
+        (float64), 3.26 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
+        (float32) beside it where a product underflows.
+    bistatic_range_D_y: derivative of the bistatic range by the target's position along y,
+        dimensionless. Error over the sum of its terms taken positive at most 3.26 * 2^-52
+        (float64), 3.26 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
+        (float32) beside it where a product underflows.
+    bistatic_range_D_z: derivative of the bistatic range by the target's position along z,
+        dimensionless. Error over the sum of its terms taken positive at most 3.26 * 2^-52
+        (float64), 3.26 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
+        (float32) beside it where a product underflows.
+    bistatic_range_rate_D_x: derivative of the rate of the bistatic range by the target's position
+        along x, 1/s. Error over the sum of its terms taken positive at most 11.26 * 2^-52
+        (float64), 11.26 * 2^-23 (float32), proved for every input, and 7e-242 (float64) and 2e-28
+        (float32) beside it where a product underflows.
+    bistatic_range_rate_D_y: derivative of the rate of the bistatic range by the target's position
+        along y, 1/s. Error over the sum of its terms taken positive at most 11.26 * 2^-52
+        (float64), 11.26 * 2^-23 (float32), proved for every input, and 7e-242 (float64) and 2e-28
+        (float32) beside it where a product underflows.
+    bistatic_range_rate_D_z: derivative of the rate of the bistatic range by the target's position
+        along z, 1/s. Error over the sum of its terms taken positive at most 11.26 * 2^-52
+        (float64), 11.26 * 2^-23 (float32), proved for every input, and 7e-242 (float64) and 2e-28
+        (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation range-doppler
+    """
+    return BistaticRangeDoppler(
+        *evaluate(
+            _BISTATIC_RANGE_DOPPLER,
+            (
+                target_x,
+                target_y,
+                target_z,
+                target_velocity_x,
+                target_velocity_y,
+                target_velocity_z,
+                first_station_x,
+                first_station_y,
+                first_station_z,
+                first_station_velocity_x,
+                first_station_velocity_y,
+                first_station_velocity_z,
+                second_station_x,
+                second_station_y,
+                second_station_z,
+                second_station_velocity_x,
+                second_station_velocity_y,
+                second_station_velocity_z,
+            ),
+            out,
+        )
+    )
+
+
+def _bistatic_range_doppler_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    (
+        target_x,
+        target_y,
+        target_z,
+        target_velocity_x,
+        target_velocity_y,
+        target_velocity_z,
+        first_station_x,
+        first_station_y,
+        first_station_z,
+        first_station_velocity_x,
+        first_station_velocity_y,
+        first_station_velocity_z,
+        second_station_x,
+        second_station_y,
+        second_station_z,
+        second_station_velocity_x,
+        second_station_velocity_y,
+        second_station_velocity_z,
+    ) = given
+    (
+        bistatic_range,
+        bistatic_range_rate,
+        bistatic_range_D_x,
+        bistatic_range_D_y,
+        bistatic_range_D_z,
+        bistatic_range_rate_D_x,
+        bistatic_range_rate_D_y,
+        bistatic_range_rate_D_z,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
+    place_x = np.subtract(target_x, first_station_x, w0)
+    place_y = np.subtract(target_y, first_station_y, w1)
+    place_z = np.subtract(target_z, first_station_z, w2)
+    velocity_x = np.subtract(target_velocity_x, first_station_velocity_x, w3)
+    velocity_y = np.subtract(target_velocity_y, first_station_velocity_y, w4)
+    velocity_z = np.subtract(target_velocity_z, first_station_velocity_z, w5)
+    t24 = np.square(place_x, w6)
+    t25 = np.square(place_y, w7)
+    t26 = np.square(place_z, w8)
+    t27 = np.add(t24, t25, w6)
+    t28 = np.add(t27, t26, w6)
+    slant_range = np.sqrt(t28, bistatic_range)
+    t30 = np.divide(place_x, slant_range, bistatic_range_D_x)
+    t31 = np.divide(place_y, slant_range, bistatic_range_D_y)
+    t32 = np.divide(place_z, slant_range, bistatic_range_D_z)
+    other_place_x = np.subtract(target_x, second_station_x, w0)
+    other_place_y = np.subtract(target_y, second_station_y, w1)
+    other_place_z = np.subtract(target_z, second_station_z, w2)
+    other_velocity_x = np.subtract(target_velocity_x, second_station_velocity_x, w6)
+    other_velocity_y = np.subtract(target_velocity_y, second_station_velocity_y, w7)
+    other_velocity_z = np.subtract(target_velocity_z, second_station_velocity_z, w8)
+    t39 = np.square(other_place_x, w9)
+    t40 = np.square(other_place_y, w10)
+    t41 = np.square(other_place_z, w11)
+    t42 = np.add(t39, t40, w9)
+    t43 = np.add(t42, t41, w9)
+    other_range = np.sqrt(t43, bistatic_range_rate)
+    t45 = np.divide(other_place_x, other_range, bistatic_range_rate_D_x)
+    t46 = np.divide(other_place_y, other_range, bistatic_range_rate_D_y)
+    t47 = np.divide(other_place_z, other_range, bistatic_range_rate_D_z)
+    t49 = np.multiply(t30, velocity_x, w0)
+    t50 = np.multiply(t31, velocity_y, w1)
+    t51 = np.multiply(t32, velocity_z, w2)
+    t52 = np.add(t49, t50, w0)
+    range_rate = np.add(t52, t51, w0)
+    t54 = np.multiply(t45, other_velocity_x, w1)
+    t55 = np.multiply(t46, other_velocity_y, w2)
+    t56 = np.multiply(t47, other_velocity_z, w9)
+    t57 = np.add(t54, t55, w1)
+    other_range_rate = np.add(t57, t56, w1)
+    t63 = np.multiply(range_rate, t30, w2)
+    t64 = np.subtract(velocity_x, t63, w3)
+    turning_x = np.divide(t64, slant_range, w3)
+    t66 = np.multiply(range_rate, t31, w2)
+    t67 = np.subtract(velocity_y, t66, w4)
+    turning_y = np.divide(t67, slant_range, w4)
+    t69 = np.multiply(range_rate, t32, w2)
+    t70 = np.subtract(velocity_z, t69, w5)
+    turning_z = np.divide(t70, slant_range, w5)
+    t72 = np.multiply(other_range_rate, t45, w2)
+    t73 = np.subtract(other_velocity_x, t72, w6)
+    other_turning_x = np.divide(t73, other_range, w6)
+    t75 = np.multiply(other_range_rate, t46, w2)
+    t76 = np.subtract(other_velocity_y, t75, w7)
+    other_turning_y = np.divide(t76, other_range, w7)
+    t78 = np.multiply(other_range_rate, t47, w2)
+    t79 = np.subtract(other_velocity_z, t78, w8)
+    other_turning_z = np.divide(t79, other_range, w8)
+    np.add(slant_range, other_range, bistatic_range)
+    np.add(range_rate, other_range_rate, bistatic_range_rate)
+    np.add(t30, t45, bistatic_range_D_x)
+    np.add(t31, t46, bistatic_range_D_y)
+    np.add(t32, t47, bistatic_range_D_z)
+    np.add(turning_x, other_turning_x, bistatic_range_rate_D_x)
+    np.add(turning_y, other_turning_y, bistatic_range_rate_D_y)
+    np.add(turning_z, other_turning_z, bistatic_range_rate_D_z)
+
+
+def _bistatic_range_doppler_slant_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        first_station_x,
+        first_station_y,
+        first_station_z,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _first_station_velocity_z,
+        _second_station_x,
+        _second_station_y,
+        _second_station_z,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+        _second_station_velocity_z,
+    ) = given
+    (slant_range,) = out
+    w0, w1, w2 = work
+    place_x = np.subtract(target_x, first_station_x, w0)
+    place_y = np.subtract(target_y, first_station_y, w1)
+    place_z = np.subtract(target_z, first_station_z, w2)
+    t24 = np.square(place_x, w0)
+    t25 = np.square(place_y, w1)
+    t26 = np.square(place_z, w2)
+    t27 = np.add(t24, t25, w0)
+    t28 = np.add(t27, t26, w0)
+    np.sqrt(t28, slant_range)
+
+
+def _bistatic_range_doppler_other_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        _first_station_x,
+        _first_station_y,
+        _first_station_z,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _first_station_velocity_z,
+        second_station_x,
+        second_station_y,
+        second_station_z,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+        _second_station_velocity_z,
+    ) = given
+    (other_range,) = out
+    w0, w1, w2 = work
+    other_place_x = np.subtract(target_x, second_station_x, w0)
+    other_place_y = np.subtract(target_y, second_station_y, w1)
+    other_place_z = np.subtract(target_z, second_station_z, w2)
+    t39 = np.square(other_place_x, w0)
+    t40 = np.square(other_place_y, w1)
+    t41 = np.square(other_place_z, w2)
+    t42 = np.add(t39, t40, w0)
+    t43 = np.add(t42, t41, w0)
+    np.sqrt(t43, other_range)
+
+
+_BISTATIC_RANGE_DOPPLER = Signature(
+    "bistatic_range_doppler",
+    (
+        _TARGET_X_DOMAIN,
+        _TARGET_Y_DOMAIN,
+        _TARGET_Z_DOMAIN,
+        _TARGET_VELOCITY_X_DOMAIN,
+        _TARGET_VELOCITY_Y_DOMAIN,
+        _TARGET_VELOCITY_Z_DOMAIN,
+        _FIRST_STATION_X_DOMAIN,
+        _FIRST_STATION_Y_DOMAIN,
+        _FIRST_STATION_Z_DOMAIN,
+        _FIRST_STATION_VELOCITY_X_DOMAIN,
+        _FIRST_STATION_VELOCITY_Y_DOMAIN,
+        _FIRST_STATION_VELOCITY_Z_DOMAIN,
+        _SECOND_STATION_X_DOMAIN,
+        _SECOND_STATION_Y_DOMAIN,
+        _SECOND_STATION_Z_DOMAIN,
+        _SECOND_STATION_VELOCITY_X_DOMAIN,
+        _SECOND_STATION_VELOCITY_Y_DOMAIN,
+        _SECOND_STATION_VELOCITY_Z_DOMAIN,
+    ),
+    (
+        "bistatic_range",
+        "bistatic_range_rate",
+        "bistatic_range_D_x",
+        "bistatic_range_D_y",
+        "bistatic_range_D_z",
+        "bistatic_range_rate_D_x",
+        "bistatic_range_rate_D_y",
+        "bistatic_range_rate_D_z",
+    ),
+    12,
+    _bistatic_range_doppler_block,
+    (
+        Required(
+            "distance of the target from the first station",
+            "at least 1e-20, in float32 1e-6",
+            1e-20,
+            9.999999974752427e-07,
+            3,
+            _bistatic_range_doppler_slant_range_block,
+        ),
+        Required(
+            "distance of the target from the second station",
+            "at least 1e-20, in float32 1e-6",
+            1e-20,
+            9.999999974752427e-07,
+            3,
+            _bistatic_range_doppler_other_range_block,
+        ),
+    ),
+)
+
+
+class RangeDopplerDifference(NamedTuple):
+    """Result of `range_doppler_difference`."""
+
+    range_difference: Real
+    """Distance from the first station less that from the second, m."""
+    range_rate_difference: Real
+    """Its rate, m/s."""
+    range_difference_D_x: Real
+    """Derivative of the difference of the ranges by the target's position along x,
+    dimensionless."""
+    range_difference_D_y: Real
+    """Derivative of the difference of the ranges by the target's position along y,
+    dimensionless."""
+    range_difference_D_z: Real
+    """Derivative of the difference of the ranges by the target's position along z,
+    dimensionless."""
+    range_rate_difference_D_x: Real
+    """Derivative of the difference of the range rates by the target's position along x, 1/s."""
+    range_rate_difference_D_y: Real
+    """Derivative of the difference of the range rates by the target's position along y, 1/s."""
+    range_rate_difference_D_z: Real
+    """Derivative of the difference of the range rates by the target's position along z, 1/s."""
+
+
+def range_doppler_difference(
+    target_x: ArrayLike,
+    target_y: ArrayLike,
+    target_z: ArrayLike,
+    target_velocity_x: ArrayLike,
+    target_velocity_y: ArrayLike,
+    target_velocity_z: ArrayLike,
+    first_station_x: ArrayLike,
+    first_station_y: ArrayLike,
+    first_station_z: ArrayLike,
+    first_station_velocity_x: ArrayLike,
+    first_station_velocity_y: ArrayLike,
+    first_station_velocity_z: ArrayLike,
+    second_station_x: ArrayLike,
+    second_station_y: ArrayLike,
+    second_station_z: ArrayLike,
+    second_station_velocity_x: ArrayLike,
+    second_station_velocity_y: ArrayLike,
+    second_station_velocity_z: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> RangeDopplerDifference:
+    """Differences of range and range rate at two stations (TDOA, FDOA).
+
+        f_1 - f_2 = s'(r_1 + r_2)/(f_1 + f_2), r = target - station, s = second - first station,
+        so that errors are parts of |s| and not of the ranges: terms add up to at most |s|;
+        u_1 - u_2 = (s - (f_1 - f_2) u_2)/f_1, g_1 - g_2 = u_1's_v + (u_1 - u_2)'w_2,
+        h_1 - h_2 = (s_v - (g_1 - g_2) u_1 - g_2 (u_1 - u_2) - (f_1 - f_2) h_2)/f_1 with the
+        f, g, u, h of `range_doppler`; derivatives by a station's position and velocity are those
+        of its own range and rate
+
+    target_x: position of the target along x, m; of magnitude at most 1e40, in float32 1e10.
+    target_y: position of the target along y, m; of magnitude at most 1e40, in float32 1e10.
+    target_z: position of the target along z, m; of magnitude at most 1e40, in float32 1e10.
+    target_velocity_x: velocity of the target along x, m/s; of magnitude at most 1e30, in float32
+        1e6.
+    target_velocity_y: velocity of the target along y, m/s; of magnitude at most 1e30, in float32
+        1e6.
+    target_velocity_z: velocity of the target along z, m/s; of magnitude at most 1e30, in float32
+        1e6.
+    first_station_x: position of the first station along x, m; of magnitude at most 1e40, in float32
+        1e10.
+    first_station_y: position of the first station along y, m; of magnitude at most 1e40, in float32
+        1e10.
+    first_station_z: position of the first station along z, m; of magnitude at most 1e40, in float32
+        1e10.
+    first_station_velocity_x: velocity of the first station along x, m/s; of magnitude at most 1e30,
+        in float32 1e6.
+    first_station_velocity_y: velocity of the first station along y, m/s; of magnitude at most 1e30,
+        in float32 1e6.
+    first_station_velocity_z: velocity of the first station along z, m/s; of magnitude at most 1e30,
+        in float32 1e6.
+    second_station_x: position of the second station along x, m; of magnitude at most 1e40, in
+        float32 1e10.
+    second_station_y: position of the second station along y, m; of magnitude at most 1e40, in
+        float32 1e10.
+    second_station_z: position of the second station along z, m; of magnitude at most 1e40, in
+        float32 1e10.
+    second_station_velocity_x: velocity of the second station along x, m/s; of magnitude at most
+        1e30, in float32 1e6.
+    second_station_velocity_y: velocity of the second station along y, m/s; of magnitude at most
+        1e30, in float32 1e6.
+    second_station_velocity_z: velocity of the second station along z, m/s; of magnitude at most
+        1e30, in float32 1e6.
+
+    The distance of the target from the first station, of the inputs together, must be at least
+        1e-20, in float32 1.
+    The distance of the target from the second station, of the inputs together, must be at least
+        1e-20, in float32 1.
+
+    range_difference: distance from the first station less that from the second, m. Error over the
+        sum of its terms taken positive at most 5.76 * 2^-52 (float64), 5.76 * 2^-23 (float32),
+        proved for every input, and 8e-303 (float64) and 3e-44 (float32) beside it where a product
+        underflows.
+    range_rate_difference: its rate, m/s. Error over the sum of its terms taken positive at most
+        14.26 * 2^-52 (float64), 14.26 * 2^-23 (float32), proved for every input, and 4e-171
+        (float64) and 2e-16 (float32) beside it where a product underflows.
+    range_difference_D_x: derivative of the difference of the ranges by the target's position along
+        x, dimensionless. Error over the sum of its terms taken positive at most 11.76 * 2^-52
+        (float64), 11.76 * 2^-23 (float32), proved for every input, and 7e-202 (float64) and 2e-23
+        (float32) beside it where a product underflows.
+    range_difference_D_y: derivative of the difference of the ranges by the target's position along
+        y, dimensionless. Error over the sum of its terms taken positive at most 11.76 * 2^-52
+        (float64), 11.76 * 2^-23 (float32), proved for every input, and 7e-202 (float64) and 2e-23
+        (float32) beside it where a product underflows.
+    range_difference_D_z: derivative of the difference of the ranges by the target's position along
+        z, dimensionless. Error over the sum of its terms taken positive at most 11.76 * 2^-52
+        (float64), 11.76 * 2^-23 (float32), proved for every input, and 7e-202 (float64) and 2e-23
+        (float32) beside it where a product underflows.
+    range_rate_difference_D_x: derivative of the difference of the range rates by the target's
+        position along x, 1/s. Error over the sum of its terms taken positive at most 21.26 * 2^-52
+        (float64), 21.26 * 2^-23 (float32), proved for every input, and 3e-150 (float64) and 7e-16
+        (float32) beside it where a product underflows.
+    range_rate_difference_D_y: derivative of the difference of the range rates by the target's
+        position along y, 1/s. Error over the sum of its terms taken positive at most 21.26 * 2^-52
+        (float64), 21.26 * 2^-23 (float32), proved for every input, and 3e-150 (float64) and 7e-16
+        (float32) beside it where a product underflows.
+    range_rate_difference_D_z: derivative of the difference of the range rates by the target's
+        position along z, 1/s. Error over the sum of its terms taken positive at most 21.26 * 2^-52
+        (float64), 21.26 * 2^-23 (float32), proved for every input, and 3e-150 (float64) and 7e-16
+        (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation range-doppler
+    """
+    return RangeDopplerDifference(
+        *evaluate(
+            _RANGE_DOPPLER_DIFFERENCE,
+            (
+                target_x,
+                target_y,
+                target_z,
+                target_velocity_x,
+                target_velocity_y,
+                target_velocity_z,
+                first_station_x,
+                first_station_y,
+                first_station_z,
+                first_station_velocity_x,
+                first_station_velocity_y,
+                first_station_velocity_z,
+                second_station_x,
+                second_station_y,
+                second_station_z,
+                second_station_velocity_x,
+                second_station_velocity_y,
+                second_station_velocity_z,
+            ),
+            out,
+        )
+    )
+
+
+def _range_doppler_difference_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        target_z,
+        target_velocity_x,
+        target_velocity_y,
+        target_velocity_z,
+        first_station_x,
+        first_station_y,
+        first_station_z,
+        first_station_velocity_x,
+        first_station_velocity_y,
+        first_station_velocity_z,
+        second_station_x,
+        second_station_y,
+        second_station_z,
+        second_station_velocity_x,
+        second_station_velocity_y,
+        second_station_velocity_z,
+    ) = given
+    (
+        range_difference,
+        range_rate_difference,
+        range_difference_D_x,
+        range_difference_D_y,
+        range_difference_D_z,
+        range_rate_difference_D_x,
+        range_rate_difference_D_y,
+        range_rate_difference_D_z,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17, w18, w19 = work
+    place_x = np.subtract(target_x, first_station_x, w0)
+    place_y = np.subtract(target_y, first_station_y, w1)
+    place_z = np.subtract(target_z, first_station_z, w2)
+    t21 = np.square(place_x, w3)
+    t22 = np.square(place_y, w4)
+    t23 = np.square(place_z, w5)
+    t24 = np.add(t21, t22, w3)
+    t25 = np.add(t24, t23, w3)
+    slant_range = np.sqrt(t25, range_rate_difference_D_z)
+    t27 = np.divide(place_x, slant_range, range_rate_difference_D_x)
+    t28 = np.divide(place_y, slant_range, range_rate_difference_D_y)
+    t29 = np.divide(place_z, slant_range, w3)
+    other_place_x = np.subtract(target_x, second_station_x, w4)
+    other_place_y = np.subtract(target_y, second_station_y, w5)
+    other_place_z = np.subtract(target_z, second_station_z, w6)
+    other_velocity_x = np.subtract(target_velocity_x, second_station_velocity_x, w7)
+    other_velocity_y = np.subtract(target_velocity_y, second_station_velocity_y, w8)
+    other_velocity_z = np.subtract(target_velocity_z, second_station_velocity_z, w9)
+    t36 = np.square(other_place_x, w10)
+    t37 = np.square(other_place_y, w11)
+    t38 = np.square(other_place_z, w12)
+    t39 = np.add(t36, t37, w10)
+    t40 = np.add(t39, t38, w10)
+    other_range = np.sqrt(t40, w10)
+    t42 = np.divide(other_place_x, other_range, w11)
+    t43 = np.divide(other_place_y, other_range, w12)
+    t44 = np.divide(other_place_z, other_range, w13)
+    baseline_x = np.subtract(second_station_x, first_station_x, w14)
+    baseline_y = np.subtract(second_station_y, first_station_y, w15)
+    baseline_z = np.subtract(second_station_z, first_station_z, w16)
+    drift_x = np.subtract(second_station_velocity_x, first_station_velocity_x, w17)
+    drift_y = np.subtract(second_station_velocity_y, first_station_velocity_y, w18)
+    drift_z = np.subtract(second_station_velocity_z, first_station_velocity_z, w19)
+    reach_x = np.add(place_x, other_place_x, w0)
+    reach_y = np.add(place_y, other_place_y, w1)
+    reach_z = np.add(place_z, other_place_z, w2)
+    t54 = np.multiply(baseline_x, reach_x, w0)
+    t55 = np.multiply(baseline_y, reach_y, w1)
+    t56 = np.multiply(baseline_z, reach_z, w2)
+    t57 = np.add(t54, t55, w0)
+    t58 = np.add(t57, t56, w0)
+    t59 = np.add(slant_range, other_range, w1)
+    np.divide(t58, t59, range_difference)
+    t61 = np.multiply(range_difference, t42, w0)
+    t62 = np.subtract(baseline_x, t61, w14)
+    np.divide(t62, slant_range, range_difference_D_x)
+    t64 = np.multiply(range_difference, t43, w0)
+    t65 = np.subtract(baseline_y, t64, w15)
+    np.divide(t65, slant_range, range_difference_D_y)
+    t67 = np.multiply(range_difference, t44, w0)
+    t68 = np.subtract(baseline_z, t67, w16)
+    np.divide(t68, slant_range, range_difference_D_z)
+    t70 = np.multiply(t27, drift_x, w0)
+    t71 = np.multiply(t28, drift_y, w1)
+    t72 = np.multiply(t29, drift_z, w2)
+    t73 = np.add(t70, t71, w0)
+    t74 = np.add(t73, t72, w0)
+    t75 = np.multiply(range_difference_D_x, other_velocity_x, w1)
+    t76 = np.multiply(range_difference_D_y, other_velocity_y, w2)
+    t77 = np.multiply(range_difference_D_z, other_velocity_z, w4)
+    t78 = np.add(t75, t76, w1)
+    t79 = np.add(t78, t77, w1)
+    np.add(t74, t79, range_rate_difference)
+    t81 = np.multiply(t42, other_velocity_x, w0)
+    t82 = np.multiply(t43, other_velocity_y, w1)
+    t83 = np.multiply(t44, other_velocity_z, w2)
+    t84 = np.add(t81, t82, w0)
+    other_range_rate = np.add(t84, t83, w0)
+    t86 = np.multiply(other_range_rate, t42, w11)
+    t87 = np.subtract(other_velocity_x, t86, w7)
+    other_turning_x = np.divide(t87, other_range, w7)
+    t89 = np.multiply(other_range_rate, t43, w12)
+    t90 = np.subtract(other_velocity_y, t89, w8)
+    other_turning_y = np.divide(t90, other_range, w8)
+    t92 = np.multiply(other_range_rate, t44, w13)
+    t93 = np.subtract(other_velocity_z, t92, w9)
+    other_turning_z = np.divide(t93, other_range, w9)
+    t95 = np.multiply(range_rate_difference, t27, range_rate_difference_D_x)
+    t96 = np.subtract(drift_x, t95, w17)
+    t97 = np.multiply(other_range_rate, range_difference_D_x, w1)
+    t98 = np.subtract(t96, t97, w17)
+    t99 = np.multiply(range_difference, other_turning_x, w7)
+    t100 = np.subtract(t98, t99, w17)
+    t102 = np.multiply(range_rate_difference, t28, range_rate_difference_D_y)
+    t103 = np.subtract(drift_y, t102, w18)
+    t104 = np.multiply(other_range_rate, range_difference_D_y, w1)
+    t105 = np.subtract(t103, t104, w18)
+    t106 = np.multiply(range_difference, other_turning_y, w8)
+    t107 = np.subtract(t105, t106, w18)
+    t109 = np.multiply(range_rate_difference, t29, w3)
+    t110 = np.subtract(drift_z, t109, w19)
+    t111 = np.multiply(other_range_rate, range_difference_D_z, w0)
+    t112 = np.subtract(t110, t111, w19)
+    t113 = np.multiply(range_difference, other_turning_z, w9)
+    t114 = np.subtract(t112, t113, w19)
+    np.divide(t100, slant_range, range_rate_difference_D_x)
+    np.divide(t107, slant_range, range_rate_difference_D_y)
+    np.divide(t114, slant_range, range_rate_difference_D_z)
+
+
+def _range_doppler_difference_slant_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        first_station_x,
+        first_station_y,
+        first_station_z,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _first_station_velocity_z,
+        _second_station_x,
+        _second_station_y,
+        _second_station_z,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+        _second_station_velocity_z,
+    ) = given
+    (slant_range,) = out
+    w0, w1, w2 = work
+    place_x = np.subtract(target_x, first_station_x, w0)
+    place_y = np.subtract(target_y, first_station_y, w1)
+    place_z = np.subtract(target_z, first_station_z, w2)
+    t21 = np.square(place_x, w0)
+    t22 = np.square(place_y, w1)
+    t23 = np.square(place_z, w2)
+    t24 = np.add(t21, t22, w0)
+    t25 = np.add(t24, t23, w0)
+    np.sqrt(t25, slant_range)
+
+
+def _range_doppler_difference_other_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        _first_station_x,
+        _first_station_y,
+        _first_station_z,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _first_station_velocity_z,
+        second_station_x,
+        second_station_y,
+        second_station_z,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+        _second_station_velocity_z,
+    ) = given
+    (other_range,) = out
+    w0, w1, w2 = work
+    other_place_x = np.subtract(target_x, second_station_x, w0)
+    other_place_y = np.subtract(target_y, second_station_y, w1)
+    other_place_z = np.subtract(target_z, second_station_z, w2)
+    t36 = np.square(other_place_x, w0)
+    t37 = np.square(other_place_y, w1)
+    t38 = np.square(other_place_z, w2)
+    t39 = np.add(t36, t37, w0)
+    t40 = np.add(t39, t38, w0)
+    np.sqrt(t40, other_range)
+
+
+_RANGE_DOPPLER_DIFFERENCE = Signature(
+    "range_doppler_difference",
+    (
+        _TARGET_X_DOMAIN_2,
+        _TARGET_Y_DOMAIN_2,
+        _TARGET_Z_DOMAIN_2,
+        _TARGET_VELOCITY_X_DOMAIN_2,
+        _TARGET_VELOCITY_Y_DOMAIN_2,
+        _TARGET_VELOCITY_Z_DOMAIN_2,
+        _FIRST_STATION_X_DOMAIN_2,
+        _FIRST_STATION_Y_DOMAIN_2,
+        _FIRST_STATION_Z_DOMAIN_2,
+        _FIRST_STATION_VELOCITY_X_DOMAIN_2,
+        _FIRST_STATION_VELOCITY_Y_DOMAIN_2,
+        _FIRST_STATION_VELOCITY_Z_DOMAIN_2,
+        _SECOND_STATION_X_DOMAIN_2,
+        _SECOND_STATION_Y_DOMAIN_2,
+        _SECOND_STATION_Z_DOMAIN_2,
+        _SECOND_STATION_VELOCITY_X_DOMAIN_2,
+        _SECOND_STATION_VELOCITY_Y_DOMAIN_2,
+        _SECOND_STATION_VELOCITY_Z_DOMAIN_2,
+    ),
+    (
+        "range_difference",
+        "range_rate_difference",
+        "range_difference_D_x",
+        "range_difference_D_y",
+        "range_difference_D_z",
+        "range_rate_difference_D_x",
+        "range_rate_difference_D_y",
+        "range_rate_difference_D_z",
+    ),
+    20,
+    _range_doppler_difference_block,
+    (
+        Required(
+            "distance of the target from the first station",
+            "at least 1e-20, in float32 1",
+            1e-20,
+            1.0,
+            3,
+            _range_doppler_difference_slant_range_block,
+        ),
+        Required(
+            "distance of the target from the second station",
+            "at least 1e-20, in float32 1",
+            1e-20,
+            1.0,
+            3,
+            _range_doppler_difference_other_range_block,
+        ),
+    ),
+)
+
+
+class BistaticRangeDopplerInPlane(NamedTuple):
+    """Result of `bistatic_range_doppler_in_plane`."""
+
+    bistatic_range: Real
+    """Sum of the target's distances from both stations, m."""
+    bistatic_range_rate: Real
+    """Its rate, m/s."""
+    bistatic_range_D_x: Real
+    """Derivative of the bistatic range by the target's position along x, dimensionless."""
+    bistatic_range_D_y: Real
+    """Derivative of the bistatic range by the target's position along y, dimensionless."""
+    bistatic_range_rate_D_x: Real
+    """Derivative of the rate of the bistatic range by the target's position along x, 1/s."""
+    bistatic_range_rate_D_y: Real
+    """Derivative of the rate of the bistatic range by the target's position along y, 1/s."""
+
+
+def bistatic_range_doppler_in_plane(
+    target_x: ArrayLike,
+    target_y: ArrayLike,
+    target_velocity_x: ArrayLike,
+    target_velocity_y: ArrayLike,
+    first_station_x: ArrayLike,
+    first_station_y: ArrayLike,
+    first_station_velocity_x: ArrayLike,
+    first_station_velocity_y: ArrayLike,
+    second_station_x: ArrayLike,
+    second_station_y: ArrayLike,
+    second_station_velocity_x: ArrayLike,
+    second_station_velocity_y: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> BistaticRangeDopplerInPlane:
+    """Range and range rate over two stations, with their derivatives in the plane.
+
+        f_1 + f_2, g_1 + g_2, u_1 + u_2, h_1 + h_2 with f, g, u, h of `range_doppler` from each
+        station; the derivative of the rate by the target's velocity is u_1 + u_2 too, by a
+        station's position and velocity they are -u, -h and -u of its own. Terms are those of
+        `range_doppler`
+
+    target_x: position of the target along x, m; of magnitude at most 1e60, in float32 1e12.
+    target_y: position of the target along y, m; of magnitude at most 1e60, in float32 1e12.
+    target_velocity_x: velocity of the target along x, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    target_velocity_y: velocity of the target along y, m/s; of magnitude at most 1e60, in float32
+        1e9.
+    first_station_x: position of the first station along x, m; of magnitude at most 1e60, in float32
+        1e12.
+    first_station_y: position of the first station along y, m; of magnitude at most 1e60, in float32
+        1e12.
+    first_station_velocity_x: velocity of the first station along x, m/s; of magnitude at most 1e60,
+        in float32 1e9.
+    first_station_velocity_y: velocity of the first station along y, m/s; of magnitude at most 1e60,
+        in float32 1e9.
+    second_station_x: position of the second station along x, m; of magnitude at most 1e60, in
+        float32 1e12.
+    second_station_y: position of the second station along y, m; of magnitude at most 1e60, in
+        float32 1e12.
+    second_station_velocity_x: velocity of the second station along x, m/s; of magnitude at most
+        1e60, in float32 1e9.
+    second_station_velocity_y: velocity of the second station along y, m/s; of magnitude at most
+        1e60, in float32 1e9.
+
+    The distance of the target from the first station, of the inputs together, must be at least
+        1e-20, in float32 1e-6.
+    The distance of the target from the second station, of the inputs together, must be at least
+        1e-20, in float32 1e-6.
+
+    bistatic_range: sum of the target's distances from both stations, m. Relative error at most 2.01
+        * 2^-52 (float64), 2.01 * 2^-23 (float32), proved for every input.
+    bistatic_range_rate: its rate, m/s. Error over the sum of its terms taken positive at most 4.51
+        * 2^-52 (float64), 4.51 * 2^-23 (float32), proved for every input, and 2e-262 (float64) and
+        6e-35 (float32) beside it where a product underflows.
+    bistatic_range_D_x: derivative of the bistatic range by the target's position along x,
+        dimensionless. Error over the sum of its terms taken positive at most 3.01 * 2^-52
+        (float64), 3.01 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
+        (float32) beside it where a product underflows.
+    bistatic_range_D_y: derivative of the bistatic range by the target's position along y,
+        dimensionless. Error over the sum of its terms taken positive at most 3.01 * 2^-52
+        (float64), 3.01 * 2^-23 (float32), proved for every input, and 5e-323 (float64) and 2e-44
+        (float32) beside it where a product underflows.
+    bistatic_range_rate_D_x: derivative of the rate of the bistatic range by the target's position
+        along x, 1/s. Error over the sum of its terms taken positive at most 10.01 * 2^-52
+        (float64), 10.01 * 2^-23 (float32), proved for every input, and 5e-242 (float64) and 2e-28
+        (float32) beside it where a product underflows.
+    bistatic_range_rate_D_y: derivative of the rate of the bistatic range by the target's position
+        along y, 1/s. Error over the sum of its terms taken positive at most 10.01 * 2^-52
+        (float64), 10.01 * 2^-23 (float32), proved for every input, and 5e-242 (float64) and 2e-28
+        (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation range-doppler
+    """
+    return BistaticRangeDopplerInPlane(
+        *evaluate(
+            _BISTATIC_RANGE_DOPPLER_IN_PLANE,
+            (
+                target_x,
+                target_y,
+                target_velocity_x,
+                target_velocity_y,
+                first_station_x,
+                first_station_y,
+                first_station_velocity_x,
+                first_station_velocity_y,
+                second_station_x,
+                second_station_y,
+                second_station_velocity_x,
+                second_station_velocity_y,
+            ),
+            out,
+        )
+    )
+
+
+def _bistatic_range_doppler_in_plane_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        target_velocity_x,
+        target_velocity_y,
+        first_station_x,
+        first_station_y,
+        first_station_velocity_x,
+        first_station_velocity_y,
+        second_station_x,
+        second_station_y,
+        second_station_velocity_x,
+        second_station_velocity_y,
+    ) = given
+    (
+        bistatic_range,
+        bistatic_range_rate,
+        bistatic_range_D_x,
+        bistatic_range_D_y,
+        bistatic_range_rate_D_x,
+        bistatic_range_rate_D_y,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7 = work
+    place_x = np.subtract(target_x, first_station_x, w0)
+    place_y = np.subtract(target_y, first_station_y, w1)
+    velocity_x = np.subtract(target_velocity_x, first_station_velocity_x, w2)
+    velocity_y = np.subtract(target_velocity_y, first_station_velocity_y, w3)
+    t16 = np.square(place_x, w4)
+    t17 = np.square(place_y, w5)
+    t18 = np.add(t16, t17, w4)
+    slant_range = np.sqrt(t18, bistatic_range)
+    t20 = np.divide(place_x, slant_range, bistatic_range_D_x)
+    t21 = np.divide(place_y, slant_range, bistatic_range_D_y)
+    other_place_x = np.subtract(target_x, second_station_x, w0)
+    other_place_y = np.subtract(target_y, second_station_y, w1)
+    other_velocity_x = np.subtract(target_velocity_x, second_station_velocity_x, w4)
+    other_velocity_y = np.subtract(target_velocity_y, second_station_velocity_y, w5)
+    t26 = np.square(other_place_x, w6)
+    t27 = np.square(other_place_y, w7)
+    t28 = np.add(t26, t27, w6)
+    other_range = np.sqrt(t28, bistatic_range_rate)
+    t30 = np.divide(other_place_x, other_range, bistatic_range_rate_D_x)
+    t31 = np.divide(other_place_y, other_range, bistatic_range_rate_D_y)
+    t33 = np.multiply(t20, velocity_x, w0)
+    t34 = np.multiply(t21, velocity_y, w1)
+    range_rate = np.add(t33, t34, w0)
+    t36 = np.multiply(t30, other_velocity_x, w1)
+    t37 = np.multiply(t31, other_velocity_y, w6)
+    other_range_rate = np.add(t36, t37, w1)
+    t42 = np.multiply(range_rate, t20, w6)
+    t43 = np.subtract(velocity_x, t42, w2)
+    turning_x = np.divide(t43, slant_range, w2)
+    t45 = np.multiply(range_rate, t21, w6)
+    t46 = np.subtract(velocity_y, t45, w3)
+    turning_y = np.divide(t46, slant_range, w3)
+    t48 = np.multiply(other_range_rate, t30, w6)
+    t49 = np.subtract(other_velocity_x, t48, w4)
+    other_turning_x = np.divide(t49, other_range, w4)
+    t51 = np.multiply(other_range_rate, t31, w6)
+    t52 = np.subtract(other_velocity_y, t51, w5)
+    other_turning_y = np.divide(t52, other_range, w5)
+    np.add(slant_range, other_range, bistatic_range)
+    np.add(range_rate, other_range_rate, bistatic_range_rate)
+    np.add(t20, t30, bistatic_range_D_x)
+    np.add(t21, t31, bistatic_range_D_y)
+    np.add(turning_x, other_turning_x, bistatic_range_rate_D_x)
+    np.add(turning_y, other_turning_y, bistatic_range_rate_D_y)
+
+
+def _bistatic_range_doppler_in_plane_slant_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        first_station_x,
+        first_station_y,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _second_station_x,
+        _second_station_y,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+    ) = given
+    (slant_range,) = out
+    w0, w1 = work
+    place_x = np.subtract(target_x, first_station_x, w0)
+    place_y = np.subtract(target_y, first_station_y, w1)
+    t16 = np.square(place_x, w0)
+    t17 = np.square(place_y, w1)
+    t18 = np.add(t16, t17, w0)
+    np.sqrt(t18, slant_range)
+
+
+def _bistatic_range_doppler_in_plane_other_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        _first_station_x,
+        _first_station_y,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        second_station_x,
+        second_station_y,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+    ) = given
+    (other_range,) = out
+    w0, w1 = work
+    other_place_x = np.subtract(target_x, second_station_x, w0)
+    other_place_y = np.subtract(target_y, second_station_y, w1)
+    t26 = np.square(other_place_x, w0)
+    t27 = np.square(other_place_y, w1)
+    t28 = np.add(t26, t27, w0)
+    np.sqrt(t28, other_range)
+
+
+_BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
+    "bistatic_range_doppler_in_plane",
+    (
+        _TARGET_X_DOMAIN,
+        _TARGET_Y_DOMAIN,
+        _TARGET_VELOCITY_X_DOMAIN,
+        _TARGET_VELOCITY_Y_DOMAIN,
+        _FIRST_STATION_X_DOMAIN,
+        _FIRST_STATION_Y_DOMAIN,
+        _FIRST_STATION_VELOCITY_X_DOMAIN,
+        _FIRST_STATION_VELOCITY_Y_DOMAIN,
+        _SECOND_STATION_X_DOMAIN,
+        _SECOND_STATION_Y_DOMAIN,
+        _SECOND_STATION_VELOCITY_X_DOMAIN,
+        _SECOND_STATION_VELOCITY_Y_DOMAIN,
+    ),
+    (
+        "bistatic_range",
+        "bistatic_range_rate",
+        "bistatic_range_D_x",
+        "bistatic_range_D_y",
+        "bistatic_range_rate_D_x",
+        "bistatic_range_rate_D_y",
+    ),
+    8,
+    _bistatic_range_doppler_in_plane_block,
+    (
+        Required(
+            "distance of the target from the first station",
+            "at least 1e-20, in float32 1e-6",
+            1e-20,
+            9.999999974752427e-07,
+            2,
+            _bistatic_range_doppler_in_plane_slant_range_block,
+        ),
+        Required(
+            "distance of the target from the second station",
+            "at least 1e-20, in float32 1e-6",
+            1e-20,
+            9.999999974752427e-07,
+            2,
+            _bistatic_range_doppler_in_plane_other_range_block,
+        ),
+    ),
+)
+
+
+class RangeDopplerDifferenceInPlane(NamedTuple):
+    """Result of `range_doppler_difference_in_plane`."""
+
+    range_difference: Real
+    """Distance from the first station less that from the second, m."""
+    range_rate_difference: Real
+    """Its rate, m/s."""
+    range_difference_D_x: Real
+    """Derivative of the difference of the ranges by the target's position along x,
+    dimensionless."""
+    range_difference_D_y: Real
+    """Derivative of the difference of the ranges by the target's position along y,
+    dimensionless."""
+    range_rate_difference_D_x: Real
+    """Derivative of the difference of the range rates by the target's position along x, 1/s."""
+    range_rate_difference_D_y: Real
+    """Derivative of the difference of the range rates by the target's position along y, 1/s."""
+
+
+def range_doppler_difference_in_plane(
+    target_x: ArrayLike,
+    target_y: ArrayLike,
+    target_velocity_x: ArrayLike,
+    target_velocity_y: ArrayLike,
+    first_station_x: ArrayLike,
+    first_station_y: ArrayLike,
+    first_station_velocity_x: ArrayLike,
+    first_station_velocity_y: ArrayLike,
+    second_station_x: ArrayLike,
+    second_station_y: ArrayLike,
+    second_station_velocity_x: ArrayLike,
+    second_station_velocity_y: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+) -> RangeDopplerDifferenceInPlane:
+    """Differences of range and range rate at two stations (TDOA, FDOA) in the plane.
+
+        f_1 - f_2 = s'(r_1 + r_2)/(f_1 + f_2), r = target - station, s = second - first station,
+        so that errors are parts of |s| and not of the ranges: terms add up to at most |s|;
+        u_1 - u_2 = (s - (f_1 - f_2) u_2)/f_1, g_1 - g_2 = u_1's_v + (u_1 - u_2)'w_2,
+        h_1 - h_2 = (s_v - (g_1 - g_2) u_1 - g_2 (u_1 - u_2) - (f_1 - f_2) h_2)/f_1 with the
+        f, g, u, h of `range_doppler`; derivatives by a station's position and velocity are those
+        of its own range and rate
+
+    target_x: position of the target along x, m; of magnitude at most 1e40, in float32 1e10.
+    target_y: position of the target along y, m; of magnitude at most 1e40, in float32 1e10.
+    target_velocity_x: velocity of the target along x, m/s; of magnitude at most 1e30, in float32
+        1e6.
+    target_velocity_y: velocity of the target along y, m/s; of magnitude at most 1e30, in float32
+        1e6.
+    first_station_x: position of the first station along x, m; of magnitude at most 1e40, in float32
+        1e10.
+    first_station_y: position of the first station along y, m; of magnitude at most 1e40, in float32
+        1e10.
+    first_station_velocity_x: velocity of the first station along x, m/s; of magnitude at most 1e30,
+        in float32 1e6.
+    first_station_velocity_y: velocity of the first station along y, m/s; of magnitude at most 1e30,
+        in float32 1e6.
+    second_station_x: position of the second station along x, m; of magnitude at most 1e40, in
+        float32 1e10.
+    second_station_y: position of the second station along y, m; of magnitude at most 1e40, in
+        float32 1e10.
+    second_station_velocity_x: velocity of the second station along x, m/s; of magnitude at most
+        1e30, in float32 1e6.
+    second_station_velocity_y: velocity of the second station along y, m/s; of magnitude at most
+        1e30, in float32 1e6.
+
+    The distance of the target from the first station, of the inputs together, must be at least
+        1e-20, in float32 1.
+    The distance of the target from the second station, of the inputs together, must be at least
+        1e-20, in float32 1.
+
+    range_difference: distance from the first station less that from the second, m. Error over the
+        sum of its terms taken positive at most 5.01 * 2^-52 (float64), 5.01 * 2^-23 (float32),
+        proved for every input, and 5e-303 (float64) and 3e-44 (float32) beside it where a product
+        underflows.
+    range_rate_difference: its rate, m/s. Error over the sum of its terms taken positive at most
+        12.51 * 2^-52 (float64), 12.51 * 2^-23 (float32), proved for every input, and 2e-171
+        (float64) and 5e-17 (float32) beside it where a product underflows.
+    range_difference_D_x: derivative of the difference of the ranges by the target's position along
+        x, dimensionless. Error over the sum of its terms taken positive at most 10.51 * 2^-52
+        (float64), 10.51 * 2^-23 (float32), proved for every input, and 5e-202 (float64) and 2e-23
+        (float32) beside it where a product underflows.
+    range_difference_D_y: derivative of the difference of the ranges by the target's position along
+        y, dimensionless. Error over the sum of its terms taken positive at most 10.51 * 2^-52
+        (float64), 10.51 * 2^-23 (float32), proved for every input, and 5e-202 (float64) and 2e-23
+        (float32) beside it where a product underflows.
+    range_rate_difference_D_x: derivative of the difference of the range rates by the target's
+        position along x, 1/s. Error over the sum of its terms taken positive at most 19.01 * 2^-52
+        (float64), 19.01 * 2^-23 (float32), proved for every input, and 1e-150 (float64) and 3e-16
+        (float32) beside it where a product underflows.
+    range_rate_difference_D_y: derivative of the difference of the range rates by the target's
+        position along y, 1/s. Error over the sum of its terms taken positive at most 19.01 * 2^-52
+        (float64), 19.01 * 2^-23 (float32), proved for every input, and 1e-150 (float64) and 3e-16
+        (float32) beside it where a product underflows.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation range-doppler
+    """
+    return RangeDopplerDifferenceInPlane(
+        *evaluate(
+            _RANGE_DOPPLER_DIFFERENCE_IN_PLANE,
+            (
+                target_x,
+                target_y,
+                target_velocity_x,
+                target_velocity_y,
+                first_station_x,
+                first_station_y,
+                first_station_velocity_x,
+                first_station_velocity_y,
+                second_station_x,
+                second_station_y,
+                second_station_velocity_x,
+                second_station_velocity_y,
+            ),
+            out,
+        )
+    )
+
+
+def _range_doppler_difference_in_plane_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        target_velocity_x,
+        target_velocity_y,
+        first_station_x,
+        first_station_y,
+        first_station_velocity_x,
+        first_station_velocity_y,
+        second_station_x,
+        second_station_y,
+        second_station_velocity_x,
+        second_station_velocity_y,
+    ) = given
+    (
+        range_difference,
+        range_rate_difference,
+        range_difference_D_x,
+        range_difference_D_y,
+        range_rate_difference_D_x,
+        range_rate_difference_D_y,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13 = work
+    place_x = np.subtract(target_x, first_station_x, w0)
+    place_y = np.subtract(target_y, first_station_y, w1)
+    t14 = np.square(place_x, w2)
+    t15 = np.square(place_y, w3)
+    t16 = np.add(t14, t15, w2)
+    slant_range = np.sqrt(t16, range_rate_difference_D_y)
+    t18 = np.divide(place_x, slant_range, range_rate_difference_D_x)
+    t19 = np.divide(place_y, slant_range, w2)
+    other_place_x = np.subtract(target_x, second_station_x, w3)
+    other_place_y = np.subtract(target_y, second_station_y, w4)
+    other_velocity_x = np.subtract(target_velocity_x, second_station_velocity_x, w5)
+    other_velocity_y = np.subtract(target_velocity_y, second_station_velocity_y, w6)
+    t24 = np.square(other_place_x, w7)
+    t25 = np.square(other_place_y, w8)
+    t26 = np.add(t24, t25, w7)
+    other_range = np.sqrt(t26, w7)
+    t28 = np.divide(other_place_x, other_range, w8)
+    t29 = np.divide(other_place_y, other_range, w9)
+    baseline_x = np.subtract(second_station_x, first_station_x, w10)
+    baseline_y = np.subtract(second_station_y, first_station_y, w11)
+    drift_x = np.subtract(second_station_velocity_x, first_station_velocity_x, w12)
+    drift_y = np.subtract(second_station_velocity_y, first_station_velocity_y, w13)
+    reach_x = np.add(place_x, other_place_x, w0)
+    reach_y = np.add(place_y, other_place_y, w1)
+    t36 = np.multiply(baseline_x, reach_x, w0)
+    t37 = np.multiply(baseline_y, reach_y, w1)
+    t38 = np.add(t36, t37, w0)
+    t39 = np.add(slant_range, other_range, w1)
+    np.divide(t38, t39, range_difference)
+    t41 = np.multiply(range_difference, t28, w0)
+    t42 = np.subtract(baseline_x, t41, w10)
+    np.divide(t42, slant_range, range_difference_D_x)
+    t44 = np.multiply(range_difference, t29, w0)
+    t45 = np.subtract(baseline_y, t44, w11)
+    np.divide(t45, slant_range, range_difference_D_y)
+    t47 = np.multiply(t18, drift_x, w0)
+    t48 = np.multiply(t19, drift_y, w1)
+    t49 = np.add(t47, t48, w0)
+    t50 = np.multiply(range_difference_D_x, other_velocity_x, w1)
+    t51 = np.multiply(range_difference_D_y, other_velocity_y, w3)
+    t52 = np.add(t50, t51, w1)
+    np.add(t49, t52, range_rate_difference)
+    t54 = np.multiply(t28, other_velocity_x, w0)
+    t55 = np.multiply(t29, other_velocity_y, w1)
+    other_range_rate = np.add(t54, t55, w0)
+    t57 = np.multiply(other_range_rate, t28, w8)
+    t58 = np.subtract(other_velocity_x, t57, w5)
+    other_turning_x = np.divide(t58, other_range, w5)
+    t60 = np.multiply(other_range_rate, t29, w9)
+    t61 = np.subtract(other_velocity_y, t60, w6)
+    other_turning_y = np.divide(t61, other_range, w6)
+    t63 = np.multiply(range_rate_difference, t18, range_rate_difference_D_x)
+    t64 = np.subtract(drift_x, t63, w12)
+    t65 = np.multiply(other_range_rate, range_difference_D_x, w1)
+    t66 = np.subtract(t64, t65, w12)
+    t67 = np.multiply(range_difference, other_turning_x, w5)
+    t68 = np.subtract(t66, t67, w12)
+    t70 = np.multiply(range_rate_difference, t19, w2)
+    t71 = np.subtract(drift_y, t70, w13)
+    t72 = np.multiply(other_range_rate, range_difference_D_y, w0)
+    t73 = np.subtract(t71, t72, w13)
+    t74 = np.multiply(range_difference, other_turning_y, w6)
+    t75 = np.subtract(t73, t74, w13)
+    np.divide(t68, slant_range, range_rate_difference_D_x)
+    np.divide(t75, slant_range, range_rate_difference_D_y)
+
+
+def _range_doppler_difference_in_plane_slant_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        first_station_x,
+        first_station_y,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _second_station_x,
+        _second_station_y,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+    ) = given
+    (slant_range,) = out
+    w0, w1 = work
+    place_x = np.subtract(target_x, first_station_x, w0)
+    place_y = np.subtract(target_y, first_station_y, w1)
+    t14 = np.square(place_x, w0)
+    t15 = np.square(place_y, w1)
+    t16 = np.add(t14, t15, w0)
+    np.sqrt(t16, slant_range)
+
+
+def _range_doppler_difference_in_plane_other_range_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        _first_station_x,
+        _first_station_y,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        second_station_x,
+        second_station_y,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+    ) = given
+    (other_range,) = out
+    w0, w1 = work
+    other_place_x = np.subtract(target_x, second_station_x, w0)
+    other_place_y = np.subtract(target_y, second_station_y, w1)
+    t24 = np.square(other_place_x, w0)
+    t25 = np.square(other_place_y, w1)
+    t26 = np.add(t24, t25, w0)
+    np.sqrt(t26, other_range)
+
+
+_RANGE_DOPPLER_DIFFERENCE_IN_PLANE = Signature(
+    "range_doppler_difference_in_plane",
+    (
+        _TARGET_X_DOMAIN_2,
+        _TARGET_Y_DOMAIN_2,
+        _TARGET_VELOCITY_X_DOMAIN_2,
+        _TARGET_VELOCITY_Y_DOMAIN_2,
+        _FIRST_STATION_X_DOMAIN_2,
+        _FIRST_STATION_Y_DOMAIN_2,
+        _FIRST_STATION_VELOCITY_X_DOMAIN_2,
+        _FIRST_STATION_VELOCITY_Y_DOMAIN_2,
+        _SECOND_STATION_X_DOMAIN_2,
+        _SECOND_STATION_Y_DOMAIN_2,
+        _SECOND_STATION_VELOCITY_X_DOMAIN_2,
+        _SECOND_STATION_VELOCITY_Y_DOMAIN_2,
+    ),
+    (
+        "range_difference",
+        "range_rate_difference",
+        "range_difference_D_x",
+        "range_difference_D_y",
+        "range_rate_difference_D_x",
+        "range_rate_difference_D_y",
+    ),
+    14,
+    _range_doppler_difference_in_plane_block,
+    (
+        Required(
+            "distance of the target from the first station",
+            "at least 1e-20, in float32 1",
+            1e-20,
+            1.0,
+            2,
+            _range_doppler_difference_in_plane_slant_range_block,
+        ),
+        Required(
+            "distance of the target from the second station",
+            "at least 1e-20, in float32 1",
+            1e-20,
+            1.0,
+            2,
+            _range_doppler_difference_in_plane_other_range_block,
         ),
     ),
 )

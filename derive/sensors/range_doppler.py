@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 from gainproof.derive.derivation import Derivation
-from gainproof.derive.sensors.range_doppler_graphs import graphs
+from gainproof.derive.sensors.range_doppler_graphs import graphs as one_station
 from gainproof.derive.sensors.range_doppler_module import kernel_module
+from gainproof.derive.sensors.range_doppler_pair_graphs import graphs as two_stations
+from gainproof.derive.sensors.range_doppler_pair_towers import pair_towers
 from gainproof.derive.sensors.range_doppler_setting import LATEX, SETTING
+from gainproof.derive.sensors.range_doppler_steps_course import (
+    course_steps,
+    doppler_steps,
+    doppler_tower,
+)
 from gainproof.derive.sensors.range_doppler_steps_hessian import hessian_steps
 from gainproof.derive.sensors.range_doppler_steps_kernels import component_steps, kernel_steps
 from gainproof.derive.sensors.range_doppler_steps_linear import range_steps, rate_steps
+from gainproof.derive.sensors.range_doppler_steps_pairs import pair_steps
+from gainproof.derive.sensors.range_doppler_steps_stations import station_steps
 from gainproof.derive.sensors.range_doppler_steps_value import value_steps
 from gainproof.derive.sensors.range_doppler_towers import towers
 from gainproof.derive.source import DOPPLER, ELEMENTARY
@@ -26,22 +35,27 @@ OPENING = (
 
 def build() -> Subject:
     """Derive range, range rate, their derivatives and what is left beyond these."""
-    made = graphs()
+    single, pairs = one_station(), two_stations()
+    made = {**single, **pairs}
     held = {tower.name: tower for tower in towers()}
     steps = (
         *value_steps(),
         *range_steps(),
         *rate_steps(),
         *hessian_steps(),
+        *course_steps(),
+        *station_steps(),
+        *doppler_steps(),
         *component_steps(tuple(held.values())),
-        *kernel_steps(made),
+        *kernel_steps(single),
+        *pair_steps(pairs),
     )
     return Subject(
         name=NAME,
         title=TITLE,
         model=None,
         derivation=Derivation(OPENING, steps, (DOPPLER.key, ELEMENTARY.key), LATEX),
-        towers=held,
+        towers={**held, **{each.name: each for each in (*pair_towers(), doppler_tower())}},
         programs={
             name: Program({str(n[1]): str(n[1]) for n in graph["nodes"] if n[0] == "symbol"}, graph)
             for name, graph in made.items()

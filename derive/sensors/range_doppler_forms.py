@@ -16,13 +16,14 @@ Vector = Sequence[Any]
 
 @dataclass(frozen=True)
 class Sight:
-    """A target as seen from a station: range f, unit vector u from the station to it, velocity w
-    relative to the station.
+    """A target as seen from a station: range f, unit vector u to it, its velocity w and its
+    place r relative to the station.
     """
 
     range: Any
     unit: Vector
     velocity: Vector
+    place: Vector = ()
 
     @property
     def rate(self) -> Any:

@@ -13,6 +13,7 @@ from gainproof.derive.sensors.range_doppler_forms import (
     dot,
 )
 from gainproof.derive.sensors.range_doppler_names import (
+    LIGHT,
     PLANE,
     PLANE_AXES,
     SPACE_AXES,
@@ -36,6 +37,7 @@ def graphs() -> dict[str, Graph]:
         "range_doppler": range_doppler,
         "range_hessian": range_hessian,
         "range_rate_hessian": range_rate_hessian,
+        "doppler_shift": doppler_shift,
     }
     return {
         f"{name}{end}": graph(along)
@@ -54,7 +56,7 @@ def sight(builder: GraphBuilder, target: Motion, station: Motion) -> Sight:
     """The target from the station."""
     place, velocity = (differences(*each) for each in zip(target, station, strict=True))
     distance = builder.sqrt(dot(place, place))
-    return Sight(distance, [each / distance for each in place], velocity)
+    return Sight(distance, [each / distance for each in place], velocity, place)
 
 
 def seen(builder: GraphBuilder, along: tuple[str, ...], *, moving: bool = True) -> Sight:
@@ -129,11 +131,32 @@ def turning(found: Sight, along: tuple[str, ...]) -> Outputs:
     return {f"range_rate_D_{axis}": each for axis, each in zip(along, found.turning, strict=True)}
 
 
+def doppler_shift(along: tuple[str, ...]) -> Graph:
+    """In hertz, with derivatives by the target's position and velocity."""
+    builder = GraphBuilder()
+    found = seen(builder, along)
+    scale = -(builder.symbol("carrier_frequency") / LIGHT)
+    outputs = {"doppler_shift": found.rate * scale}
+    for axis, h in zip(along, found.turning, strict=True):
+        outputs[f"doppler_shift_D_{axis}"] = h * scale
+    for axis, u in zip(along, found.unit, strict=True):
+        outputs[f"doppler_shift_D_velocity_{axis}"] = u * scale
+    return _graph(builder, found, outputs)
+
+
+def named(found: Sight, start: str = "") -> Outputs:
+    """The parts that proofs put names for."""
+    parts = {"place": found.place, "velocity": found.velocity}
+    if found.velocity:
+        parts["turning"] = found.turning
+    entries = {
+        f"{start}{part}_{axis}": each
+        for part, vector in parts.items()
+        for axis, each in zip(SPACE_AXES, vector, strict=False)
+    }
+    return entries | ({f"{start}range_rate": found.rate} if found.velocity else {})
+
+
 def _graph(builder: GraphBuilder, found: Sight, outputs: Outputs) -> Graph:
     """The outputs, and the range, which has to be above 0."""
-    names = {RANGE: found.range}
-    if found.velocity:
-        along = SPACE_AXES[: len(found.unit)]
-        turned = zip(along, found.turning, strict=True)
-        names |= {"range_rate": found.rate, **{f"turning_{axis}": h for axis, h in turned}}
-    return builder.graph({**outputs, RANGE: found.range}, names)
+    return builder.graph({**outputs, RANGE: found.range}, {**named(found), RANGE: found.range})

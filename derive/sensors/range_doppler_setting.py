@@ -2,7 +2,8 @@
 
 Numbers of the geometry are parameters, with what they are taken for granted under `given`: the
 range f is the positive number with f^2 = r'r, the range rate g that with f g = r'w. After the
-target has moved by a, and changed its velocity by b, they are q and `new_rate`.
+target has moved by a, and changed its velocity by b, they are q and `new_rate`; from a second
+station what is called `other_`.
 """
 
 from __future__ import annotations
@@ -24,7 +25,11 @@ U, H, P = symbols("unit turning across")
 A, B = symbols("displacement change")
 V, NEW_H = symbols("new_unit new_turning")
 EXCESS, REST, BEND = symbols("excess rest bend")
-DG = symbol("first_order")
+DG, T = symbols("first_order t")
+OTHER_F, OTHER_G = symbols("other_range other_rate")
+OTHER_R, OTHER_W = symbols("other_place other_velocity")
+OTHER_U, OTHER_H = symbols("other_unit other_turning")
+S, DRIFT = symbols("baseline drift")
 
 SEEN = equation(R, TARGET - STATION)
 MOVING = equation(W, TARGET_VELOCITY - STATION_VELOCITY)
@@ -32,18 +37,22 @@ RANGE = equation(R.T @ R, F**2 * ONE)
 RATE = equation(R.T @ W, F * G * ONE)
 NEW_RANGE = equation((R + A).T @ (R + A), Q**2 * ONE)
 NEW_RATE = equation((R + A).T @ (W + B), Q * NEW_G * ONE)
+COURSE = equation(A, T * W)
+OTHER_RANGE = equation(OTHER_R.T @ OTHER_R, OTHER_F**2 * ONE)
+OTHER_RATE = equation(OTHER_R.T @ OTHER_W, OTHER_F * OTHER_G * ONE)
 
 SETTING = Setting(
     NAME,
     {
         **dict.fromkeys(("target", "station", "target_velocity", "station_velocity"), "d 1"),
         **dict.fromkeys(("place", "velocity", "unit", "turning", "displacement", "change"), "d 1"),
-        **dict.fromkeys(("new_unit", "new_turning"), "d 1"),
+        **dict.fromkeys(("new_unit", "new_turning", "baseline", "drift"), "d 1"),
+        **dict.fromkeys(("other_place", "other_velocity", "other_unit", "other_turning"), "d 1"),
         **dict.fromkeys(("excess", "first_order", "rest"), "1 1"),
         **dict.fromkeys(("across", "bend"), "d d"),
     },
-    parameters=("f", "q"),
-    free=("g", "new_rate"),
+    parameters=("f", "q", "other_range"),
+    free=("g", "new_rate", "other_rate", "t"),
     units={"I": "d", "one": "1"},
     elements={
         "unit": R / F,
@@ -55,6 +64,10 @@ SETTING = Setting(
         "first_order": H.T @ A + U.T @ B,
         "rest": (NEW_G - G) * ONE - DG,
         "new_turning": (W + B - NEW_G * V) / Q,
+        "other_unit": OTHER_R / OTHER_F,
+        "other_turning": (OTHER_W - OTHER_G * OTHER_U) / OTHER_F,
+        "baseline": R - OTHER_R,
+        "drift": W - OTHER_W,
     },
 )
 
@@ -82,6 +95,19 @@ LATEX = {
     "first_order": "m",
     "rest": "c",
     "bend": "M",
+    "t": "t",
+    "other_range": "f_2",
+    "other_rate": "g_2",
+    "other_place": "r_2",
+    "other_velocity": "w_2",
+    "other_unit": "u_2",
+    "other_turning": "h_2",
+    "baseline": "s",
+    "drift": "s_v",
+    # of Doppler shifts
+    "carrier_frequency": "f_c",
+    "speed_of_light": "c",
+    "rate": "g",
 }
 
 

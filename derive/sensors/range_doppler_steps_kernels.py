@@ -13,8 +13,9 @@ from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, described, equal
 from gainproof.derive.sensors.polar_names import G, K, column
 from gainproof.derive.sensors.polar_steps_map import BELOW
-from gainproof.derive.sensors.range_doppler_names import PLANE, PLANE_AXES, SPACE_AXES
+from gainproof.derive.sensors.range_doppler_names import LIGHT, PLANE, PLANE_AXES, SPACE_AXES
 from gainproof.derive.sensors.range_doppler_towers import (
+    CARRIER,
     COS_B,
     RANGE,
     RATE,
@@ -66,17 +67,17 @@ def _steps(tower: Tower) -> list[Step]:
     across = sp.ImmutableDenseMatrix(frame(axes))
     unit = sp.eye(len(axes)).as_immutable()
     found["frame"] = equal(sp.MatMul(across, across.T.as_immutable(), evaluate=False), unit)
-    found["sight"] = _all(relative(axes))
-    found["station"] = _all({k: v for k, v in motions(axes).items() if k.startswith("station")})
-    found["target"] = _all({k: v for k, v in motions(axes).items() if k.startswith("target")})
+    found["sight"] = named(relative(axes))
+    found["station"] = named({k: v for k, v in motions(axes).items() if k.startswith("station")})
+    found["target"] = named({k: v for k, v in motions(axes).items() if k.startswith("target")})
     seen = sight(axes)
     meant = zip(of("turning", axes), seen.turning, strict=True)
-    found["parts"] = _all({"range_rate": seen.rate, **{str(h): each for h, each in meant}})
-    made = [_quiet(f"{name}-{part}", relation, name) for part, relation in found.items()]
+    found["parts"] = named({"range_rate": seen.rate, **{str(h): each for h, each in meant}})
+    made = [quiet(f"{name}-{part}", relation, name) for part, relation in found.items()]
     return [*made, *_chains(tower)]
 
 
-def _all(meant: Mapping[str, sp.Expr]) -> Relation:
+def named(meant: Mapping[str, sp.Expr]) -> Relation:
     """Each name stands for its expression; of many entries rows of four, filled up with 0."""
     left, right = ([*side] for side in (map(real, meant), meant.values()))
     rows = -(-len(left) // 4)
@@ -96,7 +97,7 @@ def _chains(tower: Tower) -> list[Step]:
 
     ranges = column(*(sp.Derivative(RANGE, by) for by in (RANGE, *angles)))
     found = [
-        _quiet(
+        quiet(
             f"{name}-range-chain",
             equal(ranges, column(*(chain(unit, by) for by in (RANGE, *angles)))),
             name,
@@ -116,7 +117,7 @@ def _chains(tower: Tower) -> list[Step]:
         )
     )
     rates = column(*(sp.Derivative(RATE, by) for by in (RANGE, *angles)))
-    return [*found, _quiet(f"{name}-rate-chain", equal(rates, held), name)]
+    return [*found, quiet(f"{name}-rate-chain", equal(rates, held), name)]
 
 
 def kernel_steps(graphs: Mapping[str, Graph]) -> list[Step]:
@@ -128,7 +129,8 @@ def kernel_steps(graphs: Mapping[str, Graph]) -> list[Step]:
     ]
 
 
-def _quiet(name: str, relation: Relation, tower: str) -> Step:
+def quiet(name: str, relation: Relation, tower: str) -> Step:
+    """What names mean, not shown."""
     return Step(name, "What the names mean.", relation, "As before.", tower=tower, shown=False)
 
 
@@ -156,6 +158,9 @@ def _values(graph: Graph) -> dict[str, sp.Symbol]:
 def meant(output: str) -> sp.Expr:
     """What an output stands for, over the names of the towers."""
     what, _, by = output.partition("_D_")
+    if what == "doppler_shift":
+        slope = f"turning_{by}" if by in SPACE_AXES else f"unit_{by[-1:]}"
+        return -real(slope if by else "range_rate") * CARRIER / LIGHT
     if not by:
         return real(what)
     if by[:-1] in SPACE_AXES:

@@ -11,6 +11,8 @@ may have either sign is u - 1/u of a positive u of its own.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
@@ -27,7 +29,7 @@ from gainproof.derive.sensors.range_doppler_names import (
 Elements = dict[str, sp.Expr]
 Axes = tuple[str, ...]
 RANGE, RATE = real("slant_range"), real("range_rate")
-TILT = real("a")
+TILT, CARRIER = real("a"), real("carrier_frequency")
 COS_B, SIN_B = real("cos_bearing"), real("sin_bearing")
 COS_T, SIN_T = real("cos_tilt"), real("sin_tilt")
 ZERO = sp.Integer(0)
@@ -86,11 +88,17 @@ def parts(along: Axes) -> tuple[str, ...]:
     return ("range_rate", *SIDES[3 - len(along) :])
 
 
-def relative(along: Axes) -> Elements:
-    """Range rate, direction, h, place and velocity, by the frame."""
-    unit, *aside = frame(along)
-    turns = [difference(name) for name in SIDES[3 - len(along) :]]
-    found: Elements = {"range_rate": difference("range_rate")}
+def relative(
+    along: Axes,
+    rows: list[list[sp.Expr]] | None = None,
+    either: Callable[[str], sp.Expr] = difference,
+) -> Elements:
+    """Range rate, direction, h, place and velocity, by the frame, or by these rows in its place;
+    `either` writes a number of either sign.
+    """
+    unit, *aside = rows or frame(along)
+    rate, *turns = (either(name) for name in parts(along))
+    found: Elements = {"range_rate": rate}
     found |= dict(zip(map(str, of("unit", along)), unit, strict=True))
     for n, name in enumerate(of("turning", along)):
         turned = zip(turns, aside, strict=True)
@@ -122,7 +130,7 @@ def _tower(name: str, along: Axes, circles: Elements, angles: tuple[str, ...]) -
     closed = [*angles, *(f"{side}_{part}" for part in parts(along) for side in ("more", "less"))]
     either = [*places("station", along), *velocities("station", along)]
     parameters = (
-        Parameter("slant_range"),
+        *map(Parameter, ("slant_range", "carrier_frequency")),
         *(Parameter(f"root_of_{each}") for each in either),
         *(Parameter(each, above=None, start="0") for each in closed),
     )

@@ -7,17 +7,21 @@ from gainproof.derive.sensors.range_doppler_names import PLANE
 _BY = {
     "range": ("range", {"": "dimensionless"}),
     "range_rate": ("range rate", {"": "1/s", "velocity_": "dimensionless"}),
+    "doppler_shift": ("shift", {"": "Hz/m", "velocity_": "Hz s/m"}),
+    "bistatic_range": ("bistatic range", {"": "dimensionless"}),
+    "bistatic_range_rate": ("rate of the bistatic range", {"": "1/s"}),
+    "range_difference": ("difference of the ranges", {"": "dimensionless"}),
+    "range_rate_difference": ("difference of the range rates", {"": "1/s"}),
 }
 """Quantity of a derivative, and its unit by what it is taken by."""
 
 
 def of_input(entry: str) -> str:
     """A position or a velocity."""
-    who, _, rest = entry.partition("_")
-    axis = entry[-1]
-    if rest.startswith("velocity"):
-        return f"velocity of the {who} along {axis}, m/s"
-    return f"position of the {who} along {axis}, m"
+    *who, axis = entry.replace("_velocity", "").split("_")
+    if "_velocity_" in entry:
+        return f"velocity of the {' '.join(who)} along {axis}, m/s"
+    return f"position of the {' '.join(who)} along {axis}, m"
 
 
 def meaning(entry: str) -> str:
@@ -38,6 +42,11 @@ def meaning(entry: str) -> str:
 _VALUES = {
     "slant_range": "distance of the target from the station, m",
     "range_rate": "its rate, m/s, above 0 where the target goes away",
+    "doppler_shift": "received less sent frequency, Hz, below 0 where the target goes away",
+    "bistatic_range": "sum of the target's distances from both stations, m",
+    "bistatic_range_rate": "its rate, m/s",
+    "range_difference": "distance from the first station less that from the second, m",
+    "range_rate_difference": "its rate, m/s",
 }
 _SPACE = {
     "slant_range": "Distance of targets from stations.",
@@ -47,6 +56,9 @@ _SPACE = {
     "range_doppler": "Range and range rate with their derivatives.",
     "range_hessian": "Second derivatives of the range by the position.",
     "range_rate_hessian": "Second derivatives of the range rate by the position.",
+    "doppler_shift": "Doppler shift of a carrier that the target sends, with its derivatives.",
+    "bistatic_range_doppler": "Range and range rate over two stations, with their derivatives.",
+    "range_doppler_difference": "Differences of range and range rate at two stations (TDOA, FDOA).",
 }
 SUMMARIES = {
     f"{name}{end}": text.replace(".", " in the plane.") if end else text
@@ -90,6 +102,26 @@ _EQUATIONS: dict[str, tuple[str, ...]] = {
         f"{_W};",
         "by position and velocity see `range_hessian`, by two velocities it is 0. The terms of an",
         "entry add up to at most 5 |w|/f^2",
+    ),
+    "doppler_shift": (
+        "-(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w and",
+        f"h = (w - g u)/f; {_W}.",
+        "This is the narrow-band shift of one way: with g at the time of sending the classical one",
+        "is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift",
+    ),
+    "bistatic_range_doppler": (
+        "f_1 + f_2, g_1 + g_2, u_1 + u_2, h_1 + h_2 with f, g, u, h of `range_doppler` from each",
+        "station; the derivative of the rate by the target's velocity is u_1 + u_2 too, by a",
+        "station's position and velocity they are -u, -h and -u of its own. Terms are those of",
+        "`range_doppler`",
+    ),
+    "range_doppler_difference": (
+        "f_1 - f_2 = s'(r_1 + r_2)/(f_1 + f_2), r = target - station, s = second - first station,",
+        "so that errors are parts of |s| and not of the ranges: terms add up to at most |s|;",
+        "u_1 - u_2 = (s - (f_1 - f_2) u_2)/f_1, g_1 - g_2 = u_1's_v + (u_1 - u_2)'w_2,",
+        "h_1 - h_2 = (s_v - (g_1 - g_2) u_1 - g_2 (u_1 - u_2) - (f_1 - f_2) h_2)/f_1 with the",
+        "f, g, u, h of `range_doppler`; derivatives by a station's position and velocity are those",
+        "of its own range and rate",
     ),
 }
 EQUATIONS = {f"{name}{end}": text for end in ("", PLANE) for name, text in _EQUATIONS.items()}

@@ -18,6 +18,8 @@ Motions = tuple[Sequence[Any], Sequence[Any], Sequence[Any], Sequence[Any]]
 def truth(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
     """Every output that a kernel may have, from its arguments."""
     axes = axes_of(kernel)
+    if is_shift(kernel):
+        return _shifted(truth(f"range_doppler{kernel.removeprefix('doppler_shift')}"))
 
     def found(*given: float) -> Values:
         target, velocity, station, moving = motions(kernel, given)
@@ -44,6 +46,8 @@ def truth(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
 def terms(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
     """The terms of those outputs that cancel, taken positive, from the oracle's derivatives."""
     axes = axes_of(kernel)
+    if is_shift(kernel):
+        return _shifted(terms(f"range_doppler{kernel.removeprefix('doppler_shift')}"))
 
     def found(*given: float) -> Values:
         target, velocity, station, moving = motions(kernel, given)
@@ -68,6 +72,27 @@ def terms(kernel: str) -> Callable[..., Mapping[str, flint.arb]]:
             return {"range_rate": along} | _named("range_rate_D_", axes, by)
 
     return found if moves(kernel) else lambda *_: {}
+
+
+def is_shift(kernel: str) -> bool:
+    """Whether a kernel gives hertz."""
+    return kernel.startswith("doppler_shift")
+
+
+def _shifted(rates: Callable[..., Mapping[str, flint.arb]]) -> Callable[..., Values]:
+    """Range rates as shifts of the carrier, which is the last argument."""
+
+    def found(*given: float) -> Values:
+        *motion, carrier = given
+        with flint.ctx.workprec(sight.BITS):
+            waves = -flint.arb(carrier) / 299792458
+            return {
+                name.replace("range_rate", "doppler_shift"): value * waves
+                for name, value in rates(*motion).items()
+                if name.startswith("range_rate")
+            }
+
+    return found
 
 
 def moves(kernel: str) -> bool:

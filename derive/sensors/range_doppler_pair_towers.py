@@ -1,0 +1,107 @@
+"""The parameters under the kernels of two stations: each with its own direction and velocity.
+
+In space three towers hold every pair of directions: straight down is left out for both in `above`,
+straight up in `below`, and a pair of these two in neither lies in `aside`, where the first axis'
+other end is left out.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.expression import real
+from gainproof.derive.sensors.polar_towers import bearing_circle
+from gainproof.derive.sensors.range_doppler_names import (
+    PLANE_AXES,
+    SPACE_AXES,
+    places,
+    velocities,
+)
+from gainproof.derive.sensors.range_doppler_towers import (
+    Axes,
+    Elements,
+    difference,
+    frame,
+    parts,
+    relative,
+    signed,
+    tilt,
+)
+
+OTHER = "other_"
+STATIONS = {"": "first_station", OTHER: "second_station"}
+
+
+def pair_towers() -> tuple[Tower, ...]:
+    """The plane, and the three that hold space."""
+    return tuple(_tower(name, along_of(name)) for name in PAIRS)
+
+
+PAIRS = ("pair_plane", "pair_above", "pair_below", "pair_aside")
+
+
+def along_of(tower: str) -> Axes:
+    """The coordinates of a tower."""
+    return PLANE_AXES if tower == "pair_plane" else SPACE_AXES
+
+
+def circles(tower: str) -> Elements:
+    """Cosines and sines of the first direction."""
+    if tower == "pair_plane":
+        return bearing_circle()
+    return {**bearing_circle(), **tilt(-1 if tower == "pair_below" else 1)}
+
+
+def seen(tower: str) -> Elements:
+    """Direction, place, velocity and their parts, from the first station."""
+    along = along_of(tower)
+    rows = frame(along)
+    if tower == "pair_aside":
+        rows = [[*row[-1:], *row[:-1]] for row in rows]
+    return relative(
+        along, rows, lambda part: signed(part) if part == "range_rate" else difference(part)
+    )
+
+
+def other(elements: Elements) -> Elements:
+    """The same from the second station: every name with `other_` before it."""
+    return {
+        f"{OTHER}{name}": value.xreplace(
+            {symbol: of_other(symbol.name) for symbol in value.free_symbols}
+        )
+        for name, value in elements.items()
+    }
+
+
+def of_other(name: str) -> sp.Symbol:
+    """A name from the second station; its range is short of a word."""
+    return real("other_range" if name == "slant_range" else f"{OTHER}{name}")
+
+
+def stations(along: Axes) -> Elements:
+    """The target, and the stations by what it is seen at from them."""
+    found = {
+        name: signed(name) for name in (*places("target", along), *velocities("target", along))
+    }
+    for start, who in STATIONS.items():
+        for axis in along:
+            found[f"{who}_{axis}"] = real(f"target_{axis}") - real(f"{start}place_{axis}")
+            found[f"{who}_velocity_{axis}"] = real(f"target_velocity_{axis}") - real(
+                f"{start}velocity_{axis}"
+            )
+    return found
+
+
+def _tower(name: str, along: Axes) -> Tower:
+    angles = ("g", "k") if along == PLANE_AXES else ("g", "k", "a")
+    both = (*places("target", along), *velocities("target", along))
+    roots = [*(f"root_of_{each}" for each in both), *(f"{o}root_of_range_rate" for o in STATIONS)]
+    across = [f"{side}_{part}" for part in parts(along)[1:] for side in ("more", "less")]
+    closed = [f"{start}{each}" for start in STATIONS for each in (*angles, *across)]
+    parameters = (
+        *map(Parameter, ("slant_range", "other_range", *roots)),
+        *(Parameter(each, above=None, start="0") for each in closed),
+    )
+    first = {**circles(name), **seen(name)}
+    return Tower(name, parameters, (), {**first, **other(first), **stations(along)})
