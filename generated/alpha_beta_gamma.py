@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 __all__ = [
     "AccelerationNoiseVariances",
     "AccelerationNoiseVariancesOfCoordinates",
+    "ClosedLoopPoles",
     "Coordinates",
     "GainsOfCoordinates",
     "JerkNoiseVariances",
@@ -36,6 +37,7 @@ __all__ = [
     "WhiteJerkNoiseVariancesOfCoordinates",
     "acceleration_noise_variances",
     "acceleration_noise_variances_of_coordinates",
+    "closed_loop_poles",
     "coordinates",
     "gains_of_coordinates",
     "jerk_noise_variances",
@@ -88,6 +90,24 @@ _HURWITZ_DETERMINANT_DOMAIN = Domain(
     (1e-20, 1e20),
     (9.999999747378752e-05, 10000.0),
 )
+_ALPHA_DOMAIN_2 = Domain(
+    "alpha",
+    "a number at least 1e-20 and at most 2, in float32 at least 1e-4 and at most 2",
+    (1e-20, 2.0),
+    (9.999999747378752e-05, 2.0),
+)
+_BETA_DOMAIN_2 = Domain(
+    "beta",
+    "a number at least 1e-20 and at most 4, in float32 at least 1e-4 and at most 4",
+    (1e-20, 4.0),
+    (9.999999747378752e-05, 4.0),
+)
+_GAMMA_DOMAIN = Domain(
+    "gamma",
+    "a number at least 1e-20 and at most 8, in float32 at least 1e-4 and at most 8",
+    (1e-20, 8.0),
+    (9.999999747378752e-05, 8.0),
+)
 _LAG_DOMAIN = Domain(
     "lag",
     "a number above 1/8 and at most 1e30, in float32 above 1/8 and at most 1e9",
@@ -106,7 +126,7 @@ _LAG_DOMAIN_3 = Domain(
     (0.5390625000000001, 1e30),
     (0.5390625596046448, 1000000000.0),
 )
-_ALPHA_DOMAIN_2 = Domain(
+_ALPHA_DOMAIN_3 = Domain(
     "alpha",
     "a number at least 1e-15 and below 1, in float32 at least 1e-6 and below 1",
     (1e-15, 0.9999999999999999),
@@ -2009,6 +2029,117 @@ _LAGS = Signature(
 )
 
 
+class ClosedLoopPoles(NamedTuple):
+    """Result of `closed_loop_poles`."""
+
+    mean_distance: Real
+    """1 less the mean of the poles."""
+    reduced_linear: Real
+    """P of the reduced cubic."""
+    reduced_constant: Real
+    """Q of the reduced cubic."""
+    discriminant: Real
+    """P^3 - q^2, 0 or more where all poles are real."""
+
+
+def closed_loop_poles(
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    gamma: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+) -> ClosedLoopPoles:
+    """Closed-loop poles, 1 - mean_distance + w with w^3 = 3 p w + 2 q, of any positive gains.
+
+        s = alpha + beta + gamma/2, b = beta + 3 gamma/2, mean_distance = s/3,
+        p = reduced_linear = s^2/9 - b/3, q = reduced_constant = s b/6 - s^3/27 - gamma/2,
+        discriminant = p^3 - q^2 = (s^2 b^2 + 18 s b gamma - 4 b^3 - 4 s^3 gamma - 27 gamma^2)/108.
+        Three real poles where it is not negative: w = 2 sqrt(p) cos(t + 2 pi k/3), cos(3 t) =
+        q/p^(3/2); else with r = (|q| + sqrt(-discriminant))^(1/3) and the sign of q the real one
+        has w = +-(r + p/r), the pair real parts of -1/2 and imaginary parts of +-sqrt(3)/2 times
+        r + p/r and r - p/r. No bound of the poles themselves holds everywhere: next to a threefold
+        pole they move by the cube root of what p and q move by. Scales are the sums of all terms
+        taken positive; the domain holds all stable gains from 1e-20 on, and others
+
+    alpha: gain of the position; a number at least 1e-20 and at most 2, in float32 at least 1e-4 and
+        at most 2.
+    beta: gain of the velocity times T; a number at least 1e-20 and at most 4, in float32 at least
+        1e-4 and at most 4.
+    gamma: gain of the acceleration times T^2; a number at least 1e-20 and at most 8, in float32 at
+        least 1e-4 and at most 8.
+
+    mean_distance: 1 less the mean of the poles. Relative error at most 1.51 * 2^-52 (float64), 1.50
+        * 2^-23 (float32), proved for every input.
+    reduced_linear: p of the reduced cubic. Error over reduced_linear_scale at most 3.51 * 2^-52
+        (float64), 3.50 * 2^-23 (float32), proved for every input. Cancellation in
+        reduced_linear_difference, condition number 1: changes its sign; error over the sum of its
+        terms.
+    reduced_constant: q of the reduced cubic. Error over reduced_constant_scale at most 5.51 * 2^-52
+        (float64), 5.50 * 2^-23 (float32), proved for every input. Cancellation in
+        reduced_constant_difference, condition number 1: changes its sign; error over the sum of its
+        terms.
+    discriminant: p^3 - q^2, 0 or more where all poles are real. Error over discriminant_scale at
+        most 7.00 * 2^-52 (float64), 6.97 * 2^-23 (float32), proved for every input. Cancellation in
+        discriminant_difference, condition number 1: changes its sign; error over the sum of its
+        terms.
+
+    Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
+    arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation alpha-beta-gamma
+    """
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta, gamma), out))
+
+
+def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    alpha, beta, gamma = given
+    mean_distance, reduced_linear, reduced_constant, discriminant = out
+    w0, w1, w2, w3, w4 = work
+    t4 = np.multiply(gamma, 0.5, w0)
+    t5 = np.add(alpha, beta, w1)
+    t6 = np.add(t5, t4, w1)
+    t7 = np.add(beta, gamma, w2)
+    t8 = np.add(t7, t4, w2)
+    t9 = np.square(t6, w3)
+    t10 = np.multiply(t6, t8, w4)
+    t12 = np.divide(t9, 9.0, reduced_linear)
+    t14 = np.divide(t8, 3.0, reduced_constant)
+    t16 = np.divide(t10, 6.0, discriminant)
+    t17 = np.multiply(t9, t6, w3)
+    t19 = np.divide(t17, 27.0, mean_distance)
+    t20 = np.add(t19, t4, w0)
+    t21 = np.square(t8, mean_distance)
+    t22 = np.multiply(t21, t8, mean_distance)
+    t23 = np.multiply(t17, gamma, w3)
+    t24 = np.add(t22, t23, mean_distance)
+    t26 = np.multiply(t24, 4.0, mean_distance)
+    t27 = np.square(gamma, w2)
+    t28 = np.multiply(t27, 27.0, w2)
+    t29 = np.add(t26, t28, mean_distance)
+    t31 = np.multiply(gamma, 18.0, w2)
+    t32 = np.add(t10, t31, w2)
+    t33 = np.multiply(t32, t10, w2)
+    t35 = np.divide(t33, 108.0, w2)
+    t36 = np.divide(t29, 108.0, w3)
+    np.divide(t6, 3.0, mean_distance)
+    np.subtract(t12, t14, reduced_linear)
+    np.subtract(t16, t20, reduced_constant)
+    np.subtract(t35, t36, discriminant)
+
+
+_CLOSED_LOOP_POLES = Signature(
+    "closed_loop_poles",
+    (_ALPHA_DOMAIN_2, _BETA_DOMAIN_2, _GAMMA_DOMAIN),
+    ("mean_distance", "reduced_linear", "reduced_constant", "discriminant"),
+    5,
+    _closed_loop_poles_block,
+)
+
+
 class MinimumVarianceByLag(NamedTuple):
     """Result of `minimum_variance_by_lag`."""
 
@@ -2642,7 +2773,7 @@ def _random_acceleration_by_gain_block(
 
 _RANDOM_ACCELERATION_BY_GAIN = Signature(
     "random_acceleration_by_gain",
-    (_ALPHA_DOMAIN_2,),
+    (_ALPHA_DOMAIN_3,),
     ("random_acceleration_beta", "random_acceleration_gamma", "random_acceleration_predicted_11"),
     3,
     _random_acceleration_by_gain_block,
@@ -2901,7 +3032,7 @@ def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single
 
 _RANDOM_JERK_BY_GAIN = Signature(
     "random_jerk_by_gain",
-    (_ALPHA_DOMAIN_2,),
+    (_ALPHA_DOMAIN_3,),
     ("random_jerk_beta", "random_jerk_gamma", "random_jerk_predicted_11"),
     9,
     _random_jerk_by_gain_block,

@@ -14,6 +14,7 @@ from gainproof.derive.fixed_gain.steps_variance import variance_steps
 from gainproof.derive.fixed_gain.three_curve_towers import curve_steps, curve_towers
 from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_module import SYMBOLS, kernel_module, kernel_steps
+from gainproof.derive.fixed_gain.three_pole_kernels import pole_steps, pole_tower
 from gainproof.derive.fixed_gain.three_steps_minimum import minimum_steps
 from gainproof.derive.fixed_gain.three_steps_named import named_steps
 from gainproof.derive.fixed_gain.three_steps_noise import noise_steps, noise_tower
@@ -39,6 +40,7 @@ def build() -> Subject:
         *filter_steps(LOOP),
         *answer_steps(LOOP),
         *stability_steps(),
+        *pole_steps(),
         *variance_steps(LOOP, lecture_variance(), _minors()),
         *noise_steps(),
         *lag_steps(LOOP),
@@ -54,7 +56,9 @@ def build() -> Subject:
         title=TITLE,
         model=None,
         derivation=Derivation(OPENING, steps, (LECTURE.key,), LATEX),
-        towers={tower.name: tower for tower in (*towers(), noise_tower(), *curve_towers())},
+        towers={
+            tower.name: tower for tower in (*towers(), noise_tower(), pole_tower(), *curve_towers())
+        },
         programs={
             name: Program(
                 {

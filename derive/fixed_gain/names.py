@@ -39,6 +39,7 @@ LATEX = {
     "d": "d",
     "m": "m",
     "p": "p",
+    "w": "w",
     "rest": "v",
     "root_real": "u",
     "root_imaginary": "v",

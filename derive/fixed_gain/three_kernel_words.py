@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gainproof.derive.fixed_gain.three_noise_words import NOISE_EQUATIONS, NOISE_SUMMARIES
+from gainproof.derive.fixed_gain.three_pole_kernels import EQUATIONS as POLE_EQUATIONS
+from gainproof.derive.fixed_gain.three_pole_kernels import POLES
+from gainproof.derive.fixed_gain.three_pole_kernels import SUMMARY as POLE_SUMMARY
 
 SUMMARIES = {
     "coordinates": "How far gains are inside the region of stability.",
@@ -13,6 +16,7 @@ SUMMARIES = {
     "variances_of_coordinates": "Covariance of the prediction, any stable filter.",
     **NOISE_SUMMARIES,
     "lags": "Steady errors behind a constant jerk j, over j T^3 (positions), j T^2 and j T.",
+    POLES: POLE_SUMMARY,
     "minimum_variance_by_lag": "The stable filter of least position variance at a lag (MV).",
     "random_acceleration_by_lag": "The stable random acceleration filter (RA) of a lag.",
     "random_jerk_by_lag": "The random jerk filter (RJ) of a lag.",
@@ -62,6 +66,7 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
         "updated_velocity_lag = (12 alpha - 6 beta + gamma)/(12 gamma);",
         "none behind rest, constant velocity and constant acceleration",
     ),
+    POLES: POLE_EQUATIONS,
     "minimum_variance_by_lag": (
         "with x = 2 lag^(1/3) - 1: alpha = 2 (2 x^2 + 2 x + 1)/(1 + x)^3, beta = 4 x/(1 + x)^3,",
         "gamma = 8/(1 + x)^3, minimum_variance_predicted_11 = (1 + 1/x)^3 - 1",

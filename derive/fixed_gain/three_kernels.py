@@ -20,6 +20,7 @@ from gainproof.derive.fixed_gain.three_named_kernels import (
     random_acceleration_by_gain,
 )
 from gainproof.derive.fixed_gain.three_noise_kernels import noise_graphs
+from gainproof.derive.fixed_gain.three_pole_kernels import POLES, poles
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 
@@ -164,6 +165,7 @@ def graphs() -> dict[str, Graph]:
         "variances_of_coordinates": region_variances(),
         **noise_graphs(),
         "lags": lags(),
+        POLES: poles(),
         "minimum_variance_by_lag": minimum_variance_by_lag(),
         "random_acceleration_by_lag": random_acceleration_by_lag(),
         "random_jerk_by_lag": random_jerk_by_lag(),

@@ -13,6 +13,10 @@ from gainproof.derive.fixed_gain.three_curve_towers import BY_GAIN, BY_LAG, curv
 from gainproof.derive.fixed_gain.three_kernel_words import EQUATIONS, SUMMARIES
 from gainproof.derive.fixed_gain.three_kernels import graphs
 from gainproof.derive.fixed_gain.three_noise_kernels import TURNING, noise_graphs
+from gainproof.derive.fixed_gain.three_pole_kernels import MEANINGS as POLE_MEANINGS
+from gainproof.derive.fixed_gain.three_pole_kernels import POLES, pole_input, pole_meanings
+from gainproof.derive.fixed_gain.three_pole_kernels import TOWER as POLE_TOWER
+from gainproof.derive.fixed_gain.three_pole_kernels import TURNING as POLE_TURNING
 from gainproof.derive.fixed_gain.three_steps_noise import TOWER as NOISE_TOWER
 from gainproof.derive.fixed_gain.three_steps_noise import noise_meanings
 from gainproof.derive.fixed_gain.three_steps_stability import (
@@ -30,6 +34,7 @@ SCALES = {
     "updated_12": "updated_12" + SCALE,
     "updated_13": "updated_13" + SCALE,
     "updated_velocity_lag": "predicted_velocity_lag",
+    **{name: name + SCALE for name in POLE_TURNING},
 }
 NOISE_SCALES = {name: name + SCALE for name in TURNING}
 REASON = "changes its sign; error over the sum of its terms"
@@ -41,6 +46,7 @@ TOWERS = {
     "random_jerk_by_gain": BY_GAIN,
     "random_acceleration_by_gain": "stable_acceleration",
     **dict.fromkeys(noise_graphs(), NOISE_TOWER),
+    POLES: POLE_TOWER,
 }
 LEAST_LAGS = {
     "minimum_variance": "1/8",
@@ -53,6 +59,7 @@ OWN_MEANINGS = {
     "share": "gamma over its largest stable value 2 alpha beta/(2 - alpha)",
     "cubic_coefficient": "d, that of s^3",
     "hurwitz_determinant": "m = x y - d with y the coefficient of s^2",
+    **POLE_MEANINGS,
 }
 
 
@@ -92,6 +99,8 @@ def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
 
 
 def _input(kernel: str, entry: str, meaning: str) -> Input:
+    if kernel == POLES:
+        return pole_input(entry, meaning)
     if entry == "lag":
         low = LEAST_LAGS[kernel.removesuffix("_by_lag")]
         return Input(entry, meaning, low, "1e30", True, False, single=(low, "1e9"))
@@ -129,6 +138,8 @@ def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
 
 def _meant(kernel: str, graph: Graph) -> dict[str, sp.Expr]:
     """What each output stands for, over the names of its tower."""
+    if kernel == POLES:
+        return pole_meanings()
     if TOWERS.get(kernel) == NOISE_TOWER:
         return noise_meanings(kernel, graph)
     g = 2 * ALPHA * BETA - GAMMA * (2 - ALPHA)
