@@ -7,7 +7,6 @@ from gainproof.derive.estimation.linear_facts import Facts, facts
 from gainproof.derive.estimation.linear_setting import (
     ANY,
     COST,
-    COVARIANCE,
     ESTIMATE,
     GAIN,
     LEAST,
@@ -19,12 +18,10 @@ from gainproof.derive.estimation.linear_setting import (
     MODEL,
     NOISE,
     POSITIVE,
-    ROW,
     TRUTH,
     UNIT,
     A,
     M,
-    N,
     V,
     Z,
 )
@@ -45,12 +42,12 @@ REPLACED = ("observed", "mean_observed", "mean_error")
 
 
 def least_squares_steps() -> list[Step]:
-    """The estimate, why it is the least, its mean, its covariance, and those of parts of it."""
+    """The estimate, why it is the least, its mean and its covariance."""
     known = facts()
-    return [*_minimum(known), *_mean(known), *_covariance(known), *_parts(known)]
+    return [*_minimum(known), *_mean(known), *_covariance(known)]
 
 
-def _equal(
+def equal(
     name: str, known: Facts, left: Expression, right: Expression, *given: Hypothesis
 ) -> Statement:
     search = Search(LINEAR, [POSITIVE, *given], known.equations, heavy=REPLACED)
@@ -87,7 +84,7 @@ def _minimum(known: Facts) -> list[Step]:
             ]
         ),
         *meanings(LINEAR, "information"),
-        _equal("normal-equations", known, A.T @ V.inverse @ (Z - A @ ESTIMATE), ZERO).step(
+        equal("normal-equations", known, A.T @ V.inverse @ (Z - A @ ESTIMATE), ZERO).step(
             "Properties 4 and 8: the estimate (40), (65) solves the normal equations, and the "
             "cost (64) of any other `x` exceeds its own by a square. So it is the minimum, and no "
             "other `x` has this cost.",
@@ -96,7 +93,7 @@ def _minimum(known: Facts) -> list[Step]:
         *meanings(LINEAR, "estimator estimate cost least_cost"),
         *together(
             [
-                _equal("completed-square", known, COST, LEAST + change.T @ M @ change),
+                equal("completed-square", known, COST, LEAST + change.T @ M @ change),
                 prove_order(
                     "least-cost",
                     Search(LINEAR, [POSITIVE], [*known.equations, known.definite]),
@@ -121,14 +118,14 @@ def _mean(known: Facts) -> list[Step]:
     mean = [equation(MEAN_Z, A @ TRUTH + MEAN_V), equation(MEAN_V, ZERO)]
     missed = equation(Z, A @ TRUTH + LEFT_OUT @ LEFT_VALUES + NOISE)
     return [
-        _equal("unit-response", known, GAIN @ A, UNIT).step(
+        equal("unit-response", known, GAIN @ A, UNIT).step(
             "Properties 5 and 9, (41) and (66): the estimate is linear in `z`, and the mean is "
             "linear, so it is unbiased: with the means `z_m` of `z` and `v_m = 0` of `v`",
             "`K A = I`.",
         ),
         *together(
             [
-                _equal("error-of-estimate", known, ESTIMATE - TRUTH, GAIN @ NOISE, MODEL),
+                equal("error-of-estimate", known, ESTIMATE - TRUTH, GAIN @ NOISE, MODEL),
                 prove_equal(
                     "unbiased",
                     Search(LINEAR, mean, [known.regular], heavy=REPLACED),
@@ -137,7 +134,7 @@ def _mean(known: Facts) -> list[Step]:
                 ),
             ]
         ),
-        _equal(
+        equal(
             "left-out",
             known,
             ESTIMATE - TRUTH,
@@ -165,59 +162,5 @@ def _covariance(known: Facts) -> list[Step]:
             "(42) and (67): the mean of `v v'` is `V`, so the covariance of the estimate is",
             "The mean of the product of the errors, which is linear in `v v'`.",
         ),
-        *together([_equal("covariance", known, GAIN @ V @ GAIN.T, M.inverse)]),
-    ]
-
-
-def _parts(known: Facts) -> list[Step]:
-    gap = N @ ESTIMATE - N @ TRUTH
-    rows, length = equation(N @ N.T, PART), equation(ROW.T @ ROW, ONE)
-    return [
-        _equal("part-error", known, gap, N @ GAIN @ NOISE, MODEL).step(
-            "Properties 6, 7 and 12: any part `N a` of the unknowns, (46), (51) and (93), is "
-            "estimated by the same part of the estimate, unbiased and with the covariance (48), "
-            "(53), (95):",
-            "`N` times the above.",
-        ),
-        *together(
-            [
-                prove_equal(
-                    "part-unbiased",
-                    Search(
-                        LINEAR,
-                        [equation(MEAN_Z, A @ TRUTH + MEAN_V), equation(MEAN_V, ZERO)],
-                        [known.regular],
-                        heavy=REPLACED,
-                    ),
-                    N @ GAIN @ MEAN_Z,
-                    N @ TRUTH,
-                ),
-                _equal("part-covariance", known, N @ GAIN @ V @ GAIN.T @ N.T, COVARIANCE),
-            ]
-        ),
-        *meanings(LINEAR, "chosen_covariance"),
-        prove_order(
-            "part-definite",
-            Search(LINEAR, [rows], [known.covariance_definite]),
-            COVARIANCE,
-            ZERO,
-            [Square(N.T, known.covariance_definite, left_inverse=N)],
-            strict=True,
-        ).step(
-            "(54): if the rows of `N` are rows of a unit matrix, so `N N' = I`, each variance on "
-            "the diagonal is positive; `e` is a column of a unit matrix.",
-            "`M^-1 > 0` (A7 and A5).",
-        ),
-        *together(
-            [
-                prove_order(
-                    "part-variance",
-                    Search(LINEAR, [rows, length], [known.covariance_definite]),
-                    ROW.T @ COVARIANCE @ ROW,
-                    ZERO,
-                    [Square(N.T @ ROW, known.covariance_definite, left_inverse=ROW.T @ N)],
-                    strict=True,
-                )
-            ]
-        ),
+        *together([equal("covariance", known, GAIN @ V @ GAIN.T, M.inverse)]),
     ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.derive.derivation import Step
-from gainproof.derive.estimation.location_bias_steps import course_covariance
+from gainproof.derive.estimation.location_bias_facts import course_covariance
 from gainproof.derive.estimation.location_facts import Found, noise_blocks, weight
 from gainproof.derive.estimation.location_setting import (
     A_CLEAN,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gainproof.derive.derivation import Step
 from gainproof.derive.estimation.location_facts import Found, Known, known, noise_blocks, weight
+from gainproof.derive.estimation.location_rank_steps import doppler_gram
 from gainproof.derive.estimation.location_setting import (
     A_L,
     A_LD,
@@ -25,7 +26,6 @@ from gainproof.derive.estimation.location_setting import (
     P,
     S,
 )
-from gainproof.derive.estimation.location_solvable_steps import doppler_gram
 from gainproof.derive.estimation.spoken import known_inverse, meanings, together
 from gainproof.derive.words.expression import ZERO, Expression
 from gainproof.derive.words.search import Search

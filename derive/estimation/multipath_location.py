@@ -6,12 +6,17 @@ from gainproof.derive.derivation import Derivation
 from gainproof.derive.estimation import (
     bias_kernel,
     example_steps,
+    free_setting,
     linear_setting,
+    location_latex,
     location_setting,
     order_setting,
+    selection_order_steps,
     selection_setting,
 )
+from gainproof.derive.estimation.estimate_parts_steps import parts_steps
 from gainproof.derive.estimation.fewer_unknowns_steps import fewer_steps
+from gainproof.derive.estimation.free_steps import free_steps
 from gainproof.derive.estimation.least_squares_steps import least_squares_steps
 from gainproof.derive.estimation.linear_facts import facts
 from gainproof.derive.estimation.location_bias_steps import bias_steps
@@ -20,6 +25,7 @@ from gainproof.derive.estimation.location_doppler_steps import doppler_steps
 from gainproof.derive.estimation.location_facts import Found
 from gainproof.derive.estimation.location_model_steps import model_steps
 from gainproof.derive.estimation.location_noise_steps import noise_steps
+from gainproof.derive.estimation.location_rank_steps import rank_steps
 from gainproof.derive.estimation.location_solvable_steps import (
     solvable_steps as location_solvable_steps,
 )
@@ -49,15 +55,19 @@ def build() -> Subject:
     made = {bias_kernel.KERNEL: bias_kernel.graph()}
     steps = (
         *least_squares_steps(),
+        *parts_steps(known),
         *solvable_steps(known),
         *fewer_steps(known),
         *model_steps(found),
         *location_solvable_steps(found),
+        *rank_steps(found),
         *covariance_steps(found),
         *selection_steps(),
+        *selection_order_steps.order_steps(),
         *noise_steps(found),
         *bias_steps(found),
         *doppler_steps(found),
+        *free_steps(),
         *bias_kernel.kernel_steps(made),
         *example_steps.example_steps(),
         *schur_steps(),
@@ -68,6 +78,7 @@ def build() -> Subject:
         linear_setting.LINEAR,
         location_setting.LOCATION,
         selection_setting.SELECTION,
+        free_setting.FREE,
         order_setting.BLOCKS,
         order_setting.ORDER,
     )
@@ -75,7 +86,8 @@ def build() -> Subject:
         **order_setting.LATEX,
         **selection_setting.LATEX,
         **linear_setting.LATEX,
-        **location_setting.LATEX,
+        **free_setting.LATEX,
+        **location_latex.LATEX,
         **bias_kernel.LATEX,
         **example_steps.LATEX,
     }

@@ -12,21 +12,17 @@ from gainproof.derive.estimation.selection_setting import (
     H_L,
     H_S,
     LOWER,
-    M_L,
-    M_S,
     NEVER,
     PADDED,
     Q_L,
     Q_S,
     SELECTION,
-    SOLVABLE,
     UNIT_B,
     UNIT_N,
     UNIT_T,
     WEIGHT,
-    P,
 )
-from gainproof.derive.estimation.spoken import inverse_symmetric, meanings, said, together
+from gainproof.derive.estimation.spoken import meanings, said, together
 from gainproof.derive.words.expression import ZERO, Expression, symbol, unit
 from gainproof.derive.words.hypotheses import symmetric
 from gainproof.derive.words.search import Search
@@ -40,8 +36,8 @@ from gainproof.derive.words.statement import (
 
 
 def selection_steps() -> list[Step]:
-    """From the columns of the unit matrix to the order of the covariances."""
-    return [*_columns(), *_shares(), *_order()]
+    """From the columns of the unit matrix to the order of what biases take away."""
+    return [*_columns(), *_shares()]
 
 
 def _columns() -> list[Step]:
@@ -103,14 +99,14 @@ def definite_inverse(letter: str, rows: Expression, left: Expression) -> list[St
     return [positive, regular, turned]
 
 
-def _facts() -> list[Statement]:
+def facts() -> list[Statement]:
     return [
         *definite_inverse("F22", H_S, H_S.T),
         *definite_inverse("C33", H_L, H_L.T),
     ]
 
 
-def _padded(facts: list[Statement]) -> Statement:
+def padded_below(facts: list[Statement]) -> Statement:
     """(118)."""
     whole, regular = unit("t"), facts[1].id
     left, right = ("inverse", regular, "left"), ("inverse", regular, "right")
@@ -125,14 +121,14 @@ def _padded(facts: list[Statement]) -> Statement:
 
 
 def _shares() -> list[Step]:
-    facts = _facts()
+    known = facts()
     parts = [
         one @ symbol(f"C{i}{j}") @ other.T if i <= j else one @ symbol(f"C{j}{i}").T @ other.T
         for i, one in enumerate((ALWAYS, BETWEEN, NEVER), 1)
         for j, other in enumerate((ALWAYS, BETWEEN, NEVER), 1)
     ]
     blocks = sum(parts[1:], start=parts[0])
-    order = _padded(facts)
+    order = padded_below(known)
     return [
         prove_equal("weight-blocks", Search(SELECTION, [symmetric("G11")]), G11, blocks).step(
             "(114) and (115) are `G11` in blocks, and `F22 = H_S' G11 H_S`; with `G11 > 0` its "
@@ -148,7 +144,7 @@ def _shares() -> list[Step]:
                     F22,
                     H_S.T @ G11 @ H_S,
                 ),
-                *facts,
+                *known,
             ]
         ),
         order.step(
@@ -158,7 +154,7 @@ def _shares() -> list[Step]:
             "`F22^-1 - Q_t` is the square of itself around `F22`; and `Q_L = H_S Q_t H_S'`.",
         ),
         *meanings(SELECTION, "padded Q_small Q_large"),
-        *together(_ordered(order, facts)),
+        *together(_ordered(order, known)),
     ]
 
 
@@ -184,87 +180,4 @@ def _ordered(order: Statement, facts: list[Statement]) -> list[Statement]:
             ZERO,
             [Square(H_L.T, inverse)],
         ),
-    ]
-
-
-def _order() -> list[Step]:
-    facts = _facts()
-    padded = _padded(facts)
-    larger = prove_order(
-        "information-ordered",
-        Search(SELECTION, [], [padded]),
-        M_L,
-        M_S,
-        [Square(H_S.T @ P, padded)],
-    )
-    gap = prove_equal("information-gap", Search(SELECTION), M_L - M_S, P.T @ (Q_S - Q_L) @ P)
-    return [
-        gap.step(
-            "(113) and (121): by (103) the inverses of the covariances are `M_S = K11 - P' Q_S P` "
-            "and `M_L = K11 - P' Q_L P`; the larger choice has the larger one.",
-            "(119) between `P'` and `P`: A7.",
-        ),
-        *meanings(SELECTION, "small_information large_information"),
-        *together([larger]),
-        *_covariances(facts, larger),
-    ]
-
-
-def _covariances(facts: list[Statement], larger: Statement) -> list[Step]:
-    whole, turned = unit("k"), [facts[1], facts[2], facts[4], facts[5]]
-    above = prove_order(
-        "large-definite",
-        Search(SELECTION, [SOLVABLE], [larger]),
-        M_L,
-        ZERO,
-        [Square(whole, larger), Square(whole, SOLVABLE, left_inverse=whole)],
-        strict=True,
-    )
-    small = prove_invertible(
-        "small-regular", Search(SELECTION, [SOLVABLE]), "small_information", SOLVABLE
-    )
-    large = prove_invertible(
-        "large-regular", Search(SELECTION, using=[above]), "large_information", above
-    )
-    given = [SOLVABLE, WEIGHT]
-    gap = prove_equal(
-        "gap-symmetric", Search(SELECTION, [WEIGHT], turned), (M_L - M_S).T, M_L - M_S
-    )
-    inverses = [
-        inverse_symmetric("small-inverse-symmetric", Search(SELECTION, given), M_S, small),
-        inverse_symmetric(
-            "large-inverse-symmetric",
-            Search(
-                SELECTION,
-                [SOLVABLE],
-                aside=[gap],
-                taken=[(whole, SOLVABLE, whole), (whole, gap, whole)],
-            ),
-            M_L,
-            large,
-        ),
-    ]
-    last = [found[-1] for found in inverses]
-    left = ("inverse", small.id, "left")
-    taken = [
-        (-whole, left, M_S.inverse),
-        (whole, left, M_L.inverse),
-        (M_L.inverse, ("inverse", small.id, "right"), whole),
-        (-whole, ("inverse", large.id, "left"), M_L.inverse),
-    ]
-    order = prove_order(
-        "covariances-ordered",
-        Search(SELECTION, given, [*turned, *last, larger], aside=[small, large], taken=taken),
-        M_S.inverse,
-        M_L.inverse,
-        [Square(M_S.inverse - M_L.inverse, SOLVABLE), Square(M_L.inverse, larger)],
-    )
-    return [
-        above.step(
-            "(112), property 14: so the covariance of position and velocity from more clean "
-            "ranges is not above that from fewer, and by A6 no variance on its diagonal is. It is "
-            "step @fewer-unknowns for columns of the unit matrix.",
-            "A4 for `M_L >= M_S > 0`.",
-        ),
-        *together([small, large, gap, *inverses[0], *inverses[1], order]),
     ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.relation import definition, described
@@ -13,7 +14,7 @@ from gainproof.derive.words.setting import Setting
 from gainproof.derive.words.statement import Statement, prove_equal, prove_invertible
 
 REGULAR = "matrix_invertible"
-ON_THE_WAY = ("-itself", "-transposed", "-columns-1", "-columns-2")
+ON_THE_WAY = ("-transposed", "-columns-1", "-columns-2")
 
 
 def meanings(setting: Setting, names: str) -> list[Step]:
@@ -104,16 +105,12 @@ def known_inverse(
 
 
 def inverse_symmetric(
-    name: str,
-    search: Search,
-    matrix: Expression,
-    regular: Statement,
+    name: str, matrix: Expression, regular: Statement, search: Search, sources: Sequence[Any]
 ) -> list[Statement]:
-    """A' = A, which the search finds, and A A^-1 = 1 make the inverse symmetric."""
+    """The inverse of A is symmetric, A' - A being the sum of these equations of the search."""
     setting = search.setting
     size = setting.shape(matrix.value)[0]
     unit, inverse = Expression("unit", size), matrix.inverse
-    same = prove_equal(f"{name}-itself", search, matrix.T, matrix)
     turned = prove_equal(
         f"{name}-transposed",
         Search(setting, using=[regular]),
@@ -122,11 +119,11 @@ def inverse_symmetric(
     )
     taken = [
         (-unit, ("inverse", regular.id, "left"), inverse.T),
-        (-inverse, same, inverse.T),
+        *((-inverse, source, inverse.T) for source in sources),
         (inverse, turned, unit),
     ]
-    whole = Search(setting, aside=[regular, same, turned], taken=taken)
-    return [same, turned, prove_equal(name, whole, inverse.T, inverse)]
+    whole = replace(search, aside=[*search.aside, regular, turned], taken=taken, used=set())
+    return [turned, prove_equal(name, whole, inverse.T, inverse)]
 
 
 def unit_of(setting: Setting, size: str) -> Expression:

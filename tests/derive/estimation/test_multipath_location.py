@@ -1,0 +1,89 @@
+"""Statements on location, held against matrices that fulfil their hypotheses.
+
+That shows no statement for every size: the checker does. It shows that what is claimed is what is
+meant, and that no statement has hypotheses that nothing fulfils.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Iterator, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import location_values
+import pytest
+from word_values import completed, holds, true
+
+import gainproof.generated
+from gainproof.verify.certificate import check
+from gainproof.verify.certificate.document import read_document, read_statement
+from gainproof.verify.certificate.plain import plain
+from gainproof.verify.certificate.rejection import Meter, RejectedError
+
+MATRIX = ("matrix_equal", "matrix_order", "matrix_invertible")
+
+
+@cache
+def certificate() -> Mapping[str, Any]:
+    """As shipped; `gainproof run` and the tests of drift hold it against the derivation."""
+    path = Path(gainproof.generated.__file__).with_name("multipath_location.json")
+    found: Mapping[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return found
+
+
+@cache
+def instances(tower: str) -> tuple[Mapping[str, Any], ...]:
+    """Sets of matrices for one setting."""
+    setting = certificate()["towers"][tower]
+    return tuple(completed(setting, values) for values in location_values.matrices(tower))
+
+
+def statements() -> Iterator[Mapping[str, Any]]:
+    """Those on matrices of every size."""
+    yield from (s for s in certificate()["statements"] if s["kind"] in MATRIX)
+
+
+def test_the_shipped_certificate_is_accepted() -> None:
+    report = check(certificate())
+    assert report.accepted, report.reason
+    assert report.count("rejected") == 0
+    assert len(list(statements())) > 200
+
+
+def test_every_statement_is_true_where_its_hypotheses_are() -> None:
+    for statement in statements():
+        setting = certificate()["towers"][statement["tower"]]
+        fulfilled = [
+            values
+            for values in instances(statement["tower"])
+            if all(holds(setting, entry, values) for entry in statement["claim"]["given"])
+        ]
+        assert fulfilled, f"{statement['id']}: nothing fulfils its hypotheses"
+        for values in fulfilled:
+            assert true(setting, statement["kind"], statement["claim"], values), statement["id"]
+
+
+WEAKER = {
+    "definite": ("semidefinite", "symmetric", "invertible"),
+    "semidefinite": ("symmetric",),
+    "invertible": ("full_column_rank",),
+}
+
+
+def test_no_hypothesis_may_be_left_out_or_weakened() -> None:
+    """Each implication says what its proof needs and no more."""
+    document = read_document(plain(certificate()), Meter())
+    for statement in statements():
+        for number, hypothesis in enumerate(statement["claim"]["given"]):
+            kinds = (None, *WEAKER.get(hypothesis["kind"], ()))
+            for kind in kinds:
+                altered = copy.deepcopy(dict(statement))
+                given = altered["claim"]["given"]
+                given[number : number + 1] = [] if kind is None else [{**hypothesis, "kind": kind}]
+                if statement["kind"] == "matrix_invertible" and kind == "invertible":
+                    continue  # that what is positive definite has an inverse says just that
+                with pytest.raises(RejectedError):
+                    document.decide(read_statement(plain(altered), document.towers, "altered"))
