@@ -17,7 +17,6 @@ from functools import cache
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from scipy import stats
 
 from gainproof.position_velocity import PROCESS_NOISES, steady_state
 from gainproof.verify.oracles import tracks
@@ -57,6 +56,8 @@ def physical_model(
 
 def agrees(errors: NDArray[np.float64], covariance: NDArray[np.float64]) -> bool:
     """Whether the errors' second moments are in the joint interval of stated confidence."""
+    from scipy import stats  # half a second, in every process that collects
+
     count = len(errors)
     white = np.linalg.solve(np.linalg.cholesky(covariance), errors.T)
     factor = np.linalg.cholesky(white @ white.T)

@@ -80,8 +80,9 @@ def imported_names(source: str) -> list[tuple[int, str]]:
             names = [f"{stem}.{alias.name}" for alias in node.names] if ours else [stem]
             found += [(node.lineno, name) for name in names]
         elif isinstance(node, ast.Call):
-            function = ast.unparse(node.func)
-            if function.split(".")[-1] in {"import_module", "__import__"}:
+            named = node.func
+            function = named.attr if isinstance(named, ast.Attribute) else getattr(named, "id", "")
+            if function in {"import_module", "__import__"}:
                 first = node.args[0] if node.args else None
                 literal = first.value if isinstance(first, ast.Constant) else "?"
                 found.append((node.lineno, str(literal)))

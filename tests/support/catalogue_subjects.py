@@ -105,8 +105,13 @@ def _prepare() -> None:
         names = derivations.catalogue(shop)
         assert set(names) >= ALIKE
         derive_with_another_seed(shop, [name for name in names if name not in ALIKE])
-        both = CacheOfTwo(shop.cache.folder, users=Cache(USERS_CACHE))
-        derive_with_another_seed(Workshop(both, shop.progress, shop.code), names)
+        derive_with_another_seed(with_the_users(shop), names)
+
+
+def with_the_users(shop: Workshop) -> Workshop:
+    """The workshop, which knows what the user's cache holds too."""
+    both = CacheOfTwo(shop.cache.folder, users=Cache(USERS_CACHE))
+    return Workshop(both, shop.progress, shop.code)
 
 
 def derive_with_another_seed(shop: Workshop, names: Sequence[str]) -> None:

@@ -1,4 +1,6 @@
-"""The lecture's claims judged as `gainproof check` does it, once in a session."""
+"""The lecture's claims judged as `gainproof check` does it, once in a session, or by
+`gainproof run` before it: the user's cache holds what this code makes of this text.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ import os
 from functools import cache
 from typing import Any
 
-from catalogue_subjects import prepare_all
+from catalogue_subjects import prepare_all, with_the_users
 
 from gainproof import judgements
 from gainproof.workshop import open_workshop
@@ -19,6 +21,7 @@ def lecture_claims() -> list[dict[str, Any]]:
     """Each claim with its verdict and evidence, as plain data; nobody changes it."""
     if "PYTEST_XDIST_WORKER" in os.environ:
         prepare_all()
-    (judged,) = judgements.judge([judgements.find(LECTURE)], open_workshop(quiet=True))
+    shop = with_the_users(open_workshop(quiet=True))
+    (judged,) = judgements.judge([judgements.find(LECTURE)], shop)
     claims: list[dict[str, Any]] = judged["claims"]
     return claims

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from catalogue_subjects import certificate, subject
+from catalogue_subjects import certificate, derived
 from one_of_each import cases
 
 from gainproof.derive.three_state import pole_tower
@@ -72,7 +72,7 @@ def test_the_tower_of_poles_is_tied_to_the_equations_of_the_steady_state(name: s
     tied = {x["id"] for x in copied(name)["statements"] if x["tower"] == tower}
     wanted = {"factors-are-those", "gains-of-factors", "poles-one-by-one", "index-of-level"}
     assert wanted <= tied
-    ids = [step.id for step in subject(name).derivation.steps]
+    ids = [step.id for step in derived(name).steps]
     assert ids.index("level-range") < ids.index("factors-are-those")
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from odd_task import CLAIM, WITNESS, judge_and_hang, odd
+from one_of_each import cases
 
 import gainproof.verify.judge.process_limits as process_limits
 from gainproof.cli import main
@@ -21,7 +22,7 @@ from gainproof.verify.judge.verdict import Finding
 from gainproof.verify.judge.worker import Workers, tried_apart
 
 
-@pytest.mark.parametrize("processes", [1, 2])
+@pytest.mark.parametrize("processes", cases([1, 2], lambda number: number == 2))
 def test_each_loss_costs_one_claim(processes: int) -> None:
     heard: list[str] = []
     tasks = odd("good", "hang", "die", "fail", "talk", "good", *["hang"] * (processes - 1), "good")

@@ -22,17 +22,17 @@ def relations() -> list[Relation]:
     return [*claimed_relations(), *derived_relations()]
 
 
-@pytest.mark.parametrize("start", cases(range(4), lambda start: start == 0))
+@pytest.mark.parametrize("start", cases(range(8), lambda start: start == 0))
 def test_relations_themselves_are_proved(relations: list[Relation], start: int) -> None:
     assert len(relations) > 80
-    for relation in relations[start::4]:
+    for relation in relations[start::8]:
         finding = relation.judge(relation.left, relation.right)
         assert finding.verdict == "proved", f"{relation.name}: {finding.reason}"
 
 
-@pytest.mark.parametrize("start", cases(range(0, 16, 4), lambda start: start == 0))
+@pytest.mark.parametrize("start", cases(range(0, 32, 4), lambda start: start == 0))
 def test_every_false_mutant_is_refused(relations: list[Relation], start: int) -> None:
-    chosen = relations[start::16]
+    chosen = relations[start::32]
     results = run(chosen, 10, SEED)
     assert len(results) > 8 * len(chosen)
     assert sum(r.near for r in results) > len(results) / 8

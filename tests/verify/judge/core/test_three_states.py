@@ -73,7 +73,8 @@ def solved_for(name: str) -> Environment:
 
 @pytest.mark.parametrize("name", NOISES)
 @pytest.mark.parametrize(
-    "place", cases([Fraction(1, 20), Fraction(3, 4), Fraction(40)], lambda place: place < 1)
+    "place",
+    cases([Fraction(1, 20), Fraction(3, 4), Fraction(40)], lambda place: place == Fraction(3, 4)),
 )
 def test_agrees_with_doubling(name: str, place: Fraction) -> None:
     solved = solved_for(name)
@@ -189,19 +190,22 @@ OWN_SYMBOLS = {
 RISES = "about = ['a', '{}']\ntrend = 'increasing'\ntext = 'a rises'"
 
 
+OF_OWN_MODEL = [
+    ("identity", r"\frac{c^2}{1 - a} = \frac{q T^5}{r}", "proved"),
+    ("identity", r"\frac{c^2}{1 - a} = \frac{q T^5}{2 r}", "refuted"),
+    ("monotone", RISES.format("q"), "proved"),
+    ("monotone", RISES.format("T"), "proved"),
+    ("monotone", RISES.format("T").replace("increasing", "decreasing"), "refuted"),
+    ("limit", r"\lim_{q \to 0} b = 0", "proved"),
+    ("limit", r"\lim_{q \to \infty} a = \frac{9}{10}", "refuted"),
+    ("inequality", "a < 1", "proved"),
+    ("inequality", r"a < \frac{9}{10}", "conditional"),
+]
+ONE_OF_A_KIND = [OF_OWN_MODEL[n] for n in (1, 3, 5, 8)]
+
+
 @pytest.mark.parametrize(
-    ("kind", "fields", "wanted"),
-    [
-        ("identity", r"\frac{c^2}{1 - a} = \frac{q T^5}{r}", "proved"),
-        ("identity", r"\frac{c^2}{1 - a} = \frac{q T^5}{2 r}", "refuted"),
-        ("monotone", RISES.format("q"), "proved"),
-        ("monotone", RISES.format("T"), "proved"),
-        ("monotone", RISES.format("T").replace("increasing", "decreasing"), "refuted"),
-        ("limit", r"\lim_{q \to 0} b = 0", "proved"),
-        ("limit", r"\lim_{q \to \infty} a = \frac{9}{10}", "refuted"),
-        ("inequality", "a < 1", "proved"),
-        ("inequality", r"a < \frac{9}{10}", "conditional"),
-    ],
+    ("kind", "fields", "wanted"), cases(OF_OWN_MODEL, lambda case: case in ONE_OF_A_KIND)
 )
 def test_own_model(kind: str, fields: str, wanted: str) -> None:
     check(judged(kind, fields, OWN_SYMBOLS, WHITE), wanted)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from free_gains import FILTERS, verdict
+from one_of_each import cases
 from small_claims import check
 
 from gainproof.verify.judge.verdict import ClaimVerdict
@@ -19,27 +20,38 @@ def order(
     return verdict("ordering", f"{fields}\n{more}", 2, FILTERS)
 
 
+ORDERS = [
+    ("MV RA", "e_{12}", "p_{11}", "proved"),
+    ("MV RA RV", "e_{12}", "p_{11}", "proved"),
+    ("MV RA RV", r"\beta", "p_{11}", "proved"),
+    ("MV RA RV", "e_{12}", r"\alpha", "proved"),
+    ("RA MV", "e_{12}", "p_{11}", "refuted"),
+    ("MV RV RA", "e_{12}", "p_{11}", "refuted"),
+    ("RV RA MV", "e_{12}", "p_{11}", "refuted"),
+    ("RV RA", r"\alpha", "p_{11}", "proved"),
+    # of either filter of minimum variance with this gain
+    ("RV RA MV", r"\alpha", "p_{11}", "proved"),
+    ("MV RA", r"\alpha", "p_{11}", "refuted"),
+    # at an equal gain of the position the lag of RA is the smaller one
+    ("RA RV", r"\alpha", r"\frac{1}{\beta}", "proved"),
+    ("RV RA", r"\alpha", r"\frac{1}{\beta}", "refuted"),
+    # equal, hence not strictly ordered
+    ("MV RA", "e_{12}", r"\beta", "refuted"),
+    ("MV RA", "e_{12}", "e_{12}", "refuted"),
+]
+LIKE_ANOTHER = [
+    ("MV RA", "e_{12}", "p_{11}", "proved"),
+    ("MV RA RV", "e_{12}", r"\alpha", "proved"),
+    ("MV RV RA", "e_{12}", "p_{11}", "refuted"),
+    ("RV RA MV", "e_{12}", "p_{11}", "refuted"),
+    ("RV RA", r"\alpha", "p_{11}", "proved"),
+    ("MV RA", "e_{12}", "e_{12}", "refuted"),
+]
+
+
 @pytest.mark.parametrize(
     ("names", "fixed", "compared", "wanted"),
-    [
-        ("MV RA", "e_{12}", "p_{11}", "proved"),
-        ("MV RA RV", "e_{12}", "p_{11}", "proved"),
-        ("MV RA RV", r"\beta", "p_{11}", "proved"),
-        ("MV RA RV", "e_{12}", r"\alpha", "proved"),
-        ("RA MV", "e_{12}", "p_{11}", "refuted"),
-        ("MV RV RA", "e_{12}", "p_{11}", "refuted"),
-        ("RV RA MV", "e_{12}", "p_{11}", "refuted"),
-        ("RV RA", r"\alpha", "p_{11}", "proved"),
-        # of either filter of minimum variance with this gain
-        ("RV RA MV", r"\alpha", "p_{11}", "proved"),
-        ("MV RA", r"\alpha", "p_{11}", "refuted"),
-        # at an equal gain of the position the lag of RA is the smaller one
-        ("RA RV", r"\alpha", r"\frac{1}{\beta}", "proved"),
-        ("RV RA", r"\alpha", r"\frac{1}{\beta}", "refuted"),
-        # equal, hence not strictly ordered
-        ("MV RA", "e_{12}", r"\beta", "refuted"),
-        ("MV RA", "e_{12}", "e_{12}", "refuted"),
-    ],
+    cases(ORDERS, lambda case: case not in LIKE_ANOTHER),
 )
 def test_orders(names: str, fixed: str, compared: str, wanted: str) -> None:
     found = order(names, fixed, compared)

@@ -10,28 +10,32 @@ import pytest
 import reader_campaign
 from fuzz_tally import Tally
 from reader_campaign import corpus, fuzz_files, fuzz_formulas, fuzz_made, random_formula
+from samples import samples
 
 SECONDS_EACH = 10.0
 """A busy machine may take so long for the longest input; one that hangs takes longer."""
 
 
+@pytest.mark.sampled
 def test_formulas() -> None:
-    tally = fuzz_formulas(20, 2000)
-    assert tally.inputs == 2000
+    tally = fuzz_formulas(20, samples(1000))
+    assert tally.inputs == samples(1000)
     assert tally.crashes == []
     assert tally.seconds < SECONDS_EACH, tally.slowest
     # a fuzz that reads little tests the lexer only
     assert tally.read > tally.inputs // 20
 
 
+@pytest.mark.sampled
 def test_made_formulas() -> None:
-    tally = fuzz_made(20, 1000)
+    tally = fuzz_made(20, samples(500))
     assert tally.crashes == []
     assert 0 < tally.read < tally.inputs
 
 
+@pytest.mark.sampled
 def test_claim_files() -> None:
-    tally = fuzz_files(20, 100)
+    tally = fuzz_files(20, samples(60))
     assert tally.crashes == []
     assert tally.seconds < SECONDS_EACH, tally.slowest
     assert tally.read > tally.inputs // 20

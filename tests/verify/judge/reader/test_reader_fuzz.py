@@ -5,30 +5,33 @@ soon.
 from __future__ import annotations
 
 import random
+from itertools import product
 from string import ascii_letters
 
 import pytest
 from declared import Declared
 from one_of_each import cases
 from reader_fuzz import check_input, random_text, read_or_refuse
+from samples import samples
 
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_CHARACTERS
 from gainproof.verify.judge.reader.reader import read_formula
 
-INPUTS = 2_500
+INPUTS = 1_000
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("seed", cases(range(20, 24), lambda seed: seed == 20))
 def test_only_the_own_error(seed: int) -> None:
-    source = random.Random(seed)
+    source, inputs = random.Random(seed), samples(INPUTS)
     read = {False: 0, True: 0}
-    for number in range(INPUTS):
+    for number in range(inputs):
         plain = number % 4 == 0
         read[plain] += check_input(random_text(source), plain)
     # a fuzz that reads little tests the lexers only
-    assert read[False] > INPUTS // 10
-    assert read[True] > INPUTS // 100
+    assert read[False] > inputs // 10
+    assert read[True] > inputs // 100
 
 
 REPEATED = (
@@ -41,16 +44,17 @@ REPEATED = (
 )
 
 
-@pytest.mark.parametrize("piece", REPEATED)
-def test_the_longest_inputs_end(piece: str) -> None:
+@pytest.mark.parametrize(
+    ("piece", "ending"), cases(product(REPEATED, ("=1", "")), lambda case: case[1] == "=1")
+)
+def test_the_longest_inputs_end(piece: str, ending: str) -> None:
     """Each as long as a formula may be. A reader that takes more than linear time shows here: all
     of them together take seconds.
     """
     text = piece * (MOST_CHARACTERS // len(piece))
-    for ending in ("", "=1"):
-        shorter = text[: MOST_CHARACTERS - len(ending)] + ending
-        read_or_refuse(shorter)
-        read_or_refuse(shorter, plain=True)
+    shorter = text[: MOST_CHARACTERS - len(ending)] + ending
+    read_or_refuse(shorter)
+    read_or_refuse(shorter, plain=True)
 
 
 def test_dots_over_many_declared_names_end() -> None:
