@@ -41,7 +41,7 @@ def _geometry(axes: Axes, found: Location, given: Stations, scale: float, unit: 
         )
         axes.plot(x, y, "^", color=colour, markersize=8, zorder=3)
         words = name if name in clean else f"{name}, biased"
-        axes.annotate(words, (x, y), xytext=(0, -14), textcoords="offset points", ha="center")
+        axes.annotate(words, (x, y), xytext=(0, 7), textcoords="offset points", ha="center")
     x, y = found.position[:2] / scale
     axes.plot(x, y, "o", color=TARGET, zorder=4)
     for other in found.others:
@@ -79,20 +79,16 @@ def _ellipses(axes: Axes, found: Location) -> None:
             curve = ellipse(found.first.covariance[:2, :2], radius) + shift
             axes.plot(*curve.T, color=FIRST, lw=1.0, ls=(0, (4, 3)))
         axes.plot(*shift, "x", color=FIRST, label="bias detection")
-    for radius, words in LEVELS:
+    for radius, _ in LEVELS:
         curve = ellipse(found.covariance[:2, :2], radius)
         axes.plot(*curve.T, color=TARGET, lw=1.6 if radius == 1 else 1.0)
-        top = curve[np.argmax(curve[:, 1])]
-        axes.annotate(
-            words, top, xytext=(0, 2), textcoords="offset points", ha="center", color=TARGET
-        )
     axes.plot(0, 0, "o", color=TARGET, label=found.method)
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.12)
     axes.grid(True)
     axes.set_xlabel("x less the estimate, m")
     axes.set_ylabel("y less the estimate, m")
-    axes.set_title("error ellipse")
+    axes.set_title(f"error ellipses, {LEVELS[0][1]} and {LEVELS[1][1]}")
 
 
 def ellipse(covariance: Reals, radius: float) -> Reals:

@@ -54,7 +54,7 @@ class Problem:
 
 class Linear(NamedTuple):
     """The linear model at N points: residuals (N, m), Jacobians (N, m, k) whose columns are over
-    their scale (N, k); all white, the biases taken out. clear (N,): no station is hit.
+    their scale (N, k); all white, the biases taken out.
     """
 
     residual: Reals
