@@ -36,10 +36,10 @@ def main() -> int:
                 failures += 1
                 sys.stdout.write(f" {wrong}\n")
         seconds = time.perf_counter() - start
-        # both have the checker of certificates alone
+        # these have the checker of certificates alone
         words = [f"{count} statements judged, {seconds:.0f} s"]
         if left := undecided(name):
-            words.append(f"of these undecided, as known: {', '.join(left)}")
+            words.append(f"of these not proved, as known: {', '.join(left)}")
         if left := unjudged(name):
             words.append(
                 f"not judged, of towers with a coupled pair: {len(left)}, {', '.join(left)}"

@@ -6,6 +6,7 @@ Of most families every one; of those whose index holds roots a sample, the whole
 from __future__ import annotations
 
 import copy
+import json
 from typing import Any
 
 import judged_statements
@@ -14,6 +15,8 @@ from catalogue_subjects import certificate, derived
 from judged_statements import DEGREES, OF_ONE_INDEX, SAMPLED, judged, sample
 from one_of_each import cases
 
+from gainproof import places
+from gainproof.derive.catalogue import CATALOGUE
 from gainproof.verify.judge.derivations.relation import judge_relation, judge_statement
 
 
@@ -29,6 +32,17 @@ WHOLE = cases(
     [entry.name for entry in OF_ONE_INDEX if entry.name not in SAMPLED],
     lambda name: name in {TWO_STATES, *DEGREES},
 )
+
+
+def test_families_of_one_index_are_those_whose_towers_have_one_parameter() -> None:
+    """By the committed certificates, which are as derived."""
+    found = []
+    for entry in CATALOGUE:
+        path = places.generated_folder() / f"{entry.name.replace('-', '_')}.json"
+        towers = json.loads(path.read_text(encoding="utf-8"))["towers"].values()
+        if all(len(tower.get("parameters", ())) == 1 for tower in towers):
+            found.append(entry.name)
+    assert found == [entry.name for entry in OF_ONE_INDEX]
 
 
 @pytest.mark.parametrize("name", WHOLE)
