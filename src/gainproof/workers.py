@@ -100,7 +100,9 @@ async def _run(
         await asyncio.gather(*lines)
     except BaseException:
         for line in lines:
-            line.cancel()
+            # an interrupt has cancelled them all, and a second time would break off the ending
+            if not line.cancelling():
+                line.cancel()
         await asyncio.gather(*lines, return_exceptions=True)
         raise
     return [waiting.found[number] for number in range(len(jobs))]
