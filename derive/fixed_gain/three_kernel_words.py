@@ -14,6 +14,7 @@ SUMMARIES = {
     "gains_of_coordinates": "Gains of any stable alpha-beta-gamma filter from its coordinates.",
     "variances": "Covariances under measurement noise alone, from the gains.",
     "variances_of_coordinates": "Covariance of the prediction, any stable filter.",
+    "updated_variances_of_coordinates": "What the update leaves of it, any stable filter.",
     **NOISE_SUMMARIES,
     "lags": "Steady errors behind a constant jerk j, over j T^3 (positions), j T^2 and j T.",
     POLES: POLE_SUMMARY,
@@ -56,6 +57,13 @@ EQUATIONS: Mapping[str, tuple[str, ...]] = {
         "predicted_13 = 4 (x (1 + x) + m)/(d m),",
         "predicted_22 = 4 (d + x (1 + x)^2)/(d m), predicted_23 = 8 x (1 + x)/(d m),",
         "predicted_33 = 16 x/(d m)",
+    ),
+    "updated_variances_of_coordinates": (
+        "updated_12 = 2 x (x - 1) (1 + y - x)/(d m),",
+        "updated_13 = 4 (m + x - x^2)/(d m),",
+        "updated_22 = 4 x (x - 1)^2/(d m) + 4/m, updated_23 = 8 x (x - 1)/(d m), y = (d + m)/x;",
+        "updated_33 is predicted_33, updated_11 is (1 - alpha)^2 predicted_11 + alpha^2; scales",
+        "have plus between the two sums of terms of one sign",
     ),
     **NOISE_EQUATIONS,
     "lags": (

@@ -24,6 +24,8 @@ from gainproof.derive.fixed_gain.three_pole_kernels import POLES, poles
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 
+UPDATED = "updated_variances_of_coordinates"
+
 
 @dataclass(frozen=True)
 class Given:
@@ -156,6 +158,27 @@ def region_variances() -> Graph:
     )
 
 
+def region_updated() -> Graph:
+    """What is left of it after the update, but for the variance of the position."""
+    builder = GraphBuilder()
+    x, d, m = _coordinates(builder)
+    more = (d + m) / x + 1
+    both, square = d * m, x * x
+    part = x / both * 2
+    first = (more + 1) * x * part, (square + more) * part
+    second = (m + x) / both * 4, square / both * 4
+    less = x - 1
+    last = x * 8 / both
+    outputs, differences = {}, {}
+    for ij, (ahead, behind) in {"12": first, "13": second, "23": (last * x, last)}.items():
+        name = f"updated_{ij}"
+        outputs[name] = ahead - behind
+        outputs[name + SCALE] = ahead + behind
+        differences[difference(name)] = outputs[name]
+    outputs["updated_22"] = last * less * less / 2 + 4 / m
+    return builder.graph(outputs, differences)
+
+
 def graphs() -> dict[str, Graph]:
     """The graph of each kernel."""
     return {
@@ -163,6 +186,7 @@ def graphs() -> dict[str, Graph]:
         "gains_of_coordinates": gains(),
         "variances": variances(),
         "variances_of_coordinates": region_variances(),
+        UPDATED: region_updated(),
         **noise_graphs(),
         "lags": lags(),
         POLES: poles(),

@@ -11,7 +11,7 @@ from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.names import MEANINGS
 from gainproof.derive.fixed_gain.three_curve_towers import BY_GAIN, BY_LAG, curve_roots
 from gainproof.derive.fixed_gain.three_kernel_words import EQUATIONS, SUMMARIES
-from gainproof.derive.fixed_gain.three_kernels import graphs
+from gainproof.derive.fixed_gain.three_kernels import UPDATED, graphs
 from gainproof.derive.fixed_gain.three_noise_kernels import TURNING, noise_graphs
 from gainproof.derive.fixed_gain.three_pole_kernels import MEANINGS as POLE_MEANINGS
 from gainproof.derive.fixed_gain.three_pole_kernels import POLES, pole_input, pole_meanings
@@ -33,6 +33,7 @@ from gainproof.derive.relation import Relation
 SCALES = {
     "updated_12": "updated_12" + SCALE,
     "updated_13": "updated_13" + SCALE,
+    "updated_23": "updated_23" + SCALE,
     "updated_velocity_lag": "predicted_velocity_lag",
     **{name: name + SCALE for name in POLE_TURNING},
 }
@@ -88,7 +89,7 @@ def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
         equations=EQUATIONS[kernel],
         inputs=tuple(_input(kernel, symbol, meanings[symbol]) for symbol in symbols),
         outputs=tuple(
-            Output(entry, meanings[entry], scales.get(entry))
+            Output(entry, meanings[entry], scales[entry] if difference(entry) in named else None)
             for entry in graph["outputs"]
             if not entry.endswith(SCALE)
         ),
@@ -142,6 +143,11 @@ def _meant(kernel: str, graph: Graph) -> dict[str, sp.Expr]:
         return pole_meanings()
     if TOWERS.get(kernel) == NOISE_TOWER:
         return noise_meanings(kernel, graph)
+    if kernel == UPDATED:
+        x, y, d, m = (real(name) for name in "xydm")
+        parts = {"12": x * (x + 1) * (1 + y + x) / 4, "13": (m + x + x**2) / 2, "23": x * (x + 1)}
+        scales = {f"updated_{ij}{SCALE}": 8 * part / (d * m) for ij, part in parts.items()}
+        return {output: scales.get(output, real(output)) for output in graph["outputs"]}
     g = 2 * ALPHA * BETA - GAMMA * (2 - ALPHA)
     gap, below = 2 * BETA - GAMMA, g * MARGIN
     known: dict[str, sp.Expr] = {

@@ -85,6 +85,12 @@ def test_the_whole_region_by_its_coordinates(dtype: str, x: float, d: float, m: 
         assert worst_excess(KERNELS["gains_of_coordinates"], dtype, given_, named) <= 1
         truth = covariances(gains)
         assert worst_excess(KERNELS["variances_of_coordinates"], dtype, given_, truth) <= 1
+        both = d_ * m_ / 8
+        truth["updated_12_scale"] = x_ * (x_ + 1) * (1 + x_ + y) / 4 / both
+        truth["updated_13_scale"] = (m_ + x_ + x_**2) / 2 / both
+        truth["updated_23_scale"] = x_ * (x_ + 1) / both
+        updated_ = KERNELS["updated_variances_of_coordinates"]
+        assert worst_excess(updated_, dtype, given_, truth) <= 1
 
 
 @settings(max_examples=samples(40), deadline=None)

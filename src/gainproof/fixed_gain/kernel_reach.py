@@ -11,9 +11,12 @@ from numpy.typing import NDArray
 
 from gainproof.fixed_gain.arguments import Real, Reals, place_of
 from gainproof.fixed_gain.stability import GAINS, Condition
+from gainproof.fixed_gain.twofold import Twofold
 
 PLAIN = 0.25
 """A difference that is at least this share of its terms loses no more than two bits."""
+TWOFOLD = 2.0**-45
+"""One that is at least this share of them keeps more than float64 holds of twice its digits."""
 
 
 class UnreachedError(ValueError):
@@ -82,12 +85,17 @@ def require_reach(signature: Any, given: Sequence[Reals], gains: Sequence[Reals]
 
 
 def gap(condition: Condition, gains: Sequence[Reals]) -> Reals:
-    """greater - less of an inequality, within 4 * 2^-52 of itself: by exact fractions where
-    floats would cancel.
+    """greater - less of an inequality, within 4 * 2^-52 of itself: where floats would cancel with
+    twice their digits, and by exact fractions where these would.
     """
     left, right = condition.less(*gains), condition.greater(*gains)
     found = np.array(np.broadcast_to(right - left, gains[0].shape))
-    lost = ~(np.abs(found) > PLAIN * (np.abs(left) + np.abs(right)))
+    size = np.broadcast_to(np.abs(left) + np.abs(right), found.shape)
+    lost = ~(np.abs(found) > PLAIN * size)
+    if lost.any():
+        pairs = [Twofold.of(gain[lost]) for gain in gains]
+        found[lost] = (condition.greater(*pairs) - condition.less(*pairs)).high
+        lost &= ~((np.abs(found) > TWOFOLD * size) & (size > 1e-100) & (size < 1e100))
     for place in np.flatnonzero(lost):
         exact = [Fraction(float(gain.flat[place])) for gain in gains]
         found.flat[place] = float(condition.greater(*exact) - condition.less(*exact))

@@ -12,6 +12,8 @@ from gainproof.generated import alpha_beta_gamma
 from gainproof.generated.alpha_beta_gamma import Lags, Variances
 
 MARGIN, DETERMINANT = CONDITIONS[3][2], CONDITIONS[3][4]
+FAR = 0.75
+"""Share of the largest stable gamma up to which its rounding is no matter for what is left to 1."""
 TRANSITION = np.array([[1.0, 1.0, 0.5], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]])
 """F over one interval, velocities times T, accelerations times T^2."""
 
@@ -21,15 +23,16 @@ def variances(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Variances:
     accelerations times T^2.
 
     alpha, beta, gamma: numbers or arrays, broadcast together. Within the domain of the kernel
-    (alpha < 1, beta < 2) by its bounds for a gamma that is off by no more than 4 * 2^-52 of itself
-    (the kernel takes its share of the largest stable one); other stable gains through their
-    coordinates, and after the update by (I - K H) P (I - K H)' + K K'.
+    (alpha < 1, beta < 2) and up to 3/4 of the largest stable gamma by its bounds for a gamma that
+    is off by no more than 4 * 2^-52 of itself; other stable gains through their coordinates, which
+    are taken from the gains without loss.
 
     ValueError for gains outside the stability region: which inequality, its values, the first
     place; and for NaN, infinity and shapes that do not fit. TypeError for no real number.
     """
     gains = stable_gains(alpha, beta, gamma)
-    fine = within(alpha_beta_gamma._VARIANCES, _shared(*gains))
+    shared = _shared(*gains)
+    fine = within(alpha_beta_gamma._VARIANCES, shared) & (shared[2] <= FAR)
     return Variances(*put_together(fine, gains, _inside, _beyond))
 
 
@@ -44,7 +47,7 @@ def _inside(*gains: Reals) -> Variances:
 
 
 def _beyond(*gains: Reals) -> Variances:
-    _, beta, gamma = gains
+    alpha, beta, gamma = gains
     given = (
         2 * (beta / gamma),
         2 * (gap(MARGIN, gains) / gamma),
@@ -52,24 +55,11 @@ def _beyond(*gains: Reals) -> Variances:
     )
     require_reach(alpha_beta_gamma._VARIANCES_OF_COORDINATES, given, gains)
     p = alpha_beta_gamma.variances_of_coordinates(*given)
-    left = 1 - gains[0]
-
-    def updated(i: int, j: int) -> Reals:
-        """Entry i, j of (I - K H) P (I - K H)' + K K'."""
-        first = [p.predicted_11, p.predicted_12, p.predicted_13]
-        table = {
-            (1, 1): p.predicted_22,
-            (1, 2): p.predicted_23,
-            (0, 0): first[0],
-            (0, 1): first[1],
-            (0, 2): first[2],
-        }
-        k, m = gains[i], gains[j]
-        value = table[i, j] - k * first[j] - m * first[i] + k * m * (first[0] + 1)
-        return np.asarray(value if i else left * (first[j] - m * first[0]) + k * m)
-
-    after = [updated(*place) for place in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2))]
-    return Variances(*p, *after)
+    q = alpha_beta_gamma.updated_variances_of_coordinates(*given)
+    first = (1 - alpha) ** 2 * np.asarray(p.predicted_11) + alpha**2
+    # a difference of gains, not of their coordinates: 1 + y - x is 2 (2 alpha - beta)/gamma
+    second = q.updated_23 * ((2 * alpha - beta) / (2 * gamma))
+    return Variances(*p, first, second, q.updated_13, q.updated_22, q.updated_23)
 
 
 def lags(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Lags:
