@@ -52,7 +52,9 @@ def compare(gains: Sequence[float], found: Sequence[object], tolerance: float) -
 
 
 INNER = st.one_of(
-    st.floats(1e-3, 0.999), st.floats(1e-9, 0.3).map(lambda x: 1 - x), st.floats(1e-6, 0.1)
+    st.floats(1e-3, 0.999),
+    st.floats(-9.0, -1.0).map(lambda e: 1 - 10.0**e),
+    st.floats(-6.0, -1.0).map(lambda e: 10.0**e),
 )
 """Shares of what a border allows: anywhere, next to it, next to 0."""
 
