@@ -10,7 +10,6 @@ several places the contributions are added with their signs before the magnitude
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -21,20 +20,8 @@ from gainproof.derive.printer.interval import Array, Interval
 from gainproof.derive.printer.program import Step
 from gainproof.derive.printer.ratio import ratio
 from gainproof.derive.printer.structural import measured_by_parts
-from gainproof.derive.printer.value import MARGIN, Mask, Value, none_as_zero, true_size
-
-
-@dataclass(frozen=True)
-class Weight:
-    """Of one step in all outputs (rows) and boxes (columns).
-
-    `share` encloses node * d output/d node over the scale, `active` where the output uses the step,
-    `absolute` bounds |d output/d node| over the scale (None where no step of the program is tiny).
-    """
-
-    share: Interval
-    active: Mask
-    absolute: Array | None
+from gainproof.derive.printer.value import MARGIN, Value, none_as_zero, true_size
+from gainproof.derive.printer.weight import Weight
 
 
 class Adjoint:
@@ -68,8 +55,7 @@ class Adjoint:
 
     def sizes(self, number: int) -> Array:
         """The largest |share| of a step in each output, box by box."""
-        weight = self.weights[number]
-        return np.where(weight.active, interval.magnitude(weight.share), 0.0)
+        return self.weights[number].magnitude(len(self.ends))
 
     def _start(self, row: int, output: int, scale: int) -> None:
         value, reference = self.values[output], self.values[scale]
@@ -85,56 +71,49 @@ class Adjoint:
         else:
             one = ratio(value, reference, self.forward.grid.width)
         wide = (1.0 + value.drift) * interval.SLACK
-        low, high = np.zeros(self.shape), np.zeros(self.shape)
-        low[row], high[row] = one[0] / interval.SLACK, one[1] * wide
+        low, high = one[0] / interval.SLACK, one[1] * wide
         if value.loose:
-            low[row] = -high[row]
-        active = np.zeros(self.shape, np.bool_)
-        active[row] = True
+            low = -high
         absolute = None
         if self.any_tiny:
-            absolute = np.zeros(self.shape)
-            absolute[row] = interval.up(1.0 / true_size(reference)[0][0])
+            absolute = interval.up(1.0 / true_size(reference)[0][0])
             if value.stray is not None:
                 # an absolute error of the output itself moves the ratio output/scale
-                moved = interval.up(absolute[row] * value.stray)
-                low[row], high[row] = low[row] - moved, high[row] + moved
-        self._give(output, Weight((low, high), active, absolute))
+                moved = interval.up(absolute * value.stray)
+                low, high = low - moved, high + moved
+            absolute = absolute[None]
+        self._give(output, Weight((row,), (low[None], high[None]), None, absolute))
 
     def _give(self, number: int, new: Weight) -> None:
         if self.program.steps[number].operation in ("input", "start", "iterate"):
             return  # of an iterate only its distance counts, which its successor's rounding holds
         old = self.weights.get(number)
-        if old is not None:
-            share = interval.signed_add(old.share, new.share)
-            absolute = None
-            if old.absolute is not None and new.absolute is not None:
-                absolute = interval.up(old.absolute + new.absolute)
-            new = Weight(share, old.active | new.active, absolute)
-        self.weights[number] = new
+        self.weights[number] = new if old is None else old + new
 
     def _account(self, number: int) -> None:
         """Adds the step's own rounding to the bounds."""
         value, weight = self.values[number], self.weights[number]
+        place = weight.place
         if value.rounding:
             most = interval.magnitude(weight.share) * value.rounding
             # an empty interval would be a fault of the bounds themselves: proves nothing
-            most = np.where(weight.share[0] <= weight.share[1], most, np.inf)
+            ordered = weight.share[0] <= weight.share[1]
+            if not ordered.all():
+                most = np.where(ordered, most, np.inf)
             least = interval.mignitude(weight.share) * value.rounding
-            self.upper += np.where(weight.active, most, 0.0)
-            self.lower += np.where(weight.active, least, 0.0)
+            self.upper[place] += weight.used(most)
+            self.lower[place] += weight.used(least)
         if value.tiny is not None:
             assert weight.absolute is not None
-            exposed = weight.active & (value.tiny > 0)
             lost = interval.up(weight.absolute * value.tiny) / 2 * MARGIN
-            self.upper += np.where(exposed, lost, 0.0)
+            self.upper[place] += np.where(weight.exposed(value.tiny > 0), lost, 0.0)
         for failed in (value.invalid, value.over):
             if failed is not None:
-                self.upper[weight.active & failed] = np.inf
+                self.upper[place] = np.where(weight.exposed(failed), np.inf, self.upper[place])
 
     def _pass_on(self, number: int) -> None:
         step, value, weight = self.program.steps[number], self.values[number], self.weights[number]
-        share, active, absolute = weight.share, weight.active, self._absolute(number)
+        share, absolute = weight.share, self._absolute(number)
         if value.tiny is not None and absolute is not None:
             lost = np.where(value.tiny > 0, interval.up(absolute * value.tiny), 0.0)
             share = interval.signed_add(share, (-lost, lost))
@@ -144,14 +123,14 @@ class Adjoint:
                 its_share = -bound, bound
             its = None
             if absolute is not None:
-                its = np.where(active, np.fmin(interval.up(absolute * rate), np.inf), 0.0)
-            self._give(part, Weight(its_share, active, its))
+                its = weight.used(np.fmin(interval.up(absolute * rate), np.inf))
+            self._give(part, Weight(weight.rows, its_share, weight.active, its))
         if step.operation == "select":
             assert value.chosen is not None
             for part, mask in ((step.operands[2], value.chosen), (step.operands[3], ~value.chosen)):
                 kept = np.where(mask, share[0], 0.0), np.where(mask, share[1], 0.0)
                 its = None if absolute is None else np.where(mask, absolute, 0.0)
-                self._give(part, Weight(kept, active & mask, its))
+                self._give(part, Weight(weight.rows, kept, weight.exposed(mask), its))
 
     def _parts(self, step: Step, value: Value, share: Interval) -> list[tuple[int, Interval, Any]]:
         """For each operand its step, its share, and a bound of |d step/d operand|."""
@@ -165,7 +144,7 @@ class Adjoint:
             case "add" | "sub":
                 # operands are exact; only a scaled input that underflows has an error to pass
                 lost = [part for part in parts if self.values[part].tiny is not None]
-                whole = np.full(self.shape, np.inf)
+                whole = np.full_like(share[0], np.inf)
                 return [(part, (-whole, whole), 1.0) for part in lost]
             case "less":
                 assert value.shares is not None

@@ -37,28 +37,24 @@ def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Int
         return _at_corners(size, slope)
     axes, count = slope[0].shape
     least, most = (end[1:].reshape((2,) * axes + (count,)) for end in size)
-    rising, falling = slope[0] >= 0, slope[1] <= 0
-    sure = rising | falling
-    settled: NDArray[np.bool_] = np.all(sure, axis=0)
-    certain: NDArray[np.bool_] = np.all(sure, axis=1)
-    away = np.flatnonzero(~certain)  # the axes along which some boxes have no sign
-    moves = interval.spread(np.maximum(-slope[0][away], slope[1][away]), width[away])
-    factors = dict(zip(away.tolist(), moves, strict=True))
-    for axis, (rises, falls) in enumerate(zip(rising, falling, strict=True)):
-        if certain[axis]:
-            least = np.where(rises, least[0], least[1])
-            most = np.where(rises, most[1], most[0])
-            continue
-        factor = factors[axis]
-        lower, upper = np.fmax(least[0], least[1]) / factor, np.fmin(most[0], most[1]) * factor
-        least = np.where(rises, least[0], np.where(falls, least[1], lower))
-        most = np.where(rises, most[1], np.where(falls, most[0], upper))
-    if settled.all():
-        return least, most
-    return (
-        np.where(settled, least, np.fmax(below[0], least)),
-        np.where(settled, most, np.fmin(above[0], most)),
-    )
+    rising = slope[0] >= 0
+    unsure = ~(rising | (slope[1] <= 0))
+    some = unsure.any()
+    for axis, rises in enumerate(rising):
+        lows, highs = least, most
+        least, most = np.where(rises, lows[0], lows[1]), np.where(rises, highs[1], highs[0])
+        away = np.flatnonzero(unsure[axis]) if some else ()
+        if len(away):  # boxes without a sign along this axis
+            steepest = np.maximum(-slope[0][axis, away], slope[1][axis, away])
+            factor = interval.spread(steepest, width[axis, away])
+            lows, highs = lows[..., away], highs[..., away]
+            least[..., away] = np.fmax(lows[0], lows[1]) / factor
+            most[..., away] = np.fmin(highs[0], highs[1]) * factor
+    if some:
+        left = np.flatnonzero(unsure.any(axis=0))
+        least[left] = np.fmax(below[0, left], least[left])
+        most[left] = np.fmin(above[0, left], most[left])
+    return least, most
 
 
 def _at_corners(size: Interval, slope: Interval) -> Interval:
@@ -70,9 +66,12 @@ def _at_corners(size: Interval, slope: Interval) -> Interval:
     least = 2 ** np.arange(len(rises) - 1, -1, -1) @ ~rises
     boxes = np.arange(len(settled))
     below, above = size
+    low, high = below[1 + least, boxes], above[len(above) - 1 - least, boxes]
+    if settled.all():
+        return low, high
     return (
-        np.where(settled, below[1 + least, boxes], np.fmax(below[0], 0.0)),
-        np.where(settled, above[len(above) - 1 - least, boxes], np.fmin(above[0], np.inf)),
+        np.where(settled, low, np.fmax(below[0], 0.0)),
+        np.where(settled, high, np.fmin(above[0], np.inf)),
     )
 
 

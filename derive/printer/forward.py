@@ -57,6 +57,7 @@ class Forward:
         self.count = grid.count
         self.unit = form.unit_roundoff * MARGIN
         self.least_normal = form.least_normal * LEAST_NORMAL
+        self.least, self.largest = form.least, form.largest  # of which every step asks
         self.values: list[Value] = []
         self.cycles = Cycles(program, self)
         for number, step in enumerate(program.steps):
@@ -105,27 +106,29 @@ class Forward:
 
     def _finished(self, number: int, value: Value) -> Value:
         """Marks boxes where the step may leave the normal range."""
-        monotone(value)
+        step = self.program.steps[number]
+        if (
+            step.scale is None and step.operation != "constant"
+        ):  # of these the ends are as they were
+            monotone(value)
         high = value.size[1][0] * (1.0 + value.drift)
         if value.stray is not None:
             high = high + value.stray
-        over = ~(high <= self.form.largest)
-        if over.any():
-            value.over = over
-        empty = ~(value.size[0][0] <= value.size[1][0])
-        if empty.any():  # would be a fault of the ranges themselves: proves nothing
+        within = high <= self.largest
+        if not within.all():
+            value.over = ~within
+        ordered = value.size[0][0] <= value.size[1][0]
+        if not ordered.all():  # would be a fault of the ranges themselves: proves nothing
+            empty = ~ordered
             value.invalid = empty if value.invalid is None else empty | value.invalid
         if value.drift > GREATEST_DRIFT and number not in self.cycles.rough:
             raise PrintingError(f"{self._name(number)}: too many roundings to bound")
-        step = self.program.steps[number]
         if step.operation in ("mul", "div", "sqrt") and (step.scale is None or step.scale < 1):
             low = value.size[0][0] / (1.0 + value.drift) - none_as_zero(value.stray)
-            tiny = (low < self.least_normal) & (value.size[1][0] > 0)
-            if tiny.any():
+            tiny = low < self.least_normal
+            if tiny.any() and (tiny := tiny & (value.size[1][0] > 0)).any():
                 # an error of half the least number, or of the value itself where that is smaller
-                value.tiny = np.where(
-                    tiny, np.minimum(self.form.least, 2.0 * value.size[1][0]), 0.0
-                )
+                value.tiny = np.where(tiny, np.minimum(self.least, 2.0 * value.size[1][0]), 0.0)
                 value.stray = value.tiny if value.stray is None else value.stray + value.tiny
         return value
 

@@ -43,15 +43,15 @@ def up(x: Array) -> Array:
     return upper
 
 
-def _down_or_zero(x: Array) -> Array:
-    """The same; 0 where x is no number."""
+def down_or_zero(x: Array) -> Array:
+    """The same as `down`; 0 where x is no number."""
     lower = np.minimum(x, LARGEST)
     lower *= BELOW
     lower -= LEAST
     return np.fmax(lower, 0.0)  # fmax and fmin ignore NaN
 
 
-def _up_or_infinite(x: Array) -> Array:
+def up_or_infinite(x: Array) -> Array:
     """A number above x >= 0; infinity where x is no number."""
     upper = x * ABOVE
     upper += LEAST
@@ -65,12 +65,12 @@ def add(a: Interval, b: Interval) -> Interval:
 
 def multiply(a: Interval, b: Interval) -> Interval:
     """a b; 0 times infinity gives all that it may stand for."""
-    return _down_or_zero(a[0] * b[0]), _up_or_infinite(a[1] * b[1])
+    return down_or_zero(a[0] * b[0]), up_or_infinite(a[1] * b[1])
 
 
 def divide(a: Interval, b: Interval) -> Interval:
     """a / b; 0/0 and infinity/infinity give all that they may stand for."""
-    return _down_or_zero(a[0] / b[1]), _up_or_infinite(a[1] / b[0])
+    return down_or_zero(a[0] / b[1]), up_or_infinite(a[1] / b[0])
 
 
 def square_root(a: Interval) -> Interval:
@@ -82,6 +82,8 @@ def scale(a: Interval, power: float) -> Interval:
     """a times a power of two: exact unless it leaves the normal range."""
     low, high = a[0] * power, a[1] * power
     tiny = 2.0**-1022
+    if (low >= tiny).all() and (high <= LARGEST).all():
+        return low, high
     return np.where((low < tiny) | np.isinf(low), down(low), low), np.where(
         high < tiny, up(high), high
     )
@@ -137,9 +139,19 @@ def mignitude(a: Interval) -> Array:
 
 
 def _widened(low: Array, high: Array) -> Interval:
-    """Both ends moved outward by a unit at least; what is lost at infinity may be anything."""
-    low, high = low - (np.abs(low) * UNIT + LEAST), high + (np.abs(high) * UNIT + LEAST)
-    if np.isnan(low).any() or np.isnan(high).any():
-        lost: Any = np.isnan(low) | np.isnan(high)
-        return np.where(lost, -np.inf, low), np.where(lost, np.inf, high)
-    return low, high
+    """Both ends moved outward by a unit at least; what is lost at infinity may be anything.
+
+    In place: nobody else has the arrays.
+    """
+    room = np.abs(low)
+    room *= UNIT
+    room += LEAST
+    low -= room
+    room = np.abs(high)
+    room *= UNIT
+    room += LEAST
+    high += room
+    if (low <= high).all():  # there is no NaN
+        return low, high
+    lost: Any = np.isnan(low) | np.isnan(high)
+    return np.where(lost, -np.inf, low), np.where(lost, np.inf, high)

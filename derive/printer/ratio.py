@@ -21,7 +21,7 @@ def ratio(a: Value, b: Value, width: Array) -> Interval:
     low, high = low / wide, high * wide
     if a.stray is not None or b.stray is not None:
         low, high = _astray(a, b, (low, high), wide)
-    return np.fmax(interval.down(low), 0.0), np.fmin(interval.up(high), np.inf)
+    return interval.down_or_zero(low), interval.up_or_infinite(high)
 
 
 def _exact(a: Value, b: Value, width: Array) -> Interval:

@@ -25,7 +25,7 @@ def reason(adjoint: Adjoint, failed: Mask) -> tuple[int, str]:
     found: dict[int, str] = {}
     for number, step in enumerate(forward.program.steps):
         value, weight = forward.values[number], adjoint.weights.get(number)
-        if weight is None or not weight.active[row, box]:
+        if weight is None or not weight.is_active(row, box):
             continue
         name = f"node {step.node} ({step.label or step.operation})"
         if found.keys() & set(step.operands):

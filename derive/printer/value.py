@@ -116,9 +116,14 @@ def sum_of(*errors: float) -> float:
 
 def mean_slope(own: Interval, a: Interval, b: Interval) -> Interval:
     """share * a + (1 - share) * b: linear in the share, so that its ends suffice."""
-    ends = [(w * x + (1.0 - w) * y) for w in own for x, y in ((a[0], b[0]), (a[1], b[1]))]
-    room = 2.0**-48 * (1.0 + np.maximum(interval.magnitude(a), interval.magnitude(b)))
-    low, high = np.minimum(ends[0], ends[2]) - room, np.maximum(ends[1], ends[3]) + room
+    (first, last), others = own, (1.0 - own[0], 1.0 - own[1])
+    room = np.maximum(interval.magnitude(a), interval.magnitude(b))
+    room += 1.0
+    room *= 2.0**-48
+    low = np.minimum(first * a[0] + others[0] * b[0], last * a[0] + others[1] * b[0]) - room
+    high = np.maximum(first * a[1] + others[0] * b[1], last * a[1] + others[1] * b[1]) + room
+    if (low <= high).all():  # there is no NaN
+        return low, high
     return np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
 
 
