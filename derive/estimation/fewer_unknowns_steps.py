@@ -23,6 +23,7 @@ from gainproof.derive.estimation.linear_setting import (
 )
 from gainproof.derive.estimation.solvable_steps import KEPT, fewer_information
 from gainproof.derive.estimation.spoken import meanings, together
+from gainproof.derive.words.expression import Expression
 from gainproof.derive.words.hypotheses import equation
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import (
@@ -115,11 +116,30 @@ def _property(known: Facts) -> list[Step]:
             POSITIVE,
             "right",
         ).step(
-            "Equality: the covariances are the same only if the estimates are, for every `z`; "
-            "then the unknowns that were left out did no harm.",
-            "Step @only-least: with more unknowns the estimate is unbiased for fewer.",
+            "Equality: the covariances are the same if and only if the estimates are, for every "
+            "`z`; then the unknowns that were left out did no harm.",
+            "Step @only-least: with more unknowns the estimate is unbiased for fewer. Back: the "
+            "same estimator has the same covariance.",
         ),
+        *together(_equal_back(known, fewer, response)),
     ]
+
+
+def _equal_back(known: Facts, fewer: list[Statement], response: Expression) -> list[Statement]:
+    """The covariances are the same if the estimators are."""
+    unit, spread = Expression("unit", "k"), N @ GAIN @ V @ GAIN.T @ N.T
+    other = response @ V @ response.T
+    same = prove_equal("same-spread", Search(LINEAR, [equation(N @ GAIN, response)]), spread, other)
+    own = prove_equal("own-spread", Search(LINEAR, [POSITIVE], known.equations), spread, COVARIANCE)
+    short = prove_equal(
+        "fewer-spread",
+        Search(LINEAR, [POSITIVE], [*known.noise, *fewer]),
+        other,
+        FEWER_COVARIANCE,
+    )
+    taken = [(-unit, own, unit), (unit, same, unit), (unit, short, unit)]
+    whole = Search(LINEAR, aside=[own, same, short], taken=taken)
+    return [same, own, short, prove_equal("equal-back", whole, COVARIANCE, FEWER_COVARIANCE)]
 
 
 def _fewer_facts(known: Facts) -> list[Statement]:

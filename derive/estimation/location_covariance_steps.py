@@ -108,7 +108,7 @@ def _inverse(found: Found) -> list[Step]:
     return [
         biases.positive.step(
             "The biases alone have the information `G_b = H' G11 H > 0`. Without the biases' part "
-            "the inverse of the covariance (95) would be `K11`; they take away `P' Q P`, (103), "
+            "the inverse of the covariance (95) would be `K11`; they take away `P' Q_nb P`, (103), "
             "(108), (101):",
             "Multiply (105) by its inverse, and eliminate the corner: theorem 1.",
         ),

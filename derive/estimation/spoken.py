@@ -14,7 +14,7 @@ from gainproof.derive.words.setting import Setting
 from gainproof.derive.words.statement import Statement, prove_equal, prove_invertible
 
 REGULAR = "matrix_invertible"
-ON_THE_WAY = ("-transposed", "-columns-1", "-columns-2")
+ON_THE_WAY = ("-transposed", "-spread", "-columns-1", "-columns-2")
 
 
 def meanings(setting: Setting, names: str) -> list[Step]:
