@@ -19,6 +19,7 @@ from gainproof.derive.sensors.range_doppler_steps_linear import range_steps, rat
 from gainproof.derive.sensors.range_doppler_steps_pairs import pair_steps
 from gainproof.derive.sensors.range_doppler_steps_stations import station_steps
 from gainproof.derive.sensors.range_doppler_steps_value import value_steps
+from gainproof.derive.sensors.range_doppler_textbook import textbook
 from gainproof.derive.sensors.range_doppler_towers import towers
 from gainproof.derive.source import DOPPLER, ELEMENTARY
 from gainproof.derive.subject import Program, Subject
@@ -61,6 +62,6 @@ def build() -> Subject:
             for name, graph in made.items()
         },
         module=kernel_module(NAME, TITLE, made),
-        textbook=dict,
+        textbook=textbook,
         settings={SETTING.name: SETTING},
     )

@@ -139,6 +139,36 @@ def test_terms_are_taken_positive() -> None:
     assert float(terms(graph, {"x": -2.0, "y": 3.0})["z"]) == 8.0
 
 
+def test_what_a_sum_is_divided_by_is_no_sum_of_terms() -> None:
+    """x (p - q)/sqrt((p - q)^2 + x^2): differences of inputs are exact, roots what they are."""
+    builder = GraphBuilder()
+    x, p, q = (builder.symbol(name) for name in "xpq")
+    apart = p - q
+    root = builder.sqrt(apart * apart + x * x)
+    graph = builder.graph({"z": x * apart / root - x})
+    found = terms(graph, {"x": -4.0, "p": 2.0, "q": 5.0})["z"]
+    assert float(found) == 4.0 * 3.0 / 5.0 + 4.0
+
+
+@pytest.mark.parametrize(
+    ("subject_name", "kernel"),
+    [("polar-coordinates", "to_polar"), ("range-doppler", "range_doppler_in_plane")],
+)
+def test_kernels_of_a_library_and_of_two_points_are_measured(
+    subject_name: str, kernel: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Sine, cosine and atan2 in balls; points that fall together are left out."""
+    monkeypatch.setattr(measure, "ERROR_POINTS", 20)
+    (found,) = [each for each in measured_kernels([subject_name]) if each.kernel.name == kernel]
+    worst, proved = measure.worst_error(found)
+    assert 0.3 < worst <= proved
+    if found.textbook is None:
+        return
+    given = sample(found.signature, 50)
+    for plain, value in zip(measure.lambdified(found)(*given), found.function(*given), strict=True):
+        np.testing.assert_allclose(plain, value, rtol=1e-9, atol=1e-9 * np.abs(value).max())
+
+
 def test_every_kernel_takes_the_arguments_that_it_is_timed_at() -> None:
     for found in pkgutil.iter_modules(gainproof.generated.__path__, "gainproof.generated."):
         module = import_module(found.name)

@@ -8,14 +8,26 @@ from __future__ import annotations
 
 import math
 from collections import ChainMap
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from types import MappingProxyType
 from typing import Any
 
 from flint import arb, ctx, fmpq
 
 Graph = Mapping[str, Any]
 Ball = Any  # flint.arb; python-flint ships no types
+LIBRARY: Mapping[str, Callable[..., Ball]] = MappingProxyType(
+    {
+        "sin": arb.sin,
+        "cos": arb.cos,
+        "exp": arb.exp,
+        "expm1": arb.expm1,
+        "atan2": arb.atan2,
+        "hypot": lambda x, y: (x * x + y * y).sqrt(),
+    }
+)
+"""What kernels call of NumPy's functions."""
 
 
 def ball_outputs(graph: Graph, point: Mapping[str, float], precision: int = 192) -> dict[str, Ball]:
@@ -90,6 +102,8 @@ def _value(
             return abs(chosen[0])
         if name == "near_cbrt":
             return chosen[0].root(3)
+        if name in LIBRARY:
+            return LIBRARY[name](*chosen)
         if name == "fixed_point":
             return chosen[2]
         if chosen[0] < chosen[1]:
@@ -129,9 +143,28 @@ def signed_points(highest: float, count: int, generator: Any) -> list[float]:
     return [float(generator.choice([-1.0, 1.0])) * size for size in sizes]
 
 
-def terms(graph: Graph, point: Mapping[str, float]) -> dict[str, Ball]:
-    """The outputs of a graph with every term of its sums taken positive."""
-    nodes = [
-        ["call", "abs", node[1]] if node[0] == "neg" else list(node) for node in graph["nodes"]
-    ]
-    return ball_outputs({**graph, "nodes": nodes}, {name: abs(x) for name, x in point.items()})
+def terms(graph: Graph, point: Mapping[str, float], precision: int = 192) -> dict[str, Ball]:
+    """The outputs of a graph with every term of its sums taken positive; what a sum is divided by
+    is what it is, and so is a difference of two inputs, which errs by one rounding.
+    """
+    with ctx.workprec(precision):
+        values, sizes = dict[int, Ball](), dict[int, Ball]()
+        nodes = graph["nodes"]
+        for number, (operation, *operands) in enumerate(nodes):
+            values[number] = value = _value(operation, operands, values, point)
+            exact = operation == "add" and all(_is_input(nodes, part) for part in operands)
+            if operation in ("add", "mul") and not exact:
+                sizes[number] = _value(operation, operands, sizes, point)
+            elif operation in ("div", "neg"):
+                sizes[number] = sizes[operands[0]]
+                if operation == "div":
+                    sizes[number] /= abs(values[operands[1]])
+            else:
+                sizes[number] = abs(value)
+        return {name: sizes[number] for name, number in graph["outputs"].items()}
+
+
+def _is_input(nodes: Sequence[Sequence[Any]], number: int) -> bool:
+    """Whether a node is an input or its negative."""
+    operation, *operands = nodes[number]
+    return operation == "symbol" or (operation == "neg" and _is_input(nodes, operands[0]))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gainproof.bench.compiler import Arrays
-from gainproof.generated._signature import Domain, Signature
+from gainproof.generated._signature import Domain, Required, Signature
 
 TRIES = 20
 """How often arguments that do not fit together are drawn again."""
@@ -22,14 +22,27 @@ def sample(signature: Signature, size: int) -> Arrays:
     given = [_arguments(domain, size, generator) for domain in signature.inputs]
     for required in signature.required:
         for _ in range(TRIES):
-            value = np.empty(size)
-            work = [np.empty(size) for _ in range(required.work)]
-            with np.errstate(all="ignore"):
-                required.block(given, [value], work, False)
-            missed = np.flatnonzero(~(value >= required.double))
+            missed = _missing(required, given)
             for column, domain in zip(given, signature.inputs, strict=True):
                 column[missed] = _arguments(domain, missed.size, generator)
     return given
+
+
+def fitting(signature: Signature, given: Arrays) -> Arrays:
+    """Those arguments that fulfil together what they must."""
+    for required in signature.required:
+        missed = _missing(required, given)
+        given = [np.delete(column, missed) for column in given]
+    return given
+
+
+def _missing(required: Required, given: Arrays) -> NDArray[np.intp]:
+    """The places where inputs together are not what they must be."""
+    value = np.empty_like(given[0])
+    work = [np.empty_like(value) for _ in range(required.work)]
+    with np.errstate(all="ignore"):
+        required.block(given, [value], work, False)
+    return np.flatnonzero(~(value >= required.double))
 
 
 def _arguments(domain: Domain, size: int, generator: np.random.Generator) -> NDArray[np.float64]:

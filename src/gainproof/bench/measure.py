@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 
 from gainproof.bench.accuracy import ball_outputs, error, log_uniform, signed_points, terms
-from gainproof.bench.arguments import sample
+from gainproof.bench.arguments import fitting, sample
 from gainproof.bench.compiler import Arrays, compiled, compiler
 from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
@@ -120,6 +120,7 @@ def worst_error(item: Measured) -> tuple[float, float]:
             lowest = max(low, 1.0) if given.integer else low
             points = log_uniform(lowest, high, ERROR_POINTS, generator)
             columns.append([float(round(x)) for x in points] if given.integer else points)
+        columns = [x.tolist() for x in fitting(item.signature, list(map(np.array, columns)))]
         values = item.function(*(np.array(column) for column in columns))[number]
         for place, value in zip(zip(*columns, strict=True), values, strict=True):
             point = dict(zip(names, place, strict=True))

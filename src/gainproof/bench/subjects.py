@@ -14,7 +14,6 @@ from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.printer.bound import KernelBound, prove
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.program import FUNCTIONS
 
 
 @dataclass(frozen=True)
@@ -31,8 +30,8 @@ class Measured:
 
 
 def measured_kernels(chosen: Sequence[str] = ()) -> Iterator[Measured]:
-    """Every kernel of the catalogue or of the chosen subjects, in its order, but for those of a
-    library's functions. Raises BadInputError for a subject that is none.
+    """Every kernel of the catalogue or of the chosen subjects, in its order. Raises
+    BadInputError for a subject that is none.
     """
     names = [entry.name for entry in CATALOGUE]
     for name in chosen:
@@ -45,8 +44,6 @@ def measured_kernels(chosen: Sequence[str] = ()) -> Iterator[Measured]:
         module = import_module(f"gainproof.generated.{subject.module.name}")
         textbook = subject.textbook()
         for kernel in subject.module.kernels:
-            if calls_library(kernel):
-                continue
             yield Measured(
                 subject.name,
                 kernel,
@@ -56,8 +53,3 @@ def measured_kernels(chosen: Sequence[str] = ()) -> Iterator[Measured]:
                 textbook.get(kernel.name),
                 subject.model_data,
             )
-
-
-def calls_library(kernel: Kernel) -> bool:
-    """Whether a kernel calls functions whose errors are an assumption; they are not timed here."""
-    return any(node[0] == "call" and node[1] in FUNCTIONS for node in kernel.graph["nodes"])
