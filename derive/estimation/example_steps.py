@@ -94,7 +94,8 @@ def _difference(left: sp.Expr, right: sp.Expr) -> sp.Expr:
 
 def example_steps() -> list[Step]:
     """Table 1, exactly; one of its numbers is not rounded."""
-    variance = Choice(4).course[3, 3]
+    last = Choice(4)
+    variance = last.course[3, 3]
     return [
         *Choice(0).steps(
             "Example 1, (139) to (147), in a plane: four stations at rest, ranges to 10 m, Doppler "
@@ -109,7 +110,7 @@ def example_steps() -> list[Step]:
             "m^2, `17/2050`, `27/2050` (m/s)^2:",
             "Likewise.",
         ),
-        *Choice(4).steps(
+        *last.steps(
             "And with all four, `n_b = 4`, they are `300/13`, `100/3` m^2, `1/130`, `7/650` "
             "(m/s)^2:",
             "Likewise.",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from gainproof.derive.words.expression import Expression
@@ -29,6 +30,11 @@ class Setting:
     blocks: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     elements: Mapping[str, Expression] = field(default_factory=dict)
     inverses: tuple[str, ...] = ()
+
+    @cached_property
+    def meanings(self) -> Mapping[str, Polynomial]:
+        """The elements multiplied out, which every proof starts with."""
+        return {name: self.expand(meaning) for name, meaning in self.elements.items()}
 
     @property
     def variables(self) -> tuple[str, ...]:
@@ -111,9 +117,7 @@ class Setting:
                 name: size for name, size in self.units.items() if spoken is None or name in spoken
             },
             "blocks": {size: list(names) for size, names in self.blocks.items()},
-            "elements": {
-                name: self.expand(meaning).data() for name, meaning in self.elements.items()
-            },
+            "elements": {name: meaning.data() for name, meaning in self.meanings.items()},
             "inverses": {f"{name}_inverse": name for name in self.inverses},
         }
 

@@ -18,7 +18,7 @@ Equations = list[tuple[Polynomial, Source]]
 
 def element_rules(setting: Setting, name: str) -> list[Rule]:
     """A letter and its transpose are replaced by what they stand for."""
-    meaning = setting.expand(setting.elements[name])
+    meaning = setting.meanings[name]
     made = []
     for flag in (False, True):
         tail = meaning.T if flag else meaning
