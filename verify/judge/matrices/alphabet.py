@@ -68,6 +68,13 @@ class Alphabet:
         """Whether a letter of the setting was spoken of."""
         return name in self._numbers
 
+    def of_shape(self, shape: Shape) -> tuple[int, bool]:
+        """A letter of this shape, and whether its transpose is; a new one if there is none."""
+        for number, known in enumerate(self.shapes):
+            if shape in (known, known[::-1]):
+                return number, shape != known
+        return self._new("zero", shape), False
+
     def letter(self, number: int) -> Polynomial:
         """The letter as a polynomial."""
         return Polynomial({(2 * number,): ONE}, self.shapes[number])

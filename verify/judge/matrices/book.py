@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from gainproof.verify.judge.matrices.alphabet import ONE, Alphabet
-from gainproof.verify.judge.matrices.macaulay import products_for
+from gainproof.verify.judge.matrices.macaulay import (
+    MOST_PRODUCTS,
+    Budget,
+    UnprovedError,
+    products_for,
+)
 from gainproof.verify.judge.matrices.polynomial import Polynomial, Word, turned
 from gainproof.verify.judge.matrices.size import Size
 
 Source = tuple[Any, ...]
+MOST_PARTED = 60
+"""Terms of an equation of which parts between blocks are taken too."""
 
 
 @dataclass(frozen=True)
@@ -42,11 +49,21 @@ class Equation:
     """A polynomial in normal form that is the sum of cofactors, hence 0."""
 
     value: Polynomial
-    proof: tuple[Cofactor, ...]
+    make: Callable[[], tuple[Cofactor, ...]]
+
+    @property
+    def proof(self) -> tuple[Cofactor, ...]:
+        """The cofactors, which are formed when they are wanted: most equations are never used."""
+        return self.make()
 
     def transposed(self) -> Equation:
         """The transposed equation, not in normal form."""
-        return Equation(self.value.T, tuple(c.transposed() for c in self.proof))
+        return Equation(self.value.T, lambda: tuple(c.transposed() for c in self.proof))
+
+    def inside(self, left: Polynomial, right: Polynomial) -> Equation:
+        """Between two factors, not in normal form."""
+        value = left @ self.value @ right
+        return Equation(value, lambda: tuple(c.inside(left, right) for c in self.proof))
 
 
 @dataclass(frozen=True)
@@ -56,10 +73,6 @@ class Known:
     reference: Source
     value: Polynomial
     strict: bool
-
-
-class UnprovedError(ValueError):
-    """What the search does not prove."""
 
 
 @dataclass
@@ -80,6 +93,11 @@ class Book:
     differences: dict[str, Polynomial] = field(default_factory=dict)
     waiting: list[tuple[int, Source]] = field(default_factory=list)
     hints: list[Polynomial] = field(default_factory=list)
+    said: list[Polynomial] = field(default_factory=list)
+    established: set[int] = field(default_factory=set)
+    pending: list[Source] = field(default_factory=list)
+    most: int = MOST_PRODUCTS
+    budget: Budget = field(default_factory=Budget)
     _used: dict[str, set[int]] = field(default_factory=dict)
     _contracted: list[Equation] = field(default_factory=list)
     _contracted_so_far: int = 0
@@ -123,12 +141,21 @@ class Book:
         one = Cofactor(
             source, False, self.alphabet.unit(value.shape[0]), self.alphabet.unit(value.shape[1])
         )
-        return self.normal(Equation(value, (one,)))
+        return self.normal(Equation(value, lambda: (one,)))
 
     def normal(self, equation: Equation) -> Equation:
         """The same equation in normal form."""
-        value, trace = self.traced(equation.value)
-        return Equation(value, (*equation.proof, *(c.negative() for c in trace)))
+        alphabet = self.alphabet
+        for word in equation.value.terms:
+            for letter in word:
+                if letter % 2 and letter // 2 in alphabet.symmetric - self.symmetric.keys():
+                    raise UnprovedError(f"{alphabet.names[letter // 2]} is not shown symmetric")
+
+        def make() -> tuple[Cofactor, ...]:
+            trace = self.traced(equation.value)[1]
+            return (*equation.proof, *(c.negative() for c in trace))
+
+        return Equation(alphabet.reduced(equation.value), make)
 
     def traced(self, value: Polynomial) -> tuple[Polynomial, list[Cofactor]]:
         """The normal form, and cofactors whose sum is what was taken away."""
@@ -150,7 +177,7 @@ class Book:
                 if letter // 2 not in self.symmetric:
                     raise UnprovedError(f"{alphabet.names[letter // 2]} is not shown symmetric")
                 trace.append(
-                    self._at(word, at, at + 1, self.symmetric[letter // 2], False, factor, value)
+                    self.at(word, at, at + 1, self.symmetric[letter // 2], False, factor, value)
                 )
                 word = (*word[:at], letter - 1, *word[at + 1 :])
             at += 1
@@ -161,7 +188,7 @@ class Book:
                 at += 1
                 continue
             source, flipped = self._pair(word[at], word[at + 1])
-            trace.append(self._at(word, at, at + 2, source, flipped, factor, value))
+            trace.append(self.at(word, at, at + 2, source, flipped, factor, value))
             if met is False:
                 return None
             word = word[:at] + word[at + 2 :]
@@ -180,7 +207,7 @@ class Book:
         flipped = bool(one % 2)
         return ("inverse", base, "right" if is_base != flipped else "left"), flipped
 
-    def _at(
+    def at(
         self,
         word: Word,
         start: int,
@@ -216,7 +243,7 @@ class Book:
             number, flipped = word[at] // 2, bool(word[at] % 2)
             meaning = alphabet.elements[number]
             meaning = meaning.T if flipped else meaning
-            one = self._at(word, at, at + 1, ("element", number), flipped, value.terms[word], value)
+            one = self.at(word, at, at + 1, ("element", number), flipped, value.terms[word], value)
             gone = Polynomial({word: value.terms[word]}, value.shape)
             value = value - gone + one.left @ meaning @ one.right
             cofactors.append(one)
@@ -224,45 +251,63 @@ class Book:
     def contracted(self, value: Polynomial) -> tuple[Polynomial, list[Cofactor]]:
         """A polynomial in normal form without last blocks that meet their transposes."""
         alphabet, cofactors = self.alphabet, list[Cofactor]()
-        while True:
-            pairs = ((word, alphabet.last_pair(word)) for word in value.terms)
-            word, at = next((pair for pair in pairs if pair[1] is not None), ((), None))
+        done: dict[Word, Fraction] = {}
+        waiting = dict(value.terms)
+        while waiting:
+            word, factor = waiting.popitem()
+            at = alphabet.last_pair(word)
             if at is None:
-                return value, cofactors
+                total = done.pop(word, Fraction(0)) + factor
+                if total:
+                    done[word] = total
+                continue
             size = alphabet.place[word[at] // 2][0]
-            one = self._at(word, at, at + 2, ("blocks", size), False, value.terms[word], value)
-            value = value - one.left @ self.raw(one.source) @ one.right
-            value, trace = self.traced(value)
+            one = self.at(word, at, at + 2, ("blocks", size), False, factor, value)
+            whole = Polynomial({word: factor}, value.shape)
+            rest, trace = self.traced(whole - one.left @ self.raw(one.source) @ one.right)
             cofactors += [one, *trace]
+            for other, part in rest.terms.items():
+                total = waiting.pop(other, Fraction(0)) + part
+                if total:
+                    waiting[other] = total
+        return Polynomial(done, value.shape), cofactors
 
     def contracted_equation(self, equation: Equation) -> Equation:
         """The same equation without last blocks that meet their transposes."""
-        value, trace = self.contracted(equation.value)
-        return Equation(value, (*equation.proof, *(c.negative() for c in trace)))
+
+        def make() -> tuple[Cofactor, ...]:
+            trace = self.contracted(equation.value)[1]
+            return (*equation.proof, *(c.negative() for c in trace))
+
+        return Equation(self.short(equation.value), make)
+
+    def short(self, value: Polynomial) -> Polynomial:
+        """`contracted` without cofactors."""
+        terms: dict[Word, Fraction] = {}
+        for word, factor in value.terms.items():
+            for other, times in self.alphabet.contracted(word).items():
+                total = terms.pop(other, Fraction(0)) + factor * times
+                if total:
+                    terms[other] = total
+        self.budget.charge(sum(map(len, value.terms)) + sum(map(len, terms)))
+        return Polynomial(terms, value.shape)
 
     def vanishing(
-        self, residual: Polynomial, more: Sequence[Equation] = (), *, thorough: bool = False
+        self, residual: Polynomial, more: Sequence[Equation] = (), most: int = MOST_PRODUCTS
     ) -> list[Cofactor]:
-        """Cofactors whose sum the residual is; `thorough`: also where blocks are put in again, which
-        takes longer. Raises UnprovedError if none are found.
+        """Cofactors whose sum the residual is, of at most so many products. Raises UnprovedError if
+        none are found.
         """
+        most = min(most, self.most)
         residual, replaced = self.without_elements(residual)
         value, trace = self.traced(residual)
-        short, contracted = self.contracted(value)
+        short = self.short(value)
         if not short.terms:
-            return [*replaced, *trace, *contracted]
-        try:
-            found = self._found(short, [*self._contracted_equations(), *more], True)
-            return [*replaced, *trace, *contracted, *found]
-        except UnprovedError:
-            if not thorough:
-                raise
-            blocks = [self.equation(("blocks", size)) for size in self.alphabet.blocks]
-            return [
-                *replaced,
-                *trace,
-                *self._found(value, [*blocks, *self.equations, *more], False),
-            ]
+            return [*replaced, *trace, *self.contracted(value)[1]]
+        if not most:
+            raise UnprovedError("no proof was found")
+        found = self._found(short, [*self._contracted_equations(), *more], most)
+        return [*replaced, *trace, *self.contracted(value)[1], *found]
 
     def _contracted_equations(self) -> list[Equation]:
         """Every equation, and times the blocks with which its words begin or end."""
@@ -270,18 +315,18 @@ class Book:
         while self._contracted_so_far < len(self.equations):
             equation = self.equations[self._contracted_so_far]
             self._contracted_so_far += 1
-            fresh = [self.contracted_equation(equation)]
+            fresh = [self.contracted_equation(equation), *self._between_blocks(equation)]
             rows, columns = (alphabet.unit(size) for size in equation.value.shape)
+            if len(equation.value.terms) > MOST_PARTED:
+                fresh = fresh[:1]
             for number in sorted({w[0] // 2 for w in equation.value.terms if w and w[0] % 2}):
                 if number in alphabet.place:
                     block = alphabet.letter(number)
-                    parts = tuple(c.inside(block, columns) for c in equation.proof)
-                    fresh.append(Equation(block @ equation.value, parts))
+                    fresh.append(equation.inside(block, columns))
             for number in sorted({w[-1] // 2 for w in equation.value.terms if w and not w[-1] % 2}):
                 if number in alphabet.place:
                     block = alphabet.letter(number).T
-                    parts = tuple(c.inside(rows, block) for c in equation.proof)
-                    fresh.append(Equation(equation.value @ block, parts))
+                    fresh.append(equation.inside(rows, block))
             known = {e.value.key for e in self._contracted}
             for one in fresh:
                 short = self.contracted_equation(self.normal(one))
@@ -289,10 +334,23 @@ class Book:
                     self._contracted.append(short)
         return self._contracted
 
-    def _found(
-        self, value: Polynomial, equations: Sequence[Equation], contract: bool
-    ) -> list[Cofactor]:
-        found = products_for(value, [e.value for e in equations], self.alphabet, contract)
+    def _between_blocks(self, equation: Equation) -> list[Equation]:
+        """The equation between blocks of the sizes with which its words begin or end."""
+        alphabet, value = self.alphabet, equation.value
+        rows, columns = value.shape
+        begins = any(w and not w[0] % 2 and w[0] // 2 in alphabet.place for w in value.terms)
+        ends = any(w and w[-1] % 2 and w[-1] // 2 in alphabet.place for w in value.terms)
+        left = [alphabet.letter(n).T for n in alphabet.blocks.get(rows, ())] if begins else []
+        right = [alphabet.letter(n) for n in alphabet.blocks.get(columns, ())] if ends else []
+        one, two = alphabet.unit(rows), alphabet.unit(columns)
+        pairs = [(a, two) for a in left] + [(one, b) for b in right]
+        pairs += [(a, b) for a in left for b in right]
+        return [equation.inside(a, b) for a, b in pairs]
+
+    def _found(self, value: Polynomial, equations: Sequence[Equation], most: int) -> list[Cofactor]:
+        self.budget.charge(0)
+        values = [e.value for e in equations]
+        found = products_for(value, values, self.alphabet, most, self.budget)
         if found is None:
             raise UnprovedError("no proof was found")
         cofactors, rest = list[Cofactor](), value
@@ -444,7 +502,9 @@ class Book:
                 parts.append(add("symbol", f"unit_{self.alphabet.size_name(value.shape[0])}"))
             sums.append(parts[0] if len(parts) == 1 else add("mul", *parts))
         if not sums:
-            add("number", "0")
+            number, flipped = self.alphabet.of_shape(value.shape)
+            own = add("symbol", self.alphabet.names[number])
+            add("mul", add("number", "0"), add("transpose", own) if flipped else own)
         elif len(sums) > 1:
             add("add", *sums)
         return {"nodes": nodes, "outputs": {"value": len(nodes) - 1}}

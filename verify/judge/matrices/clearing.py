@@ -1,4 +1,6 @@
-"""Equations with inverses: as they stand, or multiplied by what is inverted."""
+"""Equations with inverses: as they stand, with inverses of block matrices written out, or
+multiplied by what is inverted.
+"""
 
 from __future__ import annotations
 
@@ -6,25 +8,75 @@ from collections.abc import Callable, Iterator, Sequence
 
 from gainproof.verify.judge.matrices.alphabet import ONE
 from gainproof.verify.judge.matrices.book import Book, Cofactor, Equation, UnprovedError
+from gainproof.verify.judge.matrices.explicit import (
+    Establish,
+    Explicit,
+    explicit_inverses,
+    put_in,
+)
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 
 MOST_MULTIPLIERS = 8
-Multiplied = tuple[Polynomial, Callable[[Sequence[Cofactor]], list[Cofactor]]]
+Finish = Callable[[Sequence[Cofactor]], list[Cofactor]]
+FAILURES = (UnprovedError, TooLongError)
 
 
-def cleared(book: Book, residual: Polynomial) -> list[Cofactor]:
-    """Cofactors whose sum is the residual. Raises UnprovedError if none are found."""
-    for more in ((), multiples(book, residual)):
+def cleared(book: Book, residual: Polynomial, establish: Establish) -> list[Cofactor]:
+    """Cofactors whose sum the residual is. Raises UnprovedError if none are found."""
+    try:
+        return book.vanishing(residual)
+    except FAILURES:
+        pass
+    written = explicit_inverses(book, establish)
+    ways: list[tuple[Polynomial, Finish]] = [(residual, list), *_multiplied(book, residual)]
+    if written:
+        for goal, finish in ways:
+            try:
+                return finish(_with_written(book, goal, written))
+            except FAILURES:
+                continue
+    for goal, finish in ways:
         try:
-            return book.vanishing(residual, more)
-        except (UnprovedError, TooLongError):
+            return finish(book.vanishing(goal, multiples(book, goal)))
+        except FAILURES:
             continue
-    for multiplied, finish in _multiplied(book, residual):
-        try:
-            return finish(book.vanishing(multiplied, multiples(book, multiplied)))
-        except (UnprovedError, TooLongError):
-            continue
-    return book.vanishing(residual, thorough=True)
+    raise UnprovedError("no proof was found")
+
+
+def _with_written(book: Book, residual: Polynomial, written: list[Explicit]) -> list[Cofactor]:
+    """The same with inverses of block matrices written out, also in the equations."""
+    residual, replaced = book.without_elements(residual)
+    value, trace = book.traced(residual)
+    put = put_in(book, value, written)[1]
+    more = [
+        one
+        for equation in book.equations
+        if (one := _written_out(book, equation, written)) is not None
+    ]
+    rest = _taken_away(book, value, put)
+    return [*replaced, *trace, *put, *book.vanishing(rest, more)]
+
+
+def _written_out(book: Book, equation: Equation, written: list[Explicit]) -> Equation | None:
+    """An equation with inverses of block matrices written out, if there are any in it."""
+    cofactors = put_in(book, equation.value, written)[1]
+    if not cofactors:
+        return None
+
+    def make() -> tuple[Cofactor, ...]:
+        return (*equation.proof, *(c.negative() for c in cofactors))
+
+    raw = _taken_away(book, equation.value, cofactors)
+    one = book.contracted_equation(book.normal(Equation(raw, make)))
+    return one if one.value.terms else None
+
+
+def _taken_away(book: Book, value: Polynomial, cofactors: Sequence[Cofactor]) -> Polynomial:
+    """A polynomial less its cofactors."""
+    for c in cofactors:
+        raw = book.raw(c.source)
+        value = value - c.left @ (raw.T if c.flipped else raw) @ c.right
+    return value
 
 
 def multiples(book: Book, residual: Polynomial) -> list[Equation]:
@@ -46,15 +98,14 @@ def multiples(book: Book, residual: Polynomial) -> list[Equation]:
         for end in list(ends.values())[:MOST_MULTIPLIERS]:
             if equation.value.shape[1] == end.shape[0]:
                 unit = alphabet.unit(equation.value.shape[0])
-                parts = tuple(c.inside(unit, end) for c in equation.proof)
-                one = book.contracted_equation(book.normal(Equation(equation.value @ end, parts)))
+                one = book.contracted_equation(book.normal(equation.inside(unit, end)))
                 if one.value.terms:
                     turned = book.normal(one.transposed())
                     found += [one, book.contracted_equation(turned)]
     return found
 
 
-def _multiplied(book: Book, residual: Polynomial) -> Iterator[Multiplied]:
+def _multiplied(book: Book, residual: Polynomial) -> Iterator[tuple[Polynomial, Finish]]:
     """The residual times the base of an inverse at one of its ends, with the way back:
     r = Y (X r) - (Y X - 1) r.
     """
@@ -65,32 +116,29 @@ def _multiplied(book: Book, residual: Polynomial) -> Iterator[Multiplied]:
         for number in sorted(numbers):
             base = alphabet.base[number]
             value = alphabet.elements.get(base, alphabet.letter(base))
-            yield _one_side(book, residual, base, value, is_left)
+            try:
+                goal = value @ residual if is_left else residual @ value
+            except TooLongError:
+                continue
+            yield goal, _way_back(book, residual, base, is_left)
 
 
-def _one_side(
-    book: Book, residual: Polynomial, base: int, value: Polynomial, is_left: bool
-) -> Multiplied:
+def _way_back(book: Book, residual: Polynomial, base: int, is_left: bool) -> Finish:
     alphabet = book.alphabet
     inverse = alphabet.letter(alphabet.inverse[base])
-    unit = alphabet.unit(value.shape[0])
-    multiplied = value @ residual if is_left else residual @ value
+    unit = alphabet.unit(inverse.shape[0])
 
     def finish(cofactors: Sequence[Cofactor]) -> list[Cofactor]:
-        # checked with the element still in place of its letter
-        side = "left" if is_left else "right"
         ends = (alphabet.unit(residual.shape[0]), alphabet.unit(residual.shape[1]))
         if is_left:
+            # Y p r = Y X r - Y (X - p) r with the element X short for p
             back = [c.inside(inverse, ends[1]) for c in cofactors]
-            rest = [Cofactor(("inverse", base, side), False, -unit, residual)]
-            if base in alphabet.elements:
-                # Y p r = Y X r - Y (X - p) r
-                rest.append(Cofactor(("element", base), False, inverse, residual))
+            back.append(Cofactor(("inverse", base, "left"), False, -unit, residual))
+            element = Cofactor(("element", base), False, inverse, residual)
         else:
             back = [c.inside(ends[0], inverse) for c in cofactors]
-            rest = [Cofactor(("inverse", base, side), False, -residual, unit)]
-            if base in alphabet.elements:
-                rest.append(Cofactor(("element", base), False, residual, inverse))
-        return [*back, *rest]
+            back.append(Cofactor(("inverse", base, "right"), False, -residual, unit))
+            element = Cofactor(("element", base), False, residual, inverse)
+        return [*back, element] if base in alphabet.elements else back
 
-    return multiplied, finish
+    return finish

@@ -6,12 +6,11 @@ from dataclasses import dataclass, replace
 from itertools import islice
 
 from gainproof.verify.judge.matrices.book import UnprovedError
-from gainproof.verify.judge.matrices.certificate import rejected, written
 from gainproof.verify.judge.matrices.conditions import possible_conditions
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
+from gainproof.verify.judge.matrices.layers import Layers
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
-from gainproof.verify.judge.matrices.polynomial import TooLongError
-from gainproof.verify.judge.matrices.prove import Question, proof_of
+from gainproof.verify.judge.matrices.prove import Question
 from gainproof.verify.judge.matrices.sample import holds, instances
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
 from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
@@ -102,18 +101,19 @@ def _square(node: Node, shapes: Shapes) -> Node:
 
 
 def _decided(case: Case, setting: MatrixSetting) -> Finding:
+    layers = Layers(setting)
     found, failed = _tried(case, setting)
     if not found:
         return Finding("undecided", "no exact instance of the hypotheses was found")
     if failed is None:
-        return _proved(case, setting)
+        return _proved(case, layers)
     instance, missing = failed
     wanted = possible_conditions(case.question, setting, instance, missing)
     for said, question in wanted:
         more = replace(case, question=question)
         found, again = _tried(more, setting)
         if found and again is None:
-            finding = _proved(more, setting)
+            finding = _proved(more, layers)
             if finding.verdict == "proved":
                 reason = f"not true as stated; true where {said}"
                 witness = witness_of(case.question, setting, instance)
@@ -148,16 +148,12 @@ def _tried(
     return found, missing
 
 
-def _proved(case: Case, setting: MatrixSetting) -> Finding:
+def _proved(case: Case, layers: Layers) -> Finding:
     try:
-        book = proof_of(case.question, setting)
-        certificate = written(book)
-        fault = rejected(certificate)
-    except (UnprovedError, TooLongError, Unsupported, NoValueError) as reason:
+        parts = layers.prove(case.question)
+    except UnprovedError as reason:
         return Finding("undecided", f"true at {TRIED} exact instances; {reason}")
-    if fault is not None:
-        return Finding("undecided", f"the proof that was found is not accepted: {fault}")
-    return Finding("proved", "for every size", method=METHOD, certificate=certificate)
+    return Finding("proved", "for every size", method=METHOD, certificate={"words": parts})
 
 
 def _together(findings: list[Finding]) -> Finding:

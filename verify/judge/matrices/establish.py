@@ -46,6 +46,7 @@ def begun(alphabet: Alphabet) -> Book:
                 book.known.append(known)
             if fact in (DEFINITE, INVERTIBLE):
                 _invertible(book, number, source)
+                alphabet.inverse_of(number)
     return book
 
 
@@ -77,7 +78,17 @@ def suppose_order(book: Book, value: Polynomial, strict: bool) -> None:
 def suppose_equal(book: Book, value: Polynomial) -> None:
     """A hypothesis: the polynomial is 0."""
     if value.terms:
-        add_equation(book, book.equation(book.suppose({"equation": value})))
+        book.pending.append(book.suppose({"equation": value}))
+
+
+def _add_pending(book: Book) -> None:
+    """Equations supposed, as soon as the inverses in them are known to be symmetric."""
+    for source in list(book.pending):
+        try:
+            add_equation(book, book.equation(source))
+        except UnprovedError:
+            continue
+        book.pending.remove(source)
 
 
 def add_equation(book: Book, equation: Equation) -> None:
@@ -109,7 +120,8 @@ def _gap_of_transposes(book: Book, number: int, source: tuple[object, ...]) -> N
     one, two = alphabet.unit(shape[0]), alphabet.unit(shape[1])
     given = Cofactor(source, False, one, two)  # letter' - letter
     element = Cofactor(("element", number), False, one, two)  # letter - value
-    equation = Equation(value.T - value, (given, element, element.transposed().negative()))
+    proof = (given, element, element.transposed().negative())
+    equation = Equation(value.T - value, lambda: proof)
     add_equation(book, book.normal(equation))
 
 
@@ -123,29 +135,35 @@ def _invertible(book: Book, number: int, because: tuple[object, ...]) -> None:
     book.state("matrix_invertible", {"matrix": name}, evidence, book.invertible[number])
 
 
-def establish(book: Book, definite: Definite, candidates: Sequence[Polynomial] = ()) -> None:
+def establish(
+    book: Book,
+    definite: Definite,
+    candidates: Sequence[Polynomial] = (),
+    *,
+    eager: bool = False,
+) -> None:
     """For every inverse that is spoken of: it exists, is symmetric if its base is, and its
-    equations. `candidates` may be left inverses. Raises UnprovedError, saying what has no inverse.
+    equations. `candidates` may be left inverses, likely ones where `eager`. Raises UnprovedError, saying what has no inverse.
     """
     alphabet = book.alphabet
-    done: set[int] = set()
+    done = book.established
     while waiting := [n for n in alphabet.inverse if n not in done]:
         # what has an inverse by hypothesis helps to show that others have one
-        for number in sorted(waiting, key=lambda n: n not in book.invertible):
+        for number in sorted(
+            waiting, key=lambda n: (n in alphabet.elements, n not in book.invertible)
+        ):
             done.add(number)
-            _establish_one(book, number, definite, candidates)
+            _add_pending(book)
+            _establish_one(book, number, definite, candidates, eager)
+    _add_pending(book)
 
 
 def _establish_one(
-    book: Book, number: int, definite: Definite, candidates: Sequence[Polynomial]
+    book: Book, number: int, definite: Definite, candidates: Sequence[Polynomial], eager: bool
 ) -> None:
     alphabet = book.alphabet
     if number not in book.invertible:
-        try:
-            statement = definite(book, number)
-            evidence: dict[str, object] = {"because": statement}
-        except UnprovedError:
-            evidence = _left_inverse(book, number, candidates)
+        evidence = _why_invertible(book, number, definite, candidates, eager)
         name = alphabet.names[number]
         book.invertible[number] = f"{name}_is_invertible"
         book.state("matrix_invertible", {"matrix": name}, evidence, book.invertible[number])
@@ -155,10 +173,30 @@ def _establish_one(
     _state_definite_inverse(book, number)
 
 
+def _strengthen(book: Book, number: int) -> None:
+    """D >= 0 with an inverse is D > 0: D x = 0 only for x = 0."""
+    alphabet = book.alphabet
+    letter = alphabet.letter(number)
+    mine = [known for known in book.known if known.value.key == letter.key]
+    if not mine or any(known.strict for known in mine):
+        return
+    inverse, unit = alphabet.letter(alphabet.inverse[number]), alphabet.unit(letter.shape[0])
+    square = {"weight": [["1", [], []]], "factor": unit, "definite": mine[0].reference}
+    rank = {
+        "left_inverses": [[0, inverse, "middle"]],
+        "cofactors": book.traced(unit - inverse @ letter)[1],
+    }
+    evidence = {"squares": [square], "cofactors": [], "rank": rank}
+    claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter), "relation": ">"}
+    name = book.state("matrix_order", claim, evidence)
+    book.known.append(Known(("statement", name), letter, True))
+
+
 def _state_definite_inverse(book: Book, number: int) -> None:
     """Y = Y' D Y > 0 for the inverse of D > 0."""
     alphabet = book.alphabet
     letter = alphabet.letter(number)
+    _strengthen(book, number)
     base = next((k for k in book.known if k.strict and k.value.key == letter.key), None)
     if base is None or alphabet.inverse[number] not in book.symmetric:
         return
@@ -179,6 +217,20 @@ def _state_definite_inverse(book: Book, number: int) -> None:
     claim = {"larger": book.graph(inverse), "smaller": book.graph(rest - rest), "relation": ">"}
     name = book.state("matrix_order", claim, evidence)
     book.known.append(Known(("statement", name), inverse, True))
+
+
+def _why_invertible(
+    book: Book, number: int, definite: Definite, candidates: Sequence[Polynomial], eager: bool
+) -> dict[str, object]:
+    if eager:
+        try:
+            return _left_inverse(book, number, candidates)
+        except UnprovedError:
+            pass
+    try:
+        return {"because": definite(book, number)}
+    except UnprovedError:
+        return _left_inverse(book, number, candidates)
 
 
 def _left_inverse(book: Book, number: int, candidates: Sequence[Polynomial]) -> dict[str, object]:
@@ -288,18 +340,9 @@ def _inverse_equations(book: Book, number: int) -> None:
             Cofactor(source, False, unit, unit),
             Cofactor(("element", number), False, -before, after),
         )
-        equation = book.normal(Equation(raw, proof))
+        equation = book.normal(Equation(raw, lambda proof=proof: proof))  # type: ignore[misc]
         add_equation(book, equation)
         for block in alphabet.blocks.get(value.shape[0], ()):
             column = alphabet.letter(block)
-            parts = (
-                Equation(
-                    equation.value @ column, tuple(c.inside(unit, column) for c in equation.proof)
-                ),
-                Equation(
-                    column.T @ equation.value,
-                    tuple(c.inside(column.T, unit) for c in equation.proof),
-                ),
-            )
-            for part in parts:
-                add_equation(book, book.normal(part))
+            add_equation(book, book.normal(equation.inside(unit, column)))
+            add_equation(book, book.normal(equation.inside(column.T, unit)))

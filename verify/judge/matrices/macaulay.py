@@ -17,8 +17,12 @@ from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.polynomial import MOST_LETTERS, Polynomial, Word
 
 PRIME = 2**61 - 1
-MOST_PRODUCTS = 2500
+MOST_PRODUCTS = 1200
 MOST_ROUNDS = 7
+EFFORT = 500
+"""Steps for each product, on an average."""
+CHARGE = 5
+"""Steps for each letter that is written outside of searches."""
 LARGEST = 10_000
 """Numerator and denominator of a coefficient that is read back."""
 
@@ -28,11 +32,41 @@ Row = dict[Word, int]
 _Key = TypeVar("_Key")
 
 
+class UnprovedError(ValueError):
+    """What the search does not prove."""
+
+
+@dataclass
+class Budget:
+    """Steps of arithmetic that all searches for one claim may still take; `limit` is that of each
+    search. A million take about a second.
+    """
+
+    remaining: int = 5_000_000
+    limit: int = 0
+
+    def charge(self, work: int) -> None:
+        """Count work outside of searches. Raises UnprovedError when nothing remains."""
+        self.remaining -= CHARGE * work
+        if self.remaining <= 0:
+            raise UnprovedError("the search was given up")
+
+    def begin(self, most: int) -> None:
+        """Begin a search."""
+        self.limit = max(0, self.remaining - most * EFFORT)
+
+    def spend(self, work: int) -> bool:
+        """Whether it may go on."""
+        self.remaining -= work
+        return self.remaining > self.limit
+
+
 @dataclass
 class _System:
     """Products in echelon form, each with how it is made of those that were put in."""
 
     rows: dict[Word, tuple[Row, dict[Product, int]]]
+    budget: Budget
 
     def reduced(self, row: Row, made: dict[Product, int]) -> tuple[Row, dict[Product, int]]:
         """What is left of a row."""
@@ -45,6 +79,8 @@ class _System:
                 left[word] = value
                 continue
             other, how = self.rows[word]
+            if not self.budget.spend(len(other) + len(how)):
+                return row, made
             for key, factor in other.items():
                 if key != word:
                     _add(row, key, -value * factor)
@@ -69,10 +105,11 @@ def products_for(
     residual: Polynomial,
     equations: Sequence[Polynomial],
     alphabet: Alphabet,
-    contract: bool = False,
+    most: int,
+    budget: Budget,
 ) -> list[tuple[Fraction, Product]] | None:
-    """Products of equations whose sum, in normal form, is the residual. None if none are found.
-    With `contract` the normal form is that in which no last block meets its transpose.
+    """Products of equations whose sum is the residual, in the normal form in which no last block
+    meets its transpose. None if none are found among `most` products.
     """
     if not residual.terms:
         return []
@@ -82,7 +119,8 @@ def products_for(
         for word in equation.terms:
             if word:
                 by_first.setdefault(word[0], []).append((word, number))
-    system = _System({})
+    budget.begin(most)
+    system = _System({}, budget)
     seen: set[Product] = set()
     known, frontier = set(goal), set(goal)
     for _ in range(MOST_ROUNDS):
@@ -92,9 +130,9 @@ def products_for(
                 if product in seen:
                     continue
                 seen.add(product)
-                if len(seen) > MOST_PRODUCTS:
+                if len(seen) > most or not budget.spend(1):
                     return None
-                row = _row(product, equations[product[1]], alphabet, contract)
+                row = _row(product, equations[product[1]], alphabet)
                 fresh.update(row)
                 system.insert(row, product)
         left, made = system.reduced(goal, {})
@@ -114,16 +152,14 @@ def _matches(word: Word, by_first: dict[int, list[tuple[Word, int]]]) -> Iterato
                 yield word[:start], number, word[start + len(inner) :]
 
 
-def _row(product: Product, equation: Polynomial, alphabet: Alphabet, contract: bool) -> Row:
+def _row(product: Product, equation: Polynomial, alphabet: Alphabet) -> Row:
     row: Row = {}
     before, _, after = product
     for word, value in equation.terms.items():
         short = alphabet.normal(before + word + after)
-        if short is not None and contract:
+        if short is not None:
             for other, times in alphabet.contracted(short).items():
                 _add(row, other, times * _modulo(value))
-        elif short is not None:
-            _add(row, short, _modulo(value))
     return row
 
 

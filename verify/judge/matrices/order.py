@@ -9,6 +9,7 @@ from itertools import combinations
 from typing import Any
 
 from gainproof.verify.judge.matrices.book import Book, Known, UnprovedError
+from gainproof.verify.judge.matrices.explicit import inverses_of, meanings
 from gainproof.verify.judge.matrices.full_rank import left_inverses
 from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
@@ -17,6 +18,8 @@ from gainproof.verify.judge.matrices.size import ZERO, Size
 MOST_SQUARES = 3
 MOST_CANDIDATES = 60
 MOST_SEARCHED = 12
+MOST_PRODUCTS = 500
+"""Fewer than for an equation, as there are many attempts."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,7 @@ def definite(book: Book, number: int) -> tuple[object, ...]:
     for known in book.known:
         if known.strict and known.value.key == letter.key:
             return known.reference
-    if number not in book.alphabet.elements or number not in book.alphabet.symmetric:
+    if number not in book.alphabet.symmetric:
         raise UnprovedError("it is not known to be symmetric")
     evidence = prove_order(book, letter, True)
     claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter), "relation": ">"}
@@ -52,7 +55,7 @@ def prove_order(book: Book, difference: Polynomial, strict: bool) -> dict[str, A
             middle = square.factor.T @ square.known.value @ square.factor
             rest = rest - middle.times(square.weight)
         try:
-            cofactors = book.vanishing(rest)
+            cofactors = book.vanishing(rest, most=MOST_PRODUCTS)
             evidence = {
                 "squares": [_plain(book, square) for square in squares],
                 "cofactors": cofactors,
@@ -83,6 +86,10 @@ def _attempts(book: Book, value: Polynomial) -> Iterator[list[Square]]:
     known = [*book.known, *_units(book, value)]
     if not value.terms:
         yield []
+    for hint in book.said:
+        for one in known:
+            if hint.shape == (one.value.shape[0], value.shape[0]) and hint.terms:
+                yield [Square(hint, one)]
     for hint in book.hints:
         for one in known:
             if hint.shape == (one.value.shape[0], value.shape[0]) and hint.terms:
@@ -149,41 +156,30 @@ def _schur(book: Book, one: Known, size: Size) -> Iterator[Square]:
     whole = one.value.shape[0]
     if whole not in alphabet.blocks:
         return
-    value = alphabet.reduced(book.without_elements(one.value)[0])
+    rest = whole - size
+    if not rest.is_never_negative or rest == ZERO:
+        return
     for start, rest_start in ((ZERO, size), (whole - size, ZERO)):
-        rest = whole - size
-        if not rest.is_never_negative or rest == ZERO:
-            return
         try:
             picked = alphabet.embedded(whole, start, size)
             other = alphabet.embedded(whole, rest_start, rest)
-            corner = alphabet.reduced(other.T @ value @ other)
-            beside = alphabet.reduced(other.T @ value @ picked)
         except (ValueError, KeyError):
             continue
         yield Square(picked, one)
-        for inverse in _inverses_of(book, corner):
-            yield Square(picked - alphabet.reduced(other @ inverse @ beside), one)
+        for value in _meant(book, one):
+            corner = alphabet.reduced(other.T @ value @ other)
+            beside = alphabet.reduced(other.T @ value @ picked)
+            for inverse in inverses_of(book, corner):
+                yield Square(picked - alphabet.reduced(other @ inverse @ beside), one)
 
 
-def _inverses_of(book: Book, value: Polynomial) -> Iterator[Polynomial]:
-    """Letters, or the unit matrix, that are the inverse of a polynomial."""
-    alphabet = book.alphabet
-    unit = alphabet.unit(value.shape[0])
-    if value.key == unit.key or _is_unit(book, value - unit):
-        yield unit
-    for base, inverse in alphabet.inverse.items():
-        meaning = alphabet.elements.get(base, alphabet.letter(base))
-        if meaning.shape == value.shape and meaning.key == value.key:
-            yield alphabet.letter(inverse)
-
-
-def _is_unit(book: Book, gap: Polynomial) -> bool:
-    try:
-        book.vanishing(gap)
-    except (UnprovedError, TooLongError):
-        return False
-    return True
+def _meant(book: Book, one: Known) -> list[Polynomial]:
+    """What is known to be definite, with what letters in it are short for, also by equations."""
+    found = [book.alphabet.reduced(book.without_elements(one.value)[0])]
+    for base in book.alphabet.elements:
+        if one.value.key == book.alphabet.letter(base).key:
+            found += [meaning for meaning, _ in meanings(book, base)]
+    return list({p.key: p for p in found}.values())
 
 
 def _of_inverses(book: Book, known: Sequence[Known]) -> Iterator[list[Square]]:
@@ -227,7 +223,7 @@ def _rank(book: Book, squares: Sequence[Square], size: Size) -> dict[str, Any]:
         factor = _positive(book, square.factor)
         for left in left_inverses(book, factor):
             try:
-                cofactors = book.vanishing(unit - left @ factor)
+                cofactors = book.vanishing(unit - left @ factor, most=MOST_PRODUCTS)
             except (UnprovedError, TooLongError):
                 continue
             return {"left_inverses": [[number, left]], "cofactors": cofactors}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.book import Book, Known, UnprovedError
@@ -19,8 +20,9 @@ from gainproof.verify.judge.matrices.establish import (
 )
 from gainproof.verify.judge.matrices.expand import Expander
 from gainproof.verify.judge.matrices.letter import MatrixSetting
+from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget
 from gainproof.verify.judge.matrices.order import definite, prove_order
-from gainproof.verify.judge.matrices.polynomial import Polynomial
+from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
 MOST_HINTS = 40
@@ -44,17 +46,27 @@ class Question:
         return own + [node for premise in self.premises for node in premise.nodes()]
 
 
-def proof_of(question: Question, setting: MatrixSetting) -> Book:
-    """A book that ends with what was asked. Raises UnprovedError, TooLongError, Unsupported."""
+def proof_of(
+    question: Question,
+    setting: MatrixSetting,
+    most: int = MOST_PRODUCTS,
+    budget: Budget | None = None,
+) -> Book:
+    """A book that ends with what was asked, each equation of at most so many products. Raises
+    UnprovedError, TooLongError, Unsupported.
+    """
     nodes = question.nodes()
     alphabet = Alphabet(setting, cuts_of(pieces_of(nodes, setting)))
     expand = Expander(alphabet)
     for node in nodes:
         expand.of(node)
     book = begun(alphabet)
+    book.most = most
+    book.budget = budget or book.budget
     _suppose(question, book, expand)
     candidates = [expand.of(side) for chain in question.chains for side in chain.sides]
     book.hints += _hints(question, expand)
+    book.said += [expand.of(hint) for hint in question.hints]
     establish(book, definite, candidates)
     for premise in question.premises:
         _prove(premise, book, expand)
@@ -115,12 +127,37 @@ def _prove(question: Question, book: Book, expand: Expander) -> None:
 def equal(book: Book, left: Polynomial, right: Polynomial) -> None:
     """State that both are equal, and remember it."""
     residual = left - right
-    cofactors = cleared(book, residual)
     claim = {"left": book.graph(left), "right": book.graph(right)}
-    name = book.state("matrix_equal", claim, {"cofactors": cofactors})
+    evidence = _between_orders(book, residual)
+    if evidence is None:
+        evidence = {"cofactors": cleared(book, residual, _establish_more)}
+    name = book.state("matrix_equal", claim, evidence)
     book.differences[name] = residual
     if residual.terms:
         add_equation(book, book.equation(("statement", name)))
+
+
+def _between_orders(book: Book, residual: Polynomial) -> dict[str, Any] | None:
+    """N = 0 for N that is known to be at least 0, and at most."""
+    if not residual.terms:
+        return None
+    same = [known for known in book.known if known.value.shape == residual.shape]
+    for above in same:
+        for below in same:
+            try:
+                return {
+                    "above": above.reference,
+                    "below": below.reference,
+                    "cofactors": book.vanishing(residual - above.value, most=0),
+                    "opposite": book.vanishing(above.value + below.value, most=0),
+                }
+            except (UnprovedError, TooLongError):
+                continue
+    return None
+
+
+def _establish_more(book: Book, left_inverse: Polynomial) -> None:
+    establish(book, definite, [left_inverse], eager=True)
 
 
 def order(

@@ -21,6 +21,8 @@ from gainproof.verify.judge.matrices.size import Shape
 from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 
 MOST_TRIES = 60
+SPECIAL = 0.5
+"""How often such columns are tried, and how often they are not 0."""
 STEPS = (1, 2, 3, 2, 1, 4, 6, 7, 8)
 """What the steps of sizes are tried with, small ones first; six unknowns want six equations."""
 
@@ -108,14 +110,30 @@ def _fill(instance: Instance, given: Sequence[Chain], source: random.Random) -> 
         for letter in setting.letters.values()
         if letter.name in named and letter.definition is None
     ]
-    for letter in later:
-        value = _from_hypothesis(letter.name, instance, given, later, source)
-        instance.values[letter.name] = (
-            _of_letter(letter, instance, source) if value is None else value
-        )
+    while later:
+        found = ((one, _from_hypothesis(one.name, instance, given, later, source)) for one in later)
+        letter, value = next((pair for pair in found if pair[1] is not None), (later[0], None))
+        if value is None:
+            value = _of_letter(letter, instance, source)
+        instance.values[letter.name] = value
+        later.remove(letter)
+    if source.random() < SPECIAL:
+        _simple_columns(instance, given, source)
     for chain in given:
         if chain.operators == ("=",):
             _clear_block(chain, instance)
+
+
+def _simple_columns(instance: Instance, given: Sequence[Chain], source: random.Random) -> None:
+    """Columns that hypotheses speak of as unit vectors or 0, since e^T e = 1 is rare at random."""
+    names = {part.name for chain in given for s in chain.sides for part in s.walk()}
+    for name in sorted(names & set(instance.values)):
+        value = instance.values[name]
+        if value.ncols() == 1:
+            column = fmpq_mat(value.nrows(), 1)
+            if source.random() < SPECIAL:
+                column[source.randrange(value.nrows()), 0] = 1
+            instance.values[name] = column
 
 
 def _of_letter(letter: Letter, instance: Instance, source: random.Random) -> fmpq_mat:

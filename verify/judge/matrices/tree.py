@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 from gainproof.verify.judge.matrices.size import Size
@@ -22,7 +22,7 @@ class Node:
     number: Fraction = Fraction(0)
     shape: tuple[Size, Size] | None = None
     size: tuple[int, int] = (0, 0)
-    position: int = 0
+    position: int = field(default=0, compare=False)
 
     def walk(self) -> Iterator[Node]:
         """The node and all below it."""
