@@ -9,7 +9,7 @@ import numpy as np
 
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.accuracy import cost_without_bias
-from gainproof.location.gauss_newton import CONVERGED, Iterated
+from gainproof.location.gauss_newton import CONVERGED, Iterated, rounding
 from gainproof.location.observability import observability
 from gainproof.location.problem import Problem, linearised
 from gainproof.location.stations import Stations
@@ -38,9 +38,10 @@ def candidates(asked: Problem, iterated: Iterated) -> list[Candidate]:
     to it, least cost first.
     """
     kept: list[Candidate] = []
+    same = max(SAME, 100 * float(rounding(asked, asked.used.values[None, :])[0]))
     for number in np.flatnonzero(iterated.ended == CONVERGED).tolist():
         x = iterated.unknowns[number]
-        if any(apart(asked, each.unknowns, x) <= SAME for each in kept):
+        if any(apart(asked, each.unknowns, x) <= same for each in kept):
             continue
         if observability(asked, x).rank == asked.unknowns:
             kept.append(Candidate(number, x, float(iterated.cost[number])))

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from numpy.typing import ArrayLike
 
-from gainproof.fixed_gain.arguments import Reals, real
+from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.accuracy import accuracy
 from gainproof.location.failure import not_observed
 from gainproof.location.methods import CHOSEN, Method, method_of, require_counts
@@ -17,8 +17,8 @@ from gainproof.location.result import Bias, Location, Place
 from gainproof.location.selection import Selection, select, threshold
 from gainproof.location.settling import Settled, settle
 from gainproof.location.starts import starts
-from gainproof.location.stations import Observations, Stations
-from gainproof.location.warning_words import AMBIGUOUS, warnings
+from gainproof.location.stations import Observations, Stations, bounded, from_the_first
+from gainproof.location.warning_words import AMBIGUOUS, few_clean, warnings
 
 DEFAULT = "unknown-reduction"
 FALSE_ALARM = 0.05
@@ -46,10 +46,11 @@ def locate(
     threshold(false_alarm)
     ranges = int((~observed.is_rate).sum())
     require_counts(chosen, given.dimension, ranges, int(observed.is_rate.sum()))
-    close = None if near is None else _place(given, near)
+    here = from_the_first(given)
+    close = None if near is None else _place(here, near)
     if chosen.bias == CHOSEN:
-        return _reduced(given, observed, chosen, false_alarm, close)
-    asked = problem(given, observed, chosen)
+        return _reduced(here, observed, chosen, false_alarm, close)
+    asked = problem(here, observed, chosen)
     return _told(settle(asked, observed, starts(asked, observed, close), close))
 
 
@@ -81,7 +82,8 @@ def _reduced(
         told = _told(replace(first, best=places[most], others=tuple(places[i] for i in also)))
         words = tuple(each for each in told.warnings if each.startswith(AMBIGUOUS))
         found = replace(found, others=told.others, warnings=(*words, *found.warnings))
-    return replace(found, selection=tests[most], first=begun)
+    few = few_clean(len(tests[most].clean), len(tests[most].decisions))
+    return replace(found, selection=tests[most], first=begun, warnings=(*found.warnings, *few))
 
 
 def _selection(biases: tuple[Bias, ...], false_alarm: float) -> Selection:
@@ -113,11 +115,11 @@ def _told(settled: Settled) -> Location:
 
 def _split(asked: Problem, unknowns: Reals) -> tuple[Reals, Reals | None]:
     place, velocity = asked.split(unknowns[None, :])
-    return place[0], velocity[0] if asked.velocity else None
+    return place[0] + asked.stations.origin, velocity[0] if asked.velocity else None
 
 
 def _place(given: Stations, near: ArrayLike) -> Reals:
-    place = real("near", near)
+    place = bounded("near", near)
     if place.shape != (given.dimension,):
         raise ValueError(f"near must have shape {(given.dimension,)}, got {place.shape}")
-    return place
+    return place - given.origin

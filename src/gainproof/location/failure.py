@@ -110,5 +110,5 @@ def _why(asked: Problem, x: Reals) -> str:
 
 def place_words(asked: Problem, unknowns: Reals) -> str:
     """(x, y) m, to a millimetre."""
-    place = asked.split(unknowns[None, :])[0][0]
+    place = asked.split(unknowns[None, :])[0][0] + asked.stations.origin
     return f"({', '.join(f'{value:.10g}' for value in (np.round(place, 3) + 0.0).tolist())}) m"

@@ -53,6 +53,12 @@ def rank_tolerance(asked: Problem) -> float:
     return 8 * EPSILON * len(asked.used.values) * asked.unknowns
 
 
+def rounding(asked: Problem, observed: Reals) -> Reals:
+    """What rounding leaves of white residuals of observations (N, m), in deviations, (N,)."""
+    sizes = np.abs(observed) @ np.abs(asked.white).T
+    return np.asarray(16 * EPSILON * np.linalg.norm(sizes, axis=1))
+
+
 def step(asked: Problem, linear: Linear) -> Step:
     """The least-squares solution of the linear model. Zero where the rank is deficient."""
     orthogonal, triangle = np.linalg.qr(linear.jacobian)
@@ -92,8 +98,7 @@ def iterate(asked: Problem, starts: Reals, observed: Reals) -> Iterated:
     cost = _cost(asked, x, z)
     ended[~np.isfinite(cost)] = ON_STATION
     far = FAR * np.maximum(asked.stations.spread, _distance(asked, x))
-    # what rounding leaves of a residual, in deviations
-    rounding = 16 * EPSILON * np.linalg.norm(np.abs(z) @ np.abs(asked.white).T, axis=1)
+    rest = rounding(asked, z)
     for _ in range(MOST_ITERATIONS):
         now = np.flatnonzero(ended == RUNNING)
         if not now.size:
@@ -104,9 +109,9 @@ def iterate(asked: Problem, starts: Reals, observed: Reals) -> Iterated:
         ended[now[lost]] = DEFICIENT
         now, change, length = now[~lost], taken.change[~lost], taken.length[~lost]
         iterations[now] += 1
-        enough = length <= np.maximum(SMALL_STEP, rounding[now])
+        enough = length <= np.maximum(SMALL_STEP, rest[now])
         # (r + d)^2 - r^2 for a residual r with rounding d
-        slack = rounding[now] * (2 * np.sqrt(cost[now]) + rounding[now])
+        slack = rest[now] * (2 * np.sqrt(cost[now]) + rest[now])
         halved = _descend(asked, x, z, cost, now, change, slack)
         halvings[now] += np.maximum(halved, 0)
         ended[now[halved < 0]] = STUCK

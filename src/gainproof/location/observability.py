@@ -10,7 +10,7 @@ import numpy as np
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.gauss_newton import rank_tolerance
 from gainproof.location.measurement import seen
-from gainproof.location.problem import Linear, Problem, jacobian, linearised
+from gainproof.location.problem import Linear, Problem, jacobian, linearised, residual
 from gainproof.location.stations import Stations
 
 AXES = "xyz"
@@ -84,6 +84,23 @@ def position_velocity_covariance(asked: Problem, unknowns: Reals) -> Reals:
     triangle = np.linalg.qr(at.jacobian[0])[1]
     root = np.linalg.solve(triangle, np.eye(len(triangle))) / at.scale[0][:, None]
     return np.asarray(root @ root.T)
+
+
+def bending(asked: Problem, unknowns: Reals) -> float:
+    """How far residuals one deviation away along the axes of the covariance are from those of the
+    linear model, in deviations: the largest. 0 where the model is linear.
+    """
+    observed = asked.used.values[None, :]
+    linear = linearised(asked, unknowns[None, :], observed)
+    _, singular, right = np.linalg.svd(linear.jacobian[0], full_matrices=False)
+    steps = (right / singular[:, None]) / linear.scale[0]
+    both = np.concatenate([steps, -steps])
+    rows = np.broadcast_to(observed, (len(both), observed.shape[1]))
+    with np.errstate(all="ignore"):
+        moved = residual(asked, unknowns + both, rows)
+    off = moved - linear.residual + (both * linear.scale[0]) @ linear.jacobian[0].T
+    sizes = np.linalg.norm(off, axis=1)
+    return float(sizes.max()) if np.isfinite(sizes).all() else float("inf")
 
 
 def _readable(null: Reals) -> Reals:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,11 +16,14 @@ MOST = 1e15
 
 @dataclass(frozen=True, eq=False)
 class Stations:
-    """names: n of them; positions (n, d) in m, velocities (n, d) in m/s, d = 2 or 3."""
+    """names: n of them; positions (n, d) in m from the origin (d,), velocities (n, d) in m/s, d = 2
+    or 3.
+    """
 
     names: tuple[str, ...]
     positions: Reals
     velocities: Reals
+    origin: Reals
 
     @property
     def dimension(self) -> int:
@@ -28,6 +31,7 @@ class Stations:
 
     @property
     def centre(self) -> Reals:
+        """Of the positions."""
         return np.asarray(self.positions.mean(axis=0))
 
     @property
@@ -63,12 +67,12 @@ def stations(
 
     ValueError and TypeError: shapes other than (n, 2) and (n, 3), NaN, names that are not n.
     """
-    places = _bounded("station positions", positions)
+    places = bounded("station positions", positions)
     if places.ndim != 2 or not len(places) or places.shape[1] not in (2, 3):
         raise ValueError(f"station positions must be (n, 2) or (n, 3), got shape {places.shape}")
     moving = np.zeros_like(places)
     if velocities is not None:
-        moving = _bounded("station velocities", velocities)
+        moving = bounded("station velocities", velocities)
     if moving.shape != places.shape:
         raise ValueError(
             f"station velocities must have shape {places.shape} as the positions have, got "
@@ -77,7 +81,15 @@ def stations(
     own = tuple(names) if names is not None else tuple(f"B{i + 1}" for i in range(len(places)))
     if len(own) != len(places) or len(set(own)) != len(own):
         raise ValueError(f"wanted: {len(places)} names, each another, got {own}")
-    return Stations(own, places, moving)
+    return Stations(own, places, moving, np.zeros(places.shape[1]))
+
+
+def from_the_first(given: Stations) -> Stations:
+    """The same with the origin at the first station, so that coordinates are no larger than they
+    have to be: how far away somebody's zero lies costs no digits.
+    """
+    first = given.positions[0]
+    return replace(given, positions=given.positions - first, origin=given.origin + first)
 
 
 def observations(
@@ -104,7 +116,7 @@ def observations(
         for i, entry in enumerate(entries):
             if entry is None:
                 continue
-            value = float(_bounded(f"{name} of {given.names[i]}", entry))
+            value = float(bounded(f"{name} of {given.names[i]}", entry))
             if name == "ranges" and not value > 0:
                 raise ValueError(
                     f"ranges of {given.names[i]} must be above 0, got {value!s}: at 0 the target "
@@ -127,7 +139,8 @@ def observations(
     )
 
 
-def _bounded(name: str, value: ArrayLike) -> Reals:
+def bounded(name: str, value: ArrayLike) -> Reals:
+    """Finite real numbers up to MOST."""
     array = real(name, value)
     if array.size and not np.abs(array).max() <= MOST:
         raise ValueError(f"{name} must not be beyond {MOST:g}, got {np.abs(array).max()!s}")

@@ -8,7 +8,8 @@ import numpy as np
 
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.ambiguity import Candidate, mirror_words
-from gainproof.location.measurement import seen
+from gainproof.location.gauss_newton import rounding
+from gainproof.location.observability import bending
 from gainproof.location.problem import Problem
 from gainproof.location.selection import exceeded
 
@@ -18,24 +19,21 @@ UNLIKELY = 1e-3
 NO_COST = 1e-12
 DILUTED = 100.0
 """Deviation of a velocity over the largest of a range rate: beyond it the geometry is told."""
-WIDE = 0.1
-"""Share of the distance to the nearest station that a 1-sigma may have for a linear covariance."""
+BENT = 0.5
+"""Deviations that residuals may bend within one deviation of the estimate, untold."""
 
 
 def warnings(
     asked: Problem, best: Candidate, others: Sequence[Candidate], covariance: Reals
 ) -> tuple[str, ...]:
-    """Other places; a covariance too wide to be linear; nothing left to check by."""
+    """Other places; a model that bends within its deviations; residuals too large or none."""
     found = [_other(asked, best, each) for each in others]
     d = asked.stations.dimension
-    deviation = float(np.sqrt(np.linalg.eigvalsh(covariance[:d, :d])[-1]))
-    near = seen(asked.stations, *asked.split(best.unknowns[None, :])).distance[0]
-    nearest = int(np.argmin(near))
-    if deviation > WIDE * near[nearest]:
+    bent = bending(asked, best.unknowns)
+    if bent > BENT + 4 * float(rounding(asked, asked.used.values[None, :])[0]):
         found.append(
-            f"the 1-sigma of the position reaches {deviation:.3g} m and the nearest station, "
-            f"{asked.stations.names[nearest]}, is {near[nearest]:.3g} m away: the covariance, that "
-            "of the linear model, says little there"
+            f"one deviation beside the estimate the residuals are {bent:.2g} deviations from where "
+            "a linear model has them: the covariance says little there"
         )
     if asked.velocity:
         speed = float(np.sqrt(np.linalg.eigvalsh(covariance[d : 2 * d, d : 2 * d])[-1]))
@@ -56,9 +54,17 @@ def warnings(
     return tuple(found)
 
 
+def few_clean(clean: int, ranges: int) -> tuple[str, ...]:
+    """Where the test leaves less than half of the ranges clean."""
+    if 2 * clean >= ranges:
+        return ()
+    told = f"only {clean} of {ranges} ranges are taken as clean: either multipath is everywhere, or"
+    return (f"{told} the range rates led to a wrong place",)
+
+
 def _other(asked: Problem, best: Candidate, other: Candidate) -> str:
     place, velocity = asked.split(other.unknowns[None, :])
-    where = f"({_numbers(place[0], 1)}) m"
+    where = f"({_numbers(place[0] + asked.stations.origin, 1)}) m"
     if asked.velocity:
         where += f" with velocity ({_numbers(velocity[0], 3)}) m/s"
     mirror = mirror_words(asked, best.unknowns, other.unknowns)
