@@ -10,6 +10,7 @@ statement is rejected, never a false one accepted.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -84,13 +85,20 @@ class Field:
 
     def reduce(self, polynomial: Polynomial) -> Polynomial:
         """The remainder by the relations: every generator y has an exponent below its n."""
+        degrees = list(polynomial.degrees())
         for number in range(len(self.generators) - 1, -1, -1):
-            polynomial = self._reduce_by(number, polynomial)
+            if not self._is_reduced(number, degrees):
+                polynomial = self._reduce_by(number, polynomial)
+                degrees = list(polynomial.degrees())
             if self._starts_pair(number):  # y is reduced; x brings it back, of a lower degree
                 while polynomial.degree(self.position(number + 1)) > 1:
                     polynomial = self._reduce_by(number + 1, polynomial)
                     polynomial = self._reduce_by(number, polynomial)
+                degrees = list(polynomial.degrees())
         return polynomial
+
+    def _is_reduced(self, number: int, degrees: Sequence[int]) -> bool:
+        return not degrees or degrees[self.position(number)] < self.generators[number].power
 
     def _starts_pair(self, number: int) -> bool:
         pair = self.generators[number].pair
@@ -106,8 +114,9 @@ class Field:
             quotient, rest = divmod(monomial[position], generator.power)
             lowered = (*monomial[:position], rest, *monomial[position + 1 :])
             parts.setdefault(quotient, {})[lowered] = coefficient
-        result = self.ring.constant(0)
-        for quotient in range(max(parts), -1, -1):
+        top = max(parts)
+        result = self.ring.normal(parts.pop(top), polynomial.denominator)
+        for quotient in range(top - 1, -1, -1):
             result = result * generator.radicand
             if quotient in parts:
                 result = result + self.ring.normal(parts[quotient], polynomial.denominator)

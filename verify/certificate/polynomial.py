@@ -117,7 +117,7 @@ class Polynomial:
     def __mul__(self, other: Polynomial) -> Polynomial:
         self._same_ring(other)
         self.ring.meter.spend(self._cost(other))
-        degrees = list(map(add, self._degrees(), other._degrees()))
+        degrees = list(map(add, self.degrees(), other.degrees()))
         if any(degree > MAXIMUM_EXPONENT for degree in degrees):
             raise RejectedError(f"an exponent grew beyond {MAXIMUM_EXPONENT}")
         terms = product_of(self.terms, other.terms, degrees)
@@ -195,7 +195,7 @@ class Polynomial:
         products = len(self.terms) * len(other.terms)
         return products * (1 + self.ring.size // 8 + (bits // 256) ** 2 // 32)
 
-    def _degrees(self) -> Iterable[int]:
+    def degrees(self) -> Iterable[int]:
         """The degree in every variable; nothing for the zero polynomial."""
         return map(max, zip(*self.terms, strict=True))
 

@@ -34,7 +34,7 @@ def test_both_ways_agree_with_sympy(first: Terms, second: Terms) -> None:
     ).as_dict()
     degrees = _degrees(first, second)
     by_places = products._by_places(first, second, degrees)
-    by_pairs = products._by_pairs(first, second)
+    by_pairs = products._by_pairs(first, second, degrees)
     assert by_places == expected
     assert {m: c for m, c in by_pairs.items() if c} == expected
     chosen = products.product_of(first, second, degrees)
