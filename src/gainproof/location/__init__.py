@@ -1,9 +1,9 @@
 """Position and velocity of a target from ranges and range rates, with ranges that multipath biases.
 
 `stations` and `observations` check what is given, `locate` estimates by one of `METHODS`: an
-iterated Taylor series over the whole covariance of the noise. `range_doppler_jacobians` gives ranges
-and range rates of many targets from many stations with their derivatives. NumPy is all that is
-imported.
+iterated Taylor series over the whole covariance of the noise. `range_doppler_jacobians` gives
+ranges and range rates of many targets from many stations with their derivatives. NumPy is all that
+is imported.
 """
 
 from gainproof.location.errors import (
