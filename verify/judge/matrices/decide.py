@@ -101,6 +101,7 @@ def _square(node: Node, shapes: Shapes) -> Node:
 
 
 def _decided(case: Case, setting: MatrixSetting) -> Finding:
+    setting = _spoken(case.question, setting)
     layers = Layers(setting)
     found, failed = _tried(case, setting)
     if not found:
@@ -125,6 +126,19 @@ def _decided(case: Case, setting: MatrixSetting) -> Finding:
         reason = "an inverse in it does not always exist, and with it no proof was found"
         return Finding("undecided", reason, witness=witness)
     return Finding("refuted", "an exact counterexample", method="instance", witness=witness)
+
+
+def _spoken(question: Question, setting: MatrixSetting) -> MatrixSetting:
+    """Only the letters that the question depends on."""
+    waiting, found = question.nodes(), set[str]()
+    while waiting:
+        for part in waiting.pop().walk():
+            if part.kind == "name" and part.name not in found:
+                found.add(part.name)
+                letter = setting.letters[part.name]
+                waiting += [n for n in (letter.definition, letter.variance) if n is not None]
+    letters = {name: letter for name, letter in setting.letters.items() if name in found}
+    return MatrixSetting(setting.sizes, letters)
 
 
 def _tried(

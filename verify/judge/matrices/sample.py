@@ -54,6 +54,8 @@ def instances(
     seed: int = 1,
 ) -> Iterator[Instance]:
     """Instances that satisfy all facts of letters, the hypotheses and the bounds on sizes."""
+    letters = list(setting.letters.values())
+    doubtful = _touched(setting, given)
     source = random.Random(seed)
     for number in range(MOST_TRIES):
         base = STEPS[number % len(STEPS)]
@@ -66,7 +68,7 @@ def instances(
             if (
                 all(holds(chain, instance) for chain in given)
                 and all(instance.of(node).det() != 0 for node in invertible)
-                and all(_as_declared(letter, instance) for letter in setting.letters.values())
+                and all(_as_declared(letter, instance, doubtful) for letter in letters)
             ):
                 yield instance
         except (NoValueError, Unsupported):
@@ -78,9 +80,27 @@ def _within(bound: Bound, steps: dict[str, int]) -> bool:
     return left < right if bound.strict else left <= right
 
 
-def _as_declared(letter: Letter, instance: Instance) -> bool:
-    """What is said of a free letter is tested too: a hypothesis may have given it its value."""
-    if letter.definition is not None:
+def _touched(setting: MatrixSetting, given: Sequence[Chain]) -> set[str]:
+    """Letters whose value a hypothesis may have given or changed, with owners of blocks."""
+    found: set[str] = set()
+    for chain in given:
+        for side in chain.sides:
+            for part in side.walk():
+                if part.kind == "name":
+                    found.add(part.name)
+                    block = setting.letters[part.name].definition
+                    found |= {p.name for p in block.walk()} if block is not None else set()
+    return found
+
+
+def _as_declared(letter: Letter, instance: Instance, doubtful: set[str]) -> bool:
+    """What is said of a free letter is tested where a hypothesis may have given it its value;
+    definite ones at random are made so.
+    """
+    made = DEFINITE in letter.facts or SEMIDEFINITE in letter.facts
+    if letter.definition is not None or (
+        letter.name not in doubtful and made and INVERTIBLE not in letter.facts
+    ):
         return True
     value = instance.letter(letter.name)
     if letter.variance is not None:
