@@ -18,7 +18,12 @@ from gainproof.verify.judge.claim import file
 def pytest_configure(config: pytest.Config) -> None:
     """Thorough runs draw larger samples; the environment is what other processes have too."""
     if samples.thorough(config.getoption("-m")):
+        from hypothesis import settings
+
         os.environ.setdefault(samples.VARIABLE, str(samples.THOROUGH))
+        # what names no size of its own
+        settings.register_profile("thorough", max_examples=samples.samples(100))
+        settings.load_profile("thorough")
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -63,9 +63,9 @@ def test_no_kernel_subtracts() -> None:
 
 
 def test_every_step_of_the_page_is_of_a_tower() -> None:
-    subject = catalogue_subjects.subject("recursion-three-states")
-    assert {step.tower for step in subject.derivation.steps} == set(subject.towers)
-    assert [kernel.name for kernel in subject.module.kernels] == list(subject.programs)
+    found = catalogue_subjects.derived("recursion-three-states")
+    assert {step.tower for step in found.steps} == set(found.certificate["towers"])
+    assert [kernel["name"] for kernel in found.kernels] == list(found.programs)
 
 
 def test_start_from_three_positions() -> None:

@@ -218,20 +218,23 @@ def _premises(evidence: Any) -> Iterator[str]:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_altered_words_and_citations_are_noticed(name: str) -> None:
-    """Nothing about them is decided: what tells is the comparison with what is expected."""
+    """Nothing about them is decided: what tells is the comparison with what is expected. Every
+    second one is altered, then the others: these are told and nothing else.
+    """
     certificate = _certificate(name)
     words = [entry for entry in certificate["statements"] if entry["kind"] in UNDECIDABLE]
     kept = {entry["id"] for entry in words}
     claims = [claim for claim in _plain(derived(name).claims) if claim["id"] in kept]
     assert _told({**certificate, "statements": words}, claims) == []
-    for entry in words:
+    for chosen in (words[::2], words[1::2]):
         altered = copy.deepcopy(words)
-        (claim,) = (other["claim"] for other in altered if other["id"] == entry["id"])
-        if "right" in claim:
-            _shift(claim["right"])
-        else:
-            claim["text" if "text" in claim else "theorem"] += " "
-        assert _told({**certificate, "statements": altered}, claims) == [entry["id"]]
+        wanted = [entry["id"] for entry in chosen]
+        for claim in (other["claim"] for other in altered if other["id"] in wanted):
+            if "right" in claim:
+                _shift(claim["right"])
+            else:
+                claim["text" if "text" in claim else "theorem"] += " "
+        assert _told({**certificate, "statements": altered}, claims) == wanted
 
 
 def _told(certificate: dict[str, Any], claims: list[Any]) -> list[str]:

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.fixed_gain import three_states, two_states
 from gainproof.fixed_gain.settling import samples_to_settle
@@ -63,7 +64,7 @@ INNER = st.one_of(
 """Shares of what a border allows: anywhere, next to it, next to 0."""
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=samples(60), deadline=None)
 @given(INNER, INNER, INNER)
 def test_the_whole_region_up_to_its_borders(first: float, second: float, third: float) -> None:
     """Gains are floats; the border they are near to is decided by them, not by the shares."""

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from catalogue_subjects import certificate, subject
+from catalogue_subjects import certificate, derived
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from samples import samples
@@ -36,9 +36,9 @@ DIFFERENCES = {
 
 
 def test_every_step_is_of_a_tower_and_every_tower_is_spoken_of() -> None:
-    found = subject(NAME)
-    assert {step.tower for step in found.derivation.steps} == set(found.towers)
-    assert [kernel.name for kernel in found.module.kernels] == list(found.programs)
+    found = derived(NAME)
+    assert {step.tower for step in found.steps} == set(found.certificate["towers"])
+    assert [kernel["name"] for kernel in found.kernels] == list(found.programs)
 
 
 @settings(max_examples=samples(120), deadline=None)

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import pytest
 from graph_kernels import kernel_of
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from samples import samples
 
 from gainproof.derive.printer.canonical_json import WIDTH, canonical_json
 from gainproof.derive.printer.graph import GraphBuilder
@@ -62,6 +63,7 @@ PLAIN = st.recursive(
 )
 
 
+@settings(max_examples=samples(30))
 @given(PLAIN)
 def test_json_comes_back(value: object) -> None:
     text = canonical_json(value)
