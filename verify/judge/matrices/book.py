@@ -79,8 +79,8 @@ class Known:
 class Book:
     """`hypotheses` by number; `statements` in their order; `invertible`: statements by letter;
     `symmetric`: where it is known that a letter is; `differences`: left less right of each
-    equation stated; `waiting`: elements that are symmetric by hypothesis; `hints`: polynomials that squares may
-    be made of.
+    equation stated; `waiting`: elements that are symmetric by hypothesis; `hints`: polynomials that
+    squares may be made of, `said`: those that the claim names.
     """
 
     alphabet: Alphabet

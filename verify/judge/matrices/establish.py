@@ -143,19 +143,29 @@ def establish(
     eager: bool = False,
 ) -> None:
     """For every inverse that is spoken of: it exists, is symmetric if its base is, and its
-    equations. `candidates` may be left inverses, likely ones where `eager`. Raises UnprovedError, saying what has no inverse.
+    equations. `candidates` may be left inverses, likely ones where `eager`. Raises UnprovedError,
+    saying what has no inverse.
     """
     alphabet = book.alphabet
     done = book.established
     while waiting := [n for n in alphabet.inverse if n not in done]:
+        before, reason = len(done), UnprovedError("an inverse")
         # what has an inverse by hypothesis helps to show that others have one
         for number in sorted(
             waiting, key=lambda n: (n in alphabet.elements, n not in book.invertible)
         ):
-            done.add(number)
             _add_pending(book)
-            _establish_one(book, number, definite, candidates, eager)
+            try:
+                _establish_one(book, number, definite, candidates, eager)
+            except UnprovedError as error:
+                reason = error  # perhaps later, when others are established
+            else:
+                done.add(number)
+        if len(done) == before:
+            raise reason
     _add_pending(book)
+    while book.waiting:
+        _gap_of_transposes(book, *book.waiting.pop())
 
 
 def _establish_one(
@@ -189,7 +199,7 @@ def _strengthen(book: Book, number: int) -> None:
     evidence = {"squares": [square], "cofactors": [], "rank": rank}
     claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter), "relation": ">"}
     name = book.state("matrix_order", claim, evidence)
-    book.known.append(Known(("statement", name), letter, True))
+    book.known[book.known.index(mine[0])] = Known(("statement", name), letter, True)
 
 
 def _state_definite_inverse(book: Book, number: int) -> None:

@@ -68,9 +68,10 @@ def _of_blocks(book: Book, factor: Polynomial) -> Iterator[Polynomial]:
             except ValueError:
                 start = start + size
                 continue
-            gap = alphabet.reduced(picked @ factor) - alphabet.unit(columns)
-            if not gap.terms or _only_blocks(book, gap):
-                yield picked
+            for one in (picked, -picked):
+                gap = alphabet.reduced(one @ factor) - alphabet.unit(columns)
+                if not gap.terms or _only_blocks(book, gap):
+                    yield one
         start = start + size
 
 

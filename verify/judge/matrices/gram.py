@@ -111,9 +111,15 @@ def signed_squares(
         if middle and middle[0] in compressed:
             one, column = compressed[middle[0]]
             own = column @ Polynomial({middle: ONE}, (size, size)) @ own
+        elif middle and middle[0] // 2 in book.alphabet.base:
+            # Y = Y D Y for the inverse of D
+            base = (2 * book.alphabet.base[middle[0] // 2],)
+            whole = next((k for k in letters if base in k.value.terms), None)
+            if whole is not None:
+                one, own = whole, Polynomial({middle: ONE}, (size, size)) @ own
         elif not middle and behind and behind[0] % 2 and behind[0] // 2 in book.alphabet.place:
-            whole = book.alphabet.shapes[behind[0] // 2][0]
-            one = next(k for k in letters if k.reference == ("unit", whole))
+            rows = book.alphabet.shapes[behind[0] // 2][0]
+            one = next(k for k in letters if k.reference == ("unit", rows))
             own = book.alphabet.letter(behind[0] // 2) @ own
         before = total.get(id(one), (one, Polynomial({}, (one.value.shape[0], value.shape[1]))))
         total[id(one)] = (one, before[1] + own)
