@@ -147,9 +147,9 @@ def _fewer(found: Found) -> list[Step]:
     schur = _schur()
     return [
         blocks[0].step(
-            "With (75), `H' H = I`, the blocks (77), (78) of `A_nb' A_nb` and the difference (80) "
-            "follow; (81) is not negative, being the square of `(I - H H') A_l`; so (82) and (83), "
-            "and (84) for no biases.",
+            "With (75), `H' H = I`, which a column of ones over `sqrt(n)` has too, the blocks "
+            "(77), (78) of `A_nb' A_nb` and the difference (80) follow; (81) is not negative, "
+            "being the square of `(I - H H') A_l`; so (82) and (83), and (84) for no biases.",
             "Multiply out. (83): `A_nb = A U`, and `U` has a left inverse.",
         ),
         *meanings(LOCATION, "F12 kept_map kept_gram"),
