@@ -149,6 +149,16 @@ def test_stable_gains_that_no_kernel_reaches_are_named() -> None:
         three_states.variances([[0.1, 1.2], [0.1, 1e-300]], 0.1, [[1e-3, 1e-3], [1e-3, 1e-310]])
 
 
+def test_gains_too_small_for_coordinates_are_left_to_the_kernel() -> None:
+    """A share of 0.9 with gains of 1e-12: what is left to the border loses less than 4 bits."""
+    gains = 1e-12, 1e-13, 9e-26
+    compare(gains, three_states.variances(*gains), 64 * 2.0**-52)
+    both = three_states.variances(
+        *([each, other] for each, other in zip(gains, THREE[0], strict=True))
+    )
+    assert both.predicted_11[0] == three_states.variances(*gains).predicted_11  # type: ignore[index]
+
+
 def test_settling_counts_powers_of_the_largest_modulus() -> None:
     poles = np.array([[0.5, 0.1], [0.99, -0.2], [0.0, 0.0], [0.1, 0.0], [1.0, 0.0]])
     counted = samples_to_settle(poles)

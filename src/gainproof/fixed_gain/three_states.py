@@ -25,14 +25,15 @@ def variances(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Variances:
     alpha, beta, gamma: numbers or arrays, broadcast together. Within the domain of the kernel
     (alpha < 1, beta < 2) and up to 3/4 of the largest stable gamma by its bounds for a gamma that
     is off by no more than 4 * 2^-52 of itself; other stable gains through their coordinates, which
-    are taken from the gains without loss.
+    are taken from the gains without loss, where these are not too small for it.
 
     ValueError for gains outside the stability region: which inequality, its values, the first
     place; and for NaN, infinity and shapes that do not fit. TypeError for no real number.
     """
     gains = stable_gains(alpha, beta, gamma)
     shared = _shared(*gains)
-    fine = within(alpha_beta_gamma._VARIANCES, shared) & (shared[2] <= FAR)
+    fine = within(alpha_beta_gamma._VARIANCES, shared)
+    fine &= (shared[2] <= FAR) | _without_coordinates(*gains)
     return Variances(*put_together(fine, gains, _inside, _beyond))
 
 
@@ -40,6 +41,14 @@ def _shared(alpha: Reals, beta: Reals, gamma: Reals) -> tuple[Reals, Reals, Real
     """alpha, beta and gamma over the largest stable one."""
     with np.errstate(over="ignore", under="ignore"):
         return alpha, beta, (gamma / alpha) * ((1 - alpha / 2) / beta)
+
+
+def _without_coordinates(alpha: Reals, beta: Reals, gamma: Reals) -> NDArray[np.bool_]:
+    """Where gains are so small that a coordinate may be larger than its kernels take."""
+    with np.errstate(over="ignore"):
+        sizes = 2 * (beta / gamma), 8 / gamma, 8 * (alpha / gamma) * (beta / gamma)
+    most = alpha_beta_gamma._VARIANCES_OF_COORDINATES.inputs[0].double[1]
+    return np.asarray(np.logical_or.reduce([size > most for size in sizes]), np.bool_)
 
 
 def _inside(*gains: Reals) -> Variances:
