@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
@@ -96,9 +97,14 @@ def claim_paths() -> list[Path]:
 
 
 def proved_before(path: Path) -> set[str]:
-    """The ids of the claims that the snapshot beside a claim file has as proved."""
+    """The ids of the claims that the snapshot beside a claim file has as proved; without those on
+    matrices of any size, which have no values at points and are broken in tests of their own.
+    """
     snapshot = json.loads(path.with_suffix(".verdicts.json").read_text(encoding="utf-8"))
-    return {claim["id"] for claim in snapshot["claims"] if claim["verdict"] == "proved"}
+    proved = {claim["id"] for claim in snapshot["claims"] if claim["verdict"] == "proved"}
+    source = tomllib.loads(path.read_text(encoding="utf-8"))
+    kinds = {name: setting["kind"] for name, setting in source["settings"].items()}
+    return {c["id"] for c in source["claims"] if kinds[c["setting"]] != "matrices"} & proved
 
 
 def names_proved_before() -> list[str]:
