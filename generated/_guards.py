@@ -9,6 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from gainproof.generated._signature import Array, Arrays, Domain, Signature
 
+ENOUGH = 1.001
 ROW = 1024
 """Numbers of a sum of squares: of more, numbers of the domain would often add up to too much, and
 from 8193 on libraries take threads, which may have to wait.
@@ -76,10 +77,16 @@ def _require(kernel: Signature, parts: Arrays, start: int, shape: tuple[int, ...
     for required in kernel.required:
         kind = parts[0].dtype
         single = kind == np.float32
+        least = required.single if single else required.double
         value: Array = np.empty(parts[0].shape, kind)
+        if required.leg is not None and value.size:
+            required.leg(parts, [value], (), single)
+            # a little more, for the roundings of the root
+            if np.minimum.reduce(np.absolute(value, value)) >= ENOUGH * least:
+                continue
         work: list[Array] = [np.empty_like(value) for _ in range(required.work)]
         required.block(parts, [value], work, single)
-        fine = value >= (required.single if single else required.double)
+        fine = value >= least
         if not fine.all():
             first = int(np.argmin(fine))
             place = tuple(int(i) for i in np.unravel_index(start + first, shape))

@@ -33,7 +33,8 @@ class Domain(NamedTuple):
 
 class Required(NamedTuple):
     """What inputs must fulfil together: what `block` computes of them is at least `double`, in
-    float32 at least `single`.
+    float32 at least `single`. It is nowhere less than the magnitude of what `leg` computes, if
+    there is one: where that is enough the rest need not be computed.
     """
 
     name: str
@@ -42,6 +43,7 @@ class Required(NamedTuple):
     single: float
     work: int
     block: Block
+    leg: Block | None = None
 
 
 class Signature(NamedTuple):

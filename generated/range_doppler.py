@@ -485,6 +485,14 @@ def _slant_range_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _si
     np.sqrt(t13, slant_range)
 
 
+def _slant_range_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    target_x, _target_y, _target_z, station_x, _station_y, _station_z = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _SLANT_RANGE = Signature(
     "slant_range",
     (
@@ -506,6 +514,7 @@ _SLANT_RANGE = Signature(
             9.999999974752427e-07,
             3,
             _slant_range_slant_range_block,
+            _slant_range_slant_range_leg_block,
         ),
     ),
 )
@@ -610,6 +619,14 @@ def _range_jacobian_slant_range_block(
     np.sqrt(t13, slant_range)
 
 
+def _range_jacobian_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    target_x, _target_y, _target_z, station_x, _station_y, _station_z = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_JACOBIAN = Signature(
     "range_jacobian",
     (
@@ -631,6 +648,7 @@ _RANGE_JACOBIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_jacobian_slant_range_block,
+            _range_jacobian_slant_range_leg_block,
         ),
     ),
 )
@@ -788,6 +806,27 @@ def _range_rate_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _sin
     np.sqrt(t22, slant_range)
 
 
+def _range_rate_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        station_x,
+        _station_y,
+        _station_z,
+        _station_velocity_x,
+        _station_velocity_y,
+        _station_velocity_z,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_RATE = Signature(
     "range_rate",
     (
@@ -815,6 +854,7 @@ _RANGE_RATE = Signature(
             9.999999974752427e-07,
             3,
             _range_rate_slant_range_block,
+            _range_rate_slant_range_leg_block,
         ),
     ),
 )
@@ -1024,6 +1064,27 @@ def _range_rate_jacobian_slant_range_block(
     np.sqrt(t22, slant_range)
 
 
+def _range_rate_jacobian_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        station_x,
+        _station_y,
+        _station_z,
+        _station_velocity_x,
+        _station_velocity_y,
+        _station_velocity_z,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_RATE_JACOBIAN = Signature(
     "range_rate_jacobian",
     (
@@ -1058,6 +1119,7 @@ _RANGE_RATE_JACOBIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_rate_jacobian_slant_range_block,
+            _range_rate_jacobian_slant_range_leg_block,
         ),
     ),
 )
@@ -1277,6 +1339,27 @@ def _range_doppler_slant_range_block(
     np.sqrt(t22, slant_range)
 
 
+def _range_doppler_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        station_x,
+        _station_y,
+        _station_z,
+        _station_velocity_x,
+        _station_velocity_y,
+        _station_velocity_z,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_DOPPLER = Signature(
     "range_doppler",
     (
@@ -1313,6 +1396,7 @@ _RANGE_DOPPLER = Signature(
             9.999999974752427e-07,
             3,
             _range_doppler_slant_range_block,
+            _range_doppler_slant_range_leg_block,
         ),
     ),
 )
@@ -1452,6 +1536,14 @@ def _range_hessian_slant_range_block(
     np.sqrt(t13, slant_range)
 
 
+def _range_hessian_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    target_x, _target_y, _target_z, station_x, _station_y, _station_z = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_HESSIAN = Signature(
     "range_hessian",
     (
@@ -1473,6 +1565,7 @@ _RANGE_HESSIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_hessian_slant_range_block,
+            _range_hessian_slant_range_leg_block,
         ),
     ),
 )
@@ -1733,6 +1826,27 @@ def _range_rate_hessian_slant_range_block(
     np.sqrt(t22, slant_range)
 
 
+def _range_rate_hessian_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        station_x,
+        _station_y,
+        _station_z,
+        _station_velocity_x,
+        _station_velocity_y,
+        _station_velocity_z,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_RATE_HESSIAN = Signature(
     "range_rate_hessian",
     (
@@ -1767,6 +1881,7 @@ _RANGE_RATE_HESSIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_rate_hessian_slant_range_block,
+            _range_rate_hessian_slant_range_leg_block,
         ),
     ),
 )
@@ -1810,8 +1925,9 @@ def doppler_shift(
 ) -> DopplerShift:
     """Doppler shift of a carrier that the target sends, with its derivatives.
 
-        -(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w and
-        h = (w - g u)/f; r = target - station, f = |r|, u = r/f, w = target velocity - station velocity.
+        -(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w,
+        h = (w - g u)/f;
+        r = target - station, f = |r|, u = r/f, w = target velocity - station velocity.
         This is the narrow-band shift of one way: with g at the time of sending the classical one
         is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift
 
@@ -1994,6 +2110,28 @@ def _doppler_shift_slant_range_block(
     np.sqrt(t22, slant_range)
 
 
+def _doppler_shift_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        station_x,
+        _station_y,
+        _station_z,
+        _station_velocity_x,
+        _station_velocity_y,
+        _station_velocity_z,
+        _carrier_frequency,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _DOPPLER_SHIFT = Signature(
     "doppler_shift",
     (
@@ -2030,6 +2168,7 @@ _DOPPLER_SHIFT = Signature(
             9.999999974752427e-07,
             3,
             _doppler_shift_slant_range_block,
+            _doppler_shift_slant_range_leg_block,
         ),
     ),
 )
@@ -2105,6 +2244,14 @@ def _slant_range_in_plane_slant_range_block(
     np.sqrt(t8, slant_range)
 
 
+def _slant_range_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    target_x, _target_y, station_x, _station_y = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _SLANT_RANGE_IN_PLANE = Signature(
     "slant_range_in_plane",
     (_TARGET_X_DOMAIN, _TARGET_Y_DOMAIN, _STATION_X_DOMAIN, _STATION_Y_DOMAIN),
@@ -2119,6 +2266,7 @@ _SLANT_RANGE_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _slant_range_in_plane_slant_range_block,
+            _slant_range_in_plane_slant_range_leg_block,
         ),
     ),
 )
@@ -2203,6 +2351,14 @@ def _range_jacobian_in_plane_slant_range_block(
     np.sqrt(t8, slant_range)
 
 
+def _range_jacobian_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    target_x, _target_y, station_x, _station_y = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_JACOBIAN_IN_PLANE = Signature(
     "range_jacobian_in_plane",
     (_TARGET_X_DOMAIN, _TARGET_Y_DOMAIN, _STATION_X_DOMAIN, _STATION_Y_DOMAIN),
@@ -2217,6 +2373,7 @@ _RANGE_JACOBIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_jacobian_in_plane_slant_range_block,
+            _range_jacobian_in_plane_slant_range_leg_block,
         ),
     ),
 )
@@ -2344,6 +2501,23 @@ def _range_rate_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
+def _range_rate_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        station_x,
+        _station_y,
+        _station_velocity_x,
+        _station_velocity_y,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_RATE_IN_PLANE = Signature(
     "range_rate_in_plane",
     (
@@ -2367,6 +2541,7 @@ _RANGE_RATE_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_rate_in_plane_slant_range_block,
+            _range_rate_in_plane_slant_range_leg_block,
         ),
     ),
 )
@@ -2524,6 +2699,23 @@ def _range_rate_jacobian_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
+def _range_rate_jacobian_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        station_x,
+        _station_y,
+        _station_velocity_x,
+        _station_velocity_y,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_RATE_JACOBIAN_IN_PLANE = Signature(
     "range_rate_jacobian_in_plane",
     (
@@ -2547,6 +2739,7 @@ _RANGE_RATE_JACOBIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_rate_jacobian_in_plane_slant_range_block,
+            _range_rate_jacobian_in_plane_slant_range_leg_block,
         ),
     ),
 )
@@ -2711,6 +2904,23 @@ def _range_doppler_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
+def _range_doppler_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        station_x,
+        _station_y,
+        _station_velocity_x,
+        _station_velocity_y,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_DOPPLER_IN_PLANE = Signature(
     "range_doppler_in_plane",
     (
@@ -2734,6 +2944,7 @@ _RANGE_DOPPLER_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_doppler_in_plane_slant_range_block,
+            _range_doppler_in_plane_slant_range_leg_block,
         ),
     ),
 )
@@ -2832,6 +3043,14 @@ def _range_hessian_in_plane_slant_range_block(
     np.sqrt(t8, slant_range)
 
 
+def _range_hessian_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    target_x, _target_y, station_x, _station_y = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_HESSIAN_IN_PLANE = Signature(
     "range_hessian_in_plane",
     (_TARGET_X_DOMAIN, _TARGET_Y_DOMAIN, _STATION_X_DOMAIN, _STATION_Y_DOMAIN),
@@ -2846,6 +3065,7 @@ _RANGE_HESSIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_hessian_in_plane_slant_range_block,
+            _range_hessian_in_plane_slant_range_leg_block,
         ),
     ),
 )
@@ -3020,6 +3240,23 @@ def _range_rate_hessian_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
+def _range_rate_hessian_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        station_x,
+        _station_y,
+        _station_velocity_x,
+        _station_velocity_y,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _RANGE_RATE_HESSIAN_IN_PLANE = Signature(
     "range_rate_hessian_in_plane",
     (
@@ -3043,6 +3280,7 @@ _RANGE_RATE_HESSIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_rate_hessian_in_plane_slant_range_block,
+            _range_rate_hessian_in_plane_slant_range_leg_block,
         ),
     ),
 )
@@ -3078,8 +3316,9 @@ def doppler_shift_in_plane(
 ) -> DopplerShiftInPlane:
     """Doppler shift of a carrier that the target sends, with its derivatives in the plane.
 
-        -(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w and
-        h = (w - g u)/f; r = target - station, f = |r|, u = r/f, w = target velocity - station velocity.
+        -(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w,
+        h = (w - g u)/f;
+        r = target - station, f = |r|, u = r/f, w = target velocity - station velocity.
         This is the narrow-band shift of one way: with g at the time of sending the classical one
         is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift
 
@@ -3220,6 +3459,24 @@ def _doppler_shift_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
+def _doppler_shift_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        station_x,
+        _station_y,
+        _station_velocity_x,
+        _station_velocity_y,
+        _carrier_frequency,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, station_x, slant_range)
+
+
 _DOPPLER_SHIFT_IN_PLANE = Signature(
     "doppler_shift_in_plane",
     (
@@ -3250,6 +3507,7 @@ _DOPPLER_SHIFT_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _doppler_shift_in_plane_slant_range_block,
+            _doppler_shift_in_plane_slant_range_leg_block,
         ),
     ),
 )
@@ -3547,6 +3805,33 @@ def _bistatic_range_doppler_slant_range_block(
     np.sqrt(t28, slant_range)
 
 
+def _bistatic_range_doppler_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        first_station_x,
+        _first_station_y,
+        _first_station_z,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _first_station_velocity_z,
+        _second_station_x,
+        _second_station_y,
+        _second_station_z,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+        _second_station_velocity_z,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, first_station_x, slant_range)
+
+
 def _bistatic_range_doppler_other_range_block(
     given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
@@ -3581,6 +3866,33 @@ def _bistatic_range_doppler_other_range_block(
     t42 = np.add(t39, t40, w0)
     t43 = np.add(t42, t41, w0)
     np.sqrt(t43, other_range)
+
+
+def _bistatic_range_doppler_other_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        _first_station_x,
+        _first_station_y,
+        _first_station_z,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _first_station_velocity_z,
+        second_station_x,
+        _second_station_y,
+        _second_station_z,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+        _second_station_velocity_z,
+    ) = given
+    (other_range,) = out
+    np.subtract(target_x, second_station_x, other_range)
 
 
 _BISTATIC_RANGE_DOPPLER = Signature(
@@ -3625,6 +3937,7 @@ _BISTATIC_RANGE_DOPPLER = Signature(
             9.999999974752427e-07,
             3,
             _bistatic_range_doppler_slant_range_block,
+            _bistatic_range_doppler_slant_range_leg_block,
         ),
         Required(
             "distance of the target from the second station",
@@ -3633,6 +3946,7 @@ _BISTATIC_RANGE_DOPPLER = Signature(
             9.999999974752427e-07,
             3,
             _bistatic_range_doppler_other_range_block,
+            _bistatic_range_doppler_other_range_leg_block,
         ),
     ),
 )
@@ -3971,6 +4285,33 @@ def _range_doppler_difference_slant_range_block(
     np.sqrt(t25, slant_range)
 
 
+def _range_doppler_difference_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        first_station_x,
+        _first_station_y,
+        _first_station_z,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _first_station_velocity_z,
+        _second_station_x,
+        _second_station_y,
+        _second_station_z,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+        _second_station_velocity_z,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, first_station_x, slant_range)
+
+
 def _range_doppler_difference_other_range_block(
     given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
@@ -4005,6 +4346,33 @@ def _range_doppler_difference_other_range_block(
     t39 = np.add(t36, t37, w0)
     t40 = np.add(t39, t38, w0)
     np.sqrt(t40, other_range)
+
+
+def _range_doppler_difference_other_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_z,
+        _target_velocity_x,
+        _target_velocity_y,
+        _target_velocity_z,
+        _first_station_x,
+        _first_station_y,
+        _first_station_z,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _first_station_velocity_z,
+        second_station_x,
+        _second_station_y,
+        _second_station_z,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+        _second_station_velocity_z,
+    ) = given
+    (other_range,) = out
+    np.subtract(target_x, second_station_x, other_range)
 
 
 _RANGE_DOPPLER_DIFFERENCE = Signature(
@@ -4049,6 +4417,7 @@ _RANGE_DOPPLER_DIFFERENCE = Signature(
             1.0,
             3,
             _range_doppler_difference_slant_range_block,
+            _range_doppler_difference_slant_range_leg_block,
         ),
         Required(
             "distance of the target from the second station",
@@ -4057,6 +4426,7 @@ _RANGE_DOPPLER_DIFFERENCE = Signature(
             1.0,
             3,
             _range_doppler_difference_other_range_block,
+            _range_doppler_difference_other_range_leg_block,
         ),
     ),
 )
@@ -4282,6 +4652,27 @@ def _bistatic_range_doppler_in_plane_slant_range_block(
     np.sqrt(t18, slant_range)
 
 
+def _bistatic_range_doppler_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        first_station_x,
+        _first_station_y,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _second_station_x,
+        _second_station_y,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, first_station_x, slant_range)
+
+
 def _bistatic_range_doppler_in_plane_other_range_block(
     given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
@@ -4307,6 +4698,27 @@ def _bistatic_range_doppler_in_plane_other_range_block(
     t27 = np.square(other_place_y, w1)
     t28 = np.add(t26, t27, w0)
     np.sqrt(t28, other_range)
+
+
+def _bistatic_range_doppler_in_plane_other_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        _first_station_x,
+        _first_station_y,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        second_station_x,
+        _second_station_y,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+    ) = given
+    (other_range,) = out
+    np.subtract(target_x, second_station_x, other_range)
 
 
 _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
@@ -4343,6 +4755,7 @@ _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _bistatic_range_doppler_in_plane_slant_range_block,
+            _bistatic_range_doppler_in_plane_slant_range_leg_block,
         ),
         Required(
             "distance of the target from the second station",
@@ -4351,6 +4764,7 @@ _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _bistatic_range_doppler_in_plane_other_range_block,
+            _bistatic_range_doppler_in_plane_other_range_leg_block,
         ),
     ),
 )
@@ -4603,6 +5017,27 @@ def _range_doppler_difference_in_plane_slant_range_block(
     np.sqrt(t16, slant_range)
 
 
+def _range_doppler_difference_in_plane_slant_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        first_station_x,
+        _first_station_y,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        _second_station_x,
+        _second_station_y,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+    ) = given
+    (slant_range,) = out
+    np.subtract(target_x, first_station_x, slant_range)
+
+
 def _range_doppler_difference_in_plane_other_range_block(
     given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
@@ -4628,6 +5063,27 @@ def _range_doppler_difference_in_plane_other_range_block(
     t25 = np.square(other_place_y, w1)
     t26 = np.add(t24, t25, w0)
     np.sqrt(t26, other_range)
+
+
+def _range_doppler_difference_in_plane_other_range_leg_block(
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
+) -> None:
+    (
+        target_x,
+        _target_y,
+        _target_velocity_x,
+        _target_velocity_y,
+        _first_station_x,
+        _first_station_y,
+        _first_station_velocity_x,
+        _first_station_velocity_y,
+        second_station_x,
+        _second_station_y,
+        _second_station_velocity_x,
+        _second_station_velocity_y,
+    ) = given
+    (other_range,) = out
+    np.subtract(target_x, second_station_x, other_range)
 
 
 _RANGE_DOPPLER_DIFFERENCE_IN_PLANE = Signature(
@@ -4664,6 +5120,7 @@ _RANGE_DOPPLER_DIFFERENCE_IN_PLANE = Signature(
             1.0,
             2,
             _range_doppler_difference_in_plane_slant_range_block,
+            _range_doppler_difference_in_plane_slant_range_leg_block,
         ),
         Required(
             "distance of the target from the second station",
@@ -4672,6 +5129,7 @@ _RANGE_DOPPLER_DIFFERENCE_IN_PLANE = Signature(
             1.0,
             2,
             _range_doppler_difference_in_plane_other_range_block,
+            _range_doppler_difference_in_plane_other_range_leg_block,
         ),
     ),
 )

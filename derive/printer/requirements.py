@@ -9,13 +9,14 @@ from gainproof.derive.printer.arithmetic import Arithmetic, literal
 from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.docstring import required_text
 from gainproof.derive.printer.formats import FORMATS
+from gainproof.derive.printer.graph import Graph, operands
 from gainproof.derive.printer.kernel import Kernel, Output, Requirement
 from gainproof.derive.printer.layout import WIDTH
 
 
 @dataclass(frozen=True)
 class Printed:
-    """The lines of the function that computes what is required, and of its entry."""
+    """The lines of the functions of what is required and of a leg of it, and of its entry."""
 
     function: tuple[str, ...]
     entry: tuple[str, ...]
@@ -28,8 +29,42 @@ def requirements(kernel: Kernel) -> list[Printed]:
 
 def _printed(kernel: Kernel, required: Requirement) -> Printed:
     block = f"_{kernel.name}_{required.name}_block"
-    arithmetic = Arithmetic(replace(kernel, outputs=(Output(required.name, required.meaning),)))
-    return Printed(tuple(_function(block, arithmetic)), tuple(_entry(block, arithmetic, required)))
+    outputs = (Output(required.name, required.meaning),)
+    arithmetic = Arithmetic(replace(kernel, outputs=outputs))
+    functions = list(_function(block, arithmetic))
+    leg = first_leg(kernel.graph, required.name)
+    if leg is None:
+        return Printed(tuple(functions), tuple(_entry(block, arithmetic, required)))
+    graph: Graph = {**kernel.graph, "outputs": {required.name: leg}}
+    small = Arithmetic(replace(kernel, outputs=outputs, graph=graph))
+    leg_block = f"_{kernel.name}_{required.name}_leg_block"
+    functions += ["", "", *_function(leg_block, small)]
+    return Printed(tuple(functions), tuple(_entry(block, arithmetic, required, leg_block)))
+
+
+def first_leg(graph: Graph, name: str) -> int | None:
+    """Of an output that is the root of a sum of squares, the difference that is squared first, if
+    it is one of inputs: the output is nowhere less than its magnitude.
+    """
+    nodes = graph["nodes"]
+    root = nodes[graph["outputs"][name]]
+    if root[0] != "pow" or root[2] != "1/2":
+        return None
+    terms, squared = list(operands(root)), list[int]()
+    while terms:
+        node = nodes[terms.pop()]
+        sides = operands(node)
+        if node[0] == "add":
+            terms += reversed(sides)
+        elif node[0] == "mul" and len(sides) == 2 and sides[0] == sides[1]:
+            squared.append(sides[0])
+        else:
+            return None
+    first = nodes[squared[0]]
+    parts = [nodes[part] for part in operands(first)]
+    inner = [nodes[operands(part)[0]] if part[0] == "neg" else part for part in parts]
+    plain = first[0] == "add" and len(parts) == 2 and all(each[0] == "symbol" for each in inner)
+    return squared[0] if plain else None
 
 
 def _function(block: str, arithmetic: Arithmetic) -> Iterator[str]:
@@ -41,7 +76,9 @@ def _function(block: str, arithmetic: Arithmetic) -> Iterator[str]:
     yield from (f"    {line}" for line in arithmetic.lines)
 
 
-def _entry(block: str, arithmetic: Arithmetic, required: Requirement) -> Iterator[str]:
+def _entry(
+    block: str, arithmetic: Arithmetic, required: Requirement, leg: str | None = None
+) -> Iterator[str]:
     double, single = (
         literal(constant(limit).nearest(form))
         for limit, form in zip((required.least, required.single), FORMATS, strict=True)
@@ -53,4 +90,6 @@ def _entry(block: str, arithmetic: Arithmetic, required: Requirement) -> Iterato
     yield f"    {single},"
     yield f"    {arithmetic.work},"
     yield f"    {block},"
+    if leg is not None:
+        yield f"    {leg},"
     yield "),"

@@ -104,8 +104,9 @@ _EQUATIONS: dict[str, tuple[str, ...]] = {
         "entry add up to at most 5 |w|/f^2",
     ),
     "doppler_shift": (
-        "-(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w and",
-        f"h = (w - g u)/f; {_W}.",
+        "-(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w,",
+        "h = (w - g u)/f;",
+        f"{_W}.",
         "This is the narrow-band shift of one way: with g at the time of sending the classical one",
         "is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift",
     ),

@@ -13,6 +13,7 @@ from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import Kernel, Output, Requirement, signed
+from gainproof.derive.printer.requirements import first_leg
 
 AXES = ("x", "y", "z")
 PLACES = tuple(f"{who}_{axis}" for who in ("target", "station") for axis in AXES)
@@ -81,3 +82,42 @@ def test_a_target_on_a_station_is_refused() -> None:
     run = module_of(sight())["sight"]
     with pytest.raises(ValueError, match=r"distance of the two must be at least 1e-30.* got 0\.0"):
         run(*([5.0] * 3 + [5.0] * 3 + [1.0] * 6))
+
+
+def test_a_leg_that_is_long_enough_is_all_that_is_computed() -> None:
+    """Where the first difference is 0 or next to it the whole distance decides, place by place."""
+    module = module_of(sight())
+    (required,) = module["_SIGHT"].required
+    assert required.leg is not None
+    run = module["sight"]
+    given = np.ones((12, 5))
+    given[:3] = np.array([[4, 1, 1, 1, 1], [1, 5, 1, 1, 1], [1, 1, 1 + 1e-9, 1, 9]])
+    with pytest.raises(ValueError, match=r"distance of the two must be .* got 0\.0 at index 3$"):
+        run(*given)
+    assert np.allclose(run(*np.delete(given, 3, 1)).distance, [3, 4, 1e-9, 8], rtol=1e-7)
+    value = np.empty(5)
+    required.leg(list(given), [value], [], False)
+    assert np.array_equal(value, [3, 0, 0, 0, 0])
+    for bad in (np.nan, np.inf):
+        given[0, 1] = bad
+        with pytest.raises(ValueError, match=f"target_x must be .* got {bad} at index 1"):
+            run(*given)
+
+
+def test_roots_without_a_leg_of_two_inputs_have_none() -> None:
+    b = GraphBuilder()
+    x, y, z = (b.symbol(name) for name in "xyz")
+    apart = x - y
+    squares = {
+        "plain": b.sqrt(x * x + y * y),
+        "leg": b.sqrt(apart * apart + z * z),
+        "last": b.sqrt(z * z + apart * apart),
+        "other": b.sqrt(apart * apart + z),
+        "product": b.sqrt(apart * apart + x * y),
+        "three": b.sqrt((apart - z) * (apart - z)),
+        "sum": x + y,
+    }
+    graph = b.graph(squares)
+    found = {name: first_leg(graph, name) for name in squares}
+    assert found.pop("leg") is not None
+    assert set(found.values()) == {None}
