@@ -89,6 +89,6 @@ def test_the_poles_as_the_docstring_says(alpha: float, beta: float, gamma: float
 def test_a_threefold_pole_and_real_ones() -> None:
     """alpha = 1, beta = 3/2, gamma = 1: all at 0. Small gains behind alpha: all real."""
     all_at_0 = alpha_beta_gamma.closed_loop_poles(1.0, 1.5, 1.0)
-    assert tuple(all_at_0) == (1.0, 0.0, 0.0, 0.0)
+    assert [float(each) for each in all_at_0] == [1.0, 0.0, 0.0, 0.0]
     assert alpha_beta_gamma.closed_loop_poles(0.5, 0.01, 1e-5).discriminant > 0
     assert alpha_beta_gamma.closed_loop_poles(0.5, 0.25, 0.0625).discriminant < 0

@@ -59,7 +59,7 @@ def truth(gains: list[flint.arb], matrix: Matrix) -> Mapping[str, flint.arb]:
         [[int(i == j) - (gains[i] if j == 0 else 0) for j in range(3)] for i in range(3)]
     )
     after = rest * ahead * rest.transpose()
-    found = {}
+    found: dict[str, flint.arb] = {}
     for i in range(3):
         for j in range(i, 3):
             ij = f"{i + 1}{j + 1}"
