@@ -24,11 +24,14 @@ class Unsupported(ValueError):
 
 @dataclass
 class Instance:
-    """Values of the steps of sizes and of the free letters, random ones included."""
+    """Values of the steps of sizes and of the free letters, random ones included. `steady` is the
+    instance of which this one has other random letters: no inverse depends on them.
+    """
 
     setting: MatrixSetting
     steps: Mapping[str, int]
     values: dict[str, fmpq_mat] = field(default_factory=dict)
+    steady: Instance | None = None
     _known: dict[int, tuple[Node, fmpq_mat]] = field(default_factory=dict)
     _names: dict[str, fmpq_mat] = field(default_factory=dict)
 
@@ -66,6 +69,8 @@ class Instance:
             case "transpose":
                 return self.of(node.parts[0]).transpose()
             case "inverse":
+                if self.steady is not None:
+                    return self.steady.of(node)
                 return _inverse(self.of(node.parts[0]))
             case "sum":
                 return _sum([self.of(part) for part in node.parts])
@@ -88,8 +93,8 @@ class Instance:
         return self._names[name]
 
     def with_values(self, values: Mapping[str, fmpq_mat]) -> Instance:
-        """Other values of some letters."""
-        return Instance(self.setting, self.steps, {**self.values, **values})
+        """Other values of some random letters, on which no inverse depends."""
+        return Instance(self.setting, self.steps, {**self.values, **values}, self)
 
     def _mean(self, node: Node) -> fmpq_mat:
         """E of a polynomial of degree 2 at most in random letters that are independent, with mean
