@@ -34,6 +34,8 @@ def possible_conditions(
         symmetric = Chain((node, Node("transpose", (node,))), ("=",))
         definite = Chain((node, zero), (">",))
         for said, chain in ((f"{name} is symmetric", symmetric), (f"{name} > 0", definite)):
+            if chain in question.chains:
+                continue
             count += 1
             if count <= MOST_CONDITIONS:
                 yield said, replace(question, given=(*question.given, chain))

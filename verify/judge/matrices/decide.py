@@ -11,7 +11,7 @@ from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Uns
 from gainproof.verify.judge.matrices.layers import Layers
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.prove import Question
-from gainproof.verify.judge.matrices.sample import holds, instances
+from gainproof.verify.judge.matrices.sample import holds, instances, is_random
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
 from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 from gainproof.verify.judge.matrices.witness import witness_of
@@ -103,9 +103,12 @@ def _square(node: Node, shapes: Shapes) -> Node:
 def _decided(case: Case, setting: MatrixSetting) -> Finding:
     setting = _spoken(case.question, setting)
     layers = Layers(setting)
+    if _conditions_chance(case.question, setting):
+        reason = "a mean, under a hypothesis about what is random: a conditional mean is not read"
+        return Finding("undecided", reason)
     found, failed = _tried(case, setting)
     if not found:
-        return Finding("undecided", "no exact instance of the hypotheses was found")
+        return Finding("undecided", _why_none(case, setting))
     if failed is None:
         return _proved(case, layers)
     instance, missing = failed
@@ -126,6 +129,33 @@ def _decided(case: Case, setting: MatrixSetting) -> Finding:
         reason = "an inverse in it does not always exist, and with it no proof was found"
         return Finding("undecided", reason, witness=witness)
     return Finding("refuted", "an exact counterexample", method="instance", witness=witness)
+
+
+def _conditions_chance(question: Question, setting: MatrixSetting) -> bool:
+    """Whether there is a mean, and a hypothesis about a random vector outside of means."""
+    nodes = question.nodes()
+    if not any(part.kind == "expectation" for node in nodes for part in node.walk()):
+        return False
+    supposed = [side for chain in question.given for side in chain.sides]
+    waiting = [*supposed, *question.invertible]
+    while waiting:
+        node = waiting.pop()
+        if node.kind == "name" and is_random(node.name, setting):
+            return True
+        waiting += [] if node.kind == "expectation" else node.parts
+    return False
+
+
+def _why_none(case: Case, setting: MatrixSetting) -> str:
+    """What is not evaluated in the claim, if it is that."""
+    question = case.question
+    tried = instances(setting, question.given, question.invertible, case.bounds)
+    for instance in islice(tried, 1):
+        try:
+            all(holds(chain, instance) for chain in question.chains)
+        except (Unsupported, NoValueError) as reason:
+            return f"not decided: {reason}"
+    return "no exact instance of the hypotheses was found"
 
 
 def _spoken(question: Question, setting: MatrixSetting) -> MatrixSetting:

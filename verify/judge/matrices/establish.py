@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 from gainproof.verify.judge.matrices.alphabet import SYMMETRIC_FACTS, Alphabet
 from gainproof.verify.judge.matrices.book import (
@@ -172,12 +173,16 @@ def _establish_one(
     book: Book, number: int, definite: Definite, candidates: Sequence[Polynomial], eager: bool
 ) -> None:
     alphabet = book.alphabet
-    if number not in book.invertible:
+    was_given = number in book.invertible
+    if not was_given:
         evidence = _why_invertible(book, number, definite, candidates, eager)
         name = alphabet.names[number]
         book.invertible[number] = f"{name}_is_invertible"
         book.state("matrix_invertible", {"matrix": name}, evidence, book.invertible[number])
     _make_symmetric(book, number)
+    if was_given and number in alphabet.elements:
+        with suppress(UnprovedError):
+            definite(book, number)
     _state_symmetric_inverse(book, number)
     _inverse_equations(book, number)
     _state_definite_inverse(book, number)

@@ -19,7 +19,7 @@ from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget
 from gainproof.verify.judge.matrices.polynomial import TooLongError
 from gainproof.verify.judge.matrices.prove import Question, proof_of
-from gainproof.verify.judge.matrices.sample import is_block
+from gainproof.verify.judge.matrices.sample import is_block, is_random
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
 MOST_DEEP = 3
@@ -108,7 +108,12 @@ class Layers:
     def _closings(self, question: Question) -> Iterator[frozenset[str]]:
         """Which definitions stay closed: all; all of blocks but such as only pick rows; none."""
         letters = self.setting.letters
-        defined = {name for name, letter in letters.items() if letter.definition is not None}
+        # what depends on a random vector is not any matrix to a mean
+        defined = {
+            name
+            for name, letter in letters.items()
+            if letter.definition is not None and not is_random(name, self.setting)
+        }
         picks = {name for name in defined if is_block(letters[name].definition)}  # type: ignore[arg-type]
         blocks = {
             name

@@ -39,7 +39,17 @@ def definite(book: Book, number: int) -> tuple[object, ...]:
             return known.reference
     if number not in book.alphabet.symmetric:
         raise UnprovedError("it is not known to be symmetric")
-    evidence = prove_order(book, letter, True)
+    try:
+        evidence = prove_order(book, letter, True)
+    except UnprovedError:
+        if number not in book.invertible:
+            raise
+        # with an inverse by hypothesis it is enough that it is at least 0
+        claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter)}
+        weak = prove_order(book, letter, False)
+        name = book.state("matrix_order", {**claim, "relation": ">="}, weak)
+        book.known.append(Known(("statement", name), letter, False))
+        return ("statement", name)
     claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter), "relation": ">"}
     reference = ("statement", book.state("matrix_order", claim, evidence))
     book.known.append(Known(reference, letter, True))

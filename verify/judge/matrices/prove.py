@@ -26,6 +26,7 @@ from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
 MOST_HINTS = 40
+FEW_PRODUCTS = 300
 
 
 @dataclass(frozen=True)
@@ -130,7 +131,12 @@ def equal(book: Book, left: Polynomial, right: Polynomial) -> None:
     claim = {"left": book.graph(left), "right": book.graph(right)}
     evidence = _between_orders(book, residual)
     if evidence is None:
-        evidence = {"cofactors": cleared(book, residual, _establish_more)}
+        try:
+            evidence = {"cofactors": cleared(book, residual, _establish_more)}
+        except UnprovedError:
+            evidence = _by_definite(book, residual)
+            if evidence is None:
+                raise
     name = book.state("matrix_equal", claim, evidence)
     book.differences[name] = residual
     if residual.terms:
@@ -153,6 +159,23 @@ def _between_orders(book: Book, residual: Polynomial) -> dict[str, Any] | None:
                 }
             except (UnprovedError, TooLongError):
                 continue
+    return None
+
+
+def _by_definite(book: Book, residual: Polynomial) -> dict[str, Any] | None:
+    """N = 0 since N' D N = 0 for a D that is positive definite."""
+    units = [
+        Known(("unit", size), book.alphabet.unit(size), True) for size in set(residual.shape[:1])
+    ]
+    for known in (*book.known, *units):
+        if not known.strict or known.value.shape[0] != residual.shape[0]:
+            continue
+        try:
+            form = residual.T @ known.value @ residual
+            cofactors = book.vanishing(form, most=FEW_PRODUCTS)
+        except (UnprovedError, TooLongError):
+            continue
+        return {"cofactors": cofactors, "definite": known.reference, "side": "left"}
     return None
 
 

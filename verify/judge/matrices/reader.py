@@ -9,6 +9,7 @@ from gainproof.verify.judge.matrices.bounds import split_bounds
 from gainproof.verify.judge.matrices.lexer import Token, tokens_of
 from gainproof.verify.judge.matrices.size import Sizes
 from gainproof.verify.judge.matrices.tree import (
+    INNER,
     REGULAR,
     Chain,
     Node,
@@ -160,7 +161,7 @@ class _Parser:
         place, closing = opening.position, _CLOSING[opening.kind]
         if self.kind == "," and opening.kind == "(":
             self.take()
-            inner = product(transposed(inner), self.sum())
+            inner = Node("product", (transposed(inner), self.sum()), name=INNER)
         elif self.kind == "wide":
             cells = [inner]
             while self.kind == "wide":

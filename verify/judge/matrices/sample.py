@@ -23,6 +23,8 @@ from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 MOST_TRIES = 60
 SPECIAL = 0.5
 """How often such columns are tried, and how often they are not 0."""
+RARE = 0.15
+"""How often a letter without facts is 0, which refutes much that is said of all of them."""
 STEPS = (1, 2, 3, 2, 1, 4, 6, 7, 8)
 """What the steps of sizes are tried with, small ones first; six unknowns want six equations."""
 
@@ -138,15 +140,21 @@ def _fill(instance: Instance, given: Sequence[Chain], source: random.Random) -> 
         instance.values[letter.name] = value
         later.remove(letter)
     if source.random() < SPECIAL:
-        _simple_columns(instance, given, source)
+        _simple_values(instance, given, source)
     for chain in given:
         if chain.operators == ("=",):
             _clear_block(chain, instance)
 
 
-def _simple_columns(instance: Instance, given: Sequence[Chain], source: random.Random) -> None:
-    """Columns that hypotheses speak of as unit vectors or 0, since e^T e = 1 is rare at random."""
+def _simple_values(instance: Instance, given: Sequence[Chain], source: random.Random) -> None:
+    """Columns that hypotheses speak of as unit vectors or 0, and square matrices in equations among
+    them as one diagonal of 1 and -1, since e^T e = 1 and B C = C B are rare at random.
+    """
     names = {part.name for chain in given for s in chain.sides for part in s.walk()}
+    equations = [chain for chain in given if "=" in chain.operators]
+    equated = {p.name for chain in equations for s in chain.sides for p in s.walk()}
+    equated = equated if source.random() < SPECIAL else set()
+    signs = [source.choice((1, -1)) for _ in range(5)]
     for name in sorted(names & set(instance.values)):
         value = instance.values[name]
         if value.ncols() == 1:
@@ -154,6 +162,11 @@ def _simple_columns(instance: Instance, given: Sequence[Chain], source: random.R
             if source.random() < SPECIAL:
                 column[source.randrange(value.nrows()), 0] = 1
             instance.values[name] = column
+        elif name in equated and value.nrows() == value.ncols():
+            diagonal = fmpq_mat(value.nrows(), value.nrows())
+            for i in range(value.nrows()):
+                diagonal[i, i] = signs[i % len(signs)]
+            instance.values[name] = diagonal
 
 
 def _of_letter(letter: Letter, instance: Instance, source: random.Random) -> fmpq_mat:
@@ -162,6 +175,8 @@ def _of_letter(letter: Letter, instance: Instance, source: random.Random) -> fmp
         strict = DEFINITE in letter.facts
         width = rows if strict or INVERTIBLE in letter.facts else source.randint(0, rows)
         return _gram(rows, width, strict, source)
+    if not letter.facts and source.random() < RARE:
+        return fmpq_mat(rows, columns)
     found = _random(rows, columns, source)
     if SYMMETRIC in letter.facts:
         found = found + found.transpose()
@@ -236,6 +251,19 @@ def is_block(node: Node) -> bool:
         and [part.kind for part in node.parts] == ["transpose", "name", "matrix"]
         and node.parts[0].parts[0].kind == "matrix"
     )
+
+
+def is_random(name: str, setting: MatrixSetting) -> bool:
+    """Whether a letter is random or its definition depends on one that is."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        letter = setting.letters[waiting.pop()]
+        if letter.variance is not None:
+            return True
+        if letter.definition is not None and letter.name not in seen:
+            waiting += [p.name for p in letter.definition.walk() if p.kind == "name"]
+        seen.add(letter.name)
+    return False
 
 
 def _picked(columns: fmpq_mat) -> list[int]:

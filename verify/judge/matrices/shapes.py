@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.matrices.letter import Letter
 from gainproof.verify.judge.matrices.size import ONE, ZERO, Shape, Size, Sizes
-from gainproof.verify.judge.matrices.tree import REGULAR, Chain, Node
+from gainproof.verify.judge.matrices.tree import INNER, REGULAR, Chain, Node
 
 MOST_NODES = 3000
 
@@ -80,6 +80,12 @@ class Shapes:
         return found
 
     def _product(self, node: Node) -> Shape | str | None:
+        if node.name == INNER:
+            left, right = node.parts[0].parts[0], node.parts[1]
+            for part in (left, right):
+                shape = self.of(part)
+                if shape is None or shape[1] != ONE:
+                    raise ShapeFault(f"(x, y) is of two columns, not of shape {self.said(shape)}")
         total: Shape | None = None
         for part in node.parts:
             shape = self.of(part)

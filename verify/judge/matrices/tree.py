@@ -32,6 +32,8 @@ class Node:
 
 
 REGULAR = "regular"
+INNER = "inner"
+"""The name of a product that is printed as (x, y), of two columns."""
 
 
 @dataclass(frozen=True)

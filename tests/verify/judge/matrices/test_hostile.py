@@ -1,0 +1,136 @@
+"""Declarations and claims made to do harm, or slips: errors with their place, or nothing proved."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+import pytest
+from matrix_claims import SYMBOLS, claim, judged_matrices, text_of
+
+from gainproof.verify.judge.claim.errors import ClaimFileError
+from gainproof.verify.judge.claim.file import read_claim_text
+from gainproof.verify.judge.matrices.certificate import rejected
+
+BAD_LETTERS = {
+    "'K' = { definition = '-Q', is = ['positive definite'], meaning = 'no' }": "nothing else",
+    "'K' = { definition = 'K Q', meaning = 'circle' }": "circle",
+    "'K' = { definition = 'A A', meaning = 'misfit' }": "n columns, m rows",
+    "'K' = { shape = ['m', 'n'], is = ['symmetric'], meaning = 'no square' }": "m x n",
+    "'K' = { shape = ['n', 'n'], is = ['orthogonal'], meaning = 'unknown' }": "known are",
+    "'K' = { shape = ['n - m', 'n'], meaning = 'negative' }": "may be negative",
+    "'K' = { shape = ['k', 'n'], meaning = 'undeclared' }": "no size k",
+    "'K' = { shape = ['n', 'n'], variance = 'Q', meaning = 'no column' }": "a column",
+    "'K' = { meaning = 'nothing' }": "this field is missing",
+    "'K' = { shape = ['n', 'n'], color = 'red', meaning = 'unknown field' }": "not known",
+    "'A' = { shape = ['n', 'n'], meaning = 'twice' }": "TOML",
+    "'p' = { shape = ['n', 'n'], meaning = 'a size' }": "declared twice",
+    "'K' = { definition = 'E_1', meaning = 'undeclared' }": "not declared",
+    "'K' = { shape = ['n', 'n'], blocks = [['V_1']], meaning = 'small' }": "two|fill|block",
+}
+
+
+@pytest.mark.parametrize("line", list(BAD_LETTERS))
+def test_bad_declarations_are_refused_with_their_place(line: str) -> None:
+    text = text_of(claim("A = A"), SYMBOLS + line + "\n")
+    with pytest.raises(ClaimFileError, match=BAD_LETTERS[line]) as caught:
+        read_claim_text(text)
+    assert "line" in str(caught.value)
+
+
+BAD_CLAIMS = {
+    "A = T": "not declared",
+    "A = A^2": "power of a matrix",
+    "A = (A": r"wanted \)",
+    "A + = A": "a matrix is wanted",
+    "I_{k} = I_n": "no size k",
+    r"A = A \quad n > 1": "parentheses",
+    r"\begin{pmatrix} B & C \\ B \end{pmatrix} = B": "different lengths",
+    "(" * 60 + "A" + ")" * 60 + " = A": "inside one another",
+    "A = " + "A + " * 1500 + "A": "more than|characters",
+    r"A = \frac{1}{0} A": "division by zero",
+    r"\underline{AB} = A": "more than one symbol",
+}
+
+
+@pytest.mark.parametrize("latex", list(BAD_CLAIMS))
+def test_bad_formulas_are_refused_with_their_place(latex: str) -> None:
+    with pytest.raises(ClaimFileError, match=BAD_CLAIMS[latex]) as caught:
+        read_claim_text(text_of(claim(latex)))
+    assert "line" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("latex", "kind", "more"),
+    [
+        ("A = A", "steady_state", ""),
+        ("A = A", "identity", "domain = 'n > 1'"),
+        ("A = A", "identity", "using = ['later']"),
+        ("A = A", "dimension", ""),
+        ("A = A", "unbiased", ""),
+        ("A = A", "inequality", ""),
+        ("A = A", "identity", "given = ['A']"),
+        (r"A \Rightarrow A", "implication", ""),
+    ],
+)
+def test_fields_that_do_not_belong_are_refused(latex: str, kind: str, more: str) -> None:
+    with pytest.raises(ClaimFileError):
+        read_claim_text(text_of(claim(latex, kind, more)))
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        "given = ['Q < 0']",
+        "given = ['X > 0', 'X < 0']",
+        r"given = ['B = 2 B', '0 < B^T B']",
+        "given = ['I_n = O_{n,n}']",
+        "given = ['Q = -Q']",
+        "invertible = ['B - B']",
+    ],
+)
+def test_hypotheses_that_nothing_satisfies_prove_nothing(given: str) -> None:
+    verdict = judged_matrices("B C = C B", more=given)
+    assert verdict.verdict == "undecided"
+    assert "no exact instance" in verdict.reason
+
+
+def test_large_formulas_are_given_up() -> None:
+    power = " ".join(["(B + C + X + Y)"] * 12)
+    assert judged_matrices(f"{power} = {power}").verdict in ("undecided", "proved")
+    deep = "B"
+    for _ in range(9):
+        deep = f"(({deep})^{{-1}} + I_n)"
+    assert judged_matrices(f"{deep} = B").verdict in ("undecided", "refuted", "conditional")
+
+
+def altered(value: Any) -> list[Any]:
+    """Every copy of plain data in which one number, sign or place of a proof is another."""
+    found: list[Any] = []
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            found += [{**value, key: other} for other in altered(inner)]
+    elif isinstance(value, list):
+        for at, inner in enumerate(value):
+            found += [[*value[:at], other, *value[at + 1 :]] for other in altered(inner)]
+        if value:
+            found.append(value[1:])
+    elif isinstance(value, str) and value.lstrip("-").isdigit():
+        found.append(str(int(value) + 1))
+    elif type(value) is int:
+        found.append(value + 1)
+    return found
+
+
+def test_an_altered_proof_is_rejected() -> None:
+    verdict = judged_matrices("0 < V_1 - V_{12} V_2^{-1} V_{12}^T", "inequality")
+    (part,) = verdict.certificate["words"]
+    assert rejected(part) is None
+    count = 0
+    for number, statement in enumerate(part["statements"]):
+        for evidence in altered(statement["evidence"]):
+            changed = copy.deepcopy(part)
+            changed["statements"][number]["evidence"] = evidence
+            assert rejected(changed) is not None, evidence
+            count += 1
+    assert count > 50
