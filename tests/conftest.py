@@ -9,6 +9,7 @@ from functools import cache
 import pytest
 import samples
 from catalogue_subjects import prepare_all
+from lecture_judged import lecture_claims
 
 from gainproof import workers
 from gainproof.cache import FOLDER_VARIABLE
@@ -57,3 +58,9 @@ def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 def all_derived(shared_cache: None) -> None:
     """Every subject with its files is in the shared cache."""
     prepare_all()
+
+
+@pytest.fixture(scope="session")
+def lecture_known(shared_cache: None) -> None:
+    """What is judged of the lecture is in the shared cache."""
+    lecture_claims()

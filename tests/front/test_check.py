@@ -125,6 +125,7 @@ def test_own_claim_files_are_those_of_the_sources_and_those_from_outside() -> No
     assert len({path.stem for path in files}) == len(files)
 
 
+@pytest.mark.usefixtures("lecture_known")
 def test_the_lecture_is_settled_and_the_noise_of_each_row_found(capsys: Capture) -> None:
     assert cli.main(["check", "kosuge-slides", "--json"]) == 0
     claims = {entry["id"]: entry for entry in as_json(capsys)["claims"]}

@@ -105,6 +105,7 @@ def test_a_paper_is_not_overwritten(tmp_path: Path, capsys: Capture) -> None:
     assert paper.read_text() == "\\documentclass{article}\n"
 
 
+@pytest.mark.usefixtures("lecture_known")
 def test_a_sheet_is_written_and_renewed(tmp_path: Path, capsys: Capture) -> None:
     sheet = tmp_path / "sheets" / "errata.tex"
     for _ in range(2):
@@ -114,6 +115,7 @@ def test_a_sheet_is_written_and_renewed(tmp_path: Path, capsys: Capture) -> None
     assert f"{len(claims)} claims" in capsys.readouterr().out
 
 
+@pytest.mark.usefixtures("lecture_known")
 def test_a_sheet_to_standard_output(capsys: Capture) -> None:
     assert cli.main(["check", "kosuge-slides", "--errata"]) == 0
     assert capsys.readouterr().out.startswith("<!-- errata sheet")

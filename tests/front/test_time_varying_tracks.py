@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from one_of_each import cases
 from recursion_tracks import entries, move
 from samples import samples
 
@@ -75,8 +76,10 @@ def test_a_missed_detection_only_raises_the_variance(
 
 
 @EVERY
-@pytest.mark.parametrize("index", [0.05, 0.3, 1.0, 4.0, 20.0])
-@pytest.mark.parametrize("interval", [0.25, 1.0, 7.0])
+@pytest.mark.parametrize(
+    "index", cases([0.05, 0.3, 1.0, 4.0, 20.0], lambda index: index in {0.05, 1.0, 20.0})
+)
+@pytest.mark.parametrize("interval", cases([0.25, 1.0, 7.0], lambda interval: interval != 1))
 def test_equal_intervals_come_to_the_steady_state(name: str, index: float, interval: float) -> None:
     noise = PROCESS_NOISES[name]
     r = 3.0

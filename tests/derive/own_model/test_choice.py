@@ -66,7 +66,7 @@ def test_what_that_method_does_not_reach_goes_to_the_other(model: Model) -> None
     "noise",
     [
         pytest.param(sp.eye(3), id="poles that may turn twice"),
-        pytest.param(sp.diag(1, 0, 1), id="a start that is not near"),
+        pytest.param(sp.diag(1, 0, 1), id="a start that is not near", marks=pytest.mark.thorough),
         pytest.param(
             sp.Matrix([[HALF / 2, HALF, 0], [HALF, 1, 0], [0, 0, 1]]),
             id="no bend by its form",

@@ -7,13 +7,16 @@ import math
 import flint
 import numpy as np
 import pytest
+from one_of_each import cases
 
 from gainproof.derive.printer.angles import least_cosine, least_sine
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
 
 
 @pytest.mark.parametrize(("form", "kind"), [(FLOAT64, np.float64), (FLOAT32, np.float32)])
-@pytest.mark.parametrize("high", [1.0, 1.5707962, 3.0, 6.2832, 40.0])
+@pytest.mark.parametrize(
+    "high", cases([1.0, 1.5707962, 3.0, 6.2832, 40.0], lambda high: high in {1.5707962, 40.0})
+)
 def test_no_number_comes_nearer(form: Format, kind: type[np.floating], high: float) -> None:
     """At random numbers, and at the nearest ones to every multiple of a quarter turn."""
     high = float(kind(high))

@@ -10,6 +10,7 @@ import pytest
 from float_rounding import allowance
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from one_of_each import cases
 from samples import samples
 
 from gainproof.verify.oracles import ball, distance, doubling, noise, recursion, solver
@@ -73,7 +74,13 @@ def test_noises_integrated_from_the_motion() -> None:
 
 
 @pytest.mark.parametrize("which", NOISES)
-@pytest.mark.parametrize("index", [Fraction(1, 30), Fraction(3, 10), Fraction(7), Fraction(10**5)])
+@pytest.mark.parametrize(
+    "index",
+    cases(
+        [Fraction(1, 30), Fraction(3, 10), Fraction(7), Fraction(10**5)],
+        lambda index: index in {Fraction(1, 30), Fraction(10**5)},
+    ),
+)
 def test_oracles_agree(which: str, index: Fraction) -> None:
     own = model(which)
     truth = ball.enclose(spectrum(own), index)
