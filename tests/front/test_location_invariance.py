@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import location_cases as cases
 import numpy as np
+import one_of_each
 import pytest
 
 from gainproof.fixed_gain.arguments import Reals
@@ -37,8 +38,13 @@ def changed(name: str) -> tuple[Stations, Observations]:
     return given, observations(given, values[:9], values[9:], covariance)
 
 
-@pytest.mark.parametrize("name", CHANGES)
-@pytest.mark.parametrize("method", ["unknown-reduction", "doppler-only"])
+@pytest.mark.parametrize(
+    ("method", "name"),
+    one_of_each.cases(
+        [(method, name) for method in ("doppler-only", "unknown-reduction") for name in CHANGES],
+        lambda case: case[0] == "unknown-reduction" or case[1] == "turned",
+    ),
+)
 def test_a_change_of_coordinates_changes_the_answer_with_it(method: str, name: str) -> None:
     """Stations a million kilometres off the zero: their own last digit is 1e-7 m."""
     place, motion, scale = CHANGES[name]
