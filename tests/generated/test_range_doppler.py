@@ -235,6 +235,8 @@ def test_the_oracle_is_what_it_says() -> None:
     with flint.ctx.workprec(sight.BITS):
         still = sight.rate((3, 4), (-4, 3), (0, 0), (0, 0))
         assert abs(still) < 1e-100
+        passing = sight.rate((1, 5), (0, 2), (1, 0), (3, 0))  # a coordinate goes through 0
+        assert abs(passing - 2) < 1e-100
         bend = sight.curvatures(lambda place: sight.distance(place, (0, 0)), (0, 5), 5)
         assert abs(bend[0][0] - flint.arb(1) / 5) < 1e-100
         assert abs(bend[1][1]) < 1e-100

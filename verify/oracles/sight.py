@@ -29,8 +29,9 @@ Function = Callable[[Vector], Ball]
 def distance(target: Sequence[Number], station: Sequence[Number]) -> Ball:
     """Of two points."""
     with flint.ctx.workprec(BITS):
-        pairs = zip(_balls(target), _balls(station), strict=True)
-        return sum(((a - b) ** 2 for a, b in pairs), Ball(0)).sqrt()
+        apart = [a - b for a, b in zip(_balls(target), _balls(station), strict=True)]
+        # not as powers: of balls that hold 0 python-flint has none
+        return sum((each * each for each in apart), Ball(0)).sqrt()
 
 
 def rate(
