@@ -7,13 +7,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from gainproof.verify.judge.matrices.alphabet import ONE
-from gainproof.verify.judge.matrices.book import Book, Cofactor, Equation, UnprovedError
+from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.equation import Cofactor, Equation
 from gainproof.verify.judge.matrices.explicit import (
     Establish,
     Explicit,
     explicit_inverses,
     put_in,
 )
+from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 
 MOST_MULTIPLIERS = 8

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from itertools import islice
 
-from gainproof.verify.judge.matrices.book import UnprovedError
 from gainproof.verify.judge.matrices.conditions import possible_conditions
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
 from gainproof.verify.judge.matrices.layers import Layers
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.prove import Question
 from gainproof.verify.judge.matrices.sample import holds, instances, is_random
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes

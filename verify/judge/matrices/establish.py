@@ -6,14 +6,10 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 
 from gainproof.verify.judge.matrices.alphabet import SYMMETRIC_FACTS, Alphabet
-from gainproof.verify.judge.matrices.book import (
-    Book,
-    Cofactor,
-    Equation,
-    Known,
-    UnprovedError,
-)
+from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Known
 from gainproof.verify.judge.matrices.letter import DEFINITE, INVERTIBLE, SEMIDEFINITE, SYMMETRIC
+from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Polynomial
 
 KINDS = {

@@ -11,7 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from gainproof.verify.judge.matrices.book import Book, Cofactor, UnprovedError
+from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.equation import Cofactor
+from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 from gainproof.verify.judge.matrices.size import ZERO
 

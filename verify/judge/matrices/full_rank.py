@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.gram import decomposed
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 from gainproof.verify.judge.matrices.size import ZERO
@@ -116,9 +117,7 @@ def _grams(
             yield gram, middle.value
 
 
-def _unit_knowns(book: Book):  # type: ignore[no-untyped-def]
-    from gainproof.verify.judge.matrices.book import Known
-
+def _unit_knowns(book: Book) -> list[Known]:
     alphabet = book.alphabet
     sizes = {s for shape in alphabet.shapes for s in shape}
     return [Known(("unit", s), alphabet.unit(s), True) for s in sorted(sizes, key=str)]

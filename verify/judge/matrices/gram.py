@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from gainproof.verify.judge.matrices.book import Book, Known
+from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError, Word, turned
 
 ONE = Fraction(1)

@@ -12,14 +12,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gainproof.verify.judge.matrices.book import UnprovedError
 from gainproof.verify.judge.matrices.certificate import rejected, written
 from gainproof.verify.judge.matrices.instance import NoValueError, Unsupported
 from gainproof.verify.judge.matrices.letter import MatrixSetting
-from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget
+from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
 from gainproof.verify.judge.matrices.polynomial import TooLongError
 from gainproof.verify.judge.matrices.prove import Question, proof_of
 from gainproof.verify.judge.matrices.sample import is_block, is_random
+from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
 MOST_DEEP = 3
@@ -230,7 +230,5 @@ def _inverted(question: Question, setting: MatrixSetting) -> list[Node]:
 
 def _positive(node: Node, setting: MatrixSetting) -> Chain:
     """The matrix is positive definite."""
-    from gainproof.verify.judge.matrices.shapes import Shapes
-
     shape = Shapes(setting.letters, setting.sizes).of(node)
     return Chain((node, Node("zero", shape=shape)), (">",))

@@ -8,10 +8,12 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from gainproof.verify.judge.matrices.book import Book, Known, UnprovedError
+from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.explicit import inverses_of, meanings
 from gainproof.verify.judge.matrices.full_rank import left_inverses
 from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
+from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 from gainproof.verify.judge.matrices.size import ZERO, Size
 
@@ -45,9 +47,9 @@ def definite(book: Book, number: int) -> tuple[object, ...]:
         if number not in book.invertible:
             raise
         # with an inverse by hypothesis it is enough that it is at least 0
-        claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter)}
         weak = prove_order(book, letter, False)
-        name = book.state("matrix_order", {**claim, "relation": ">="}, weak)
+        sides = {"larger": book.graph(letter), "smaller": book.graph(letter - letter)}
+        name = book.state("matrix_order", {**sides, "relation": ">="}, weak)
         book.known.append(Known(("statement", name), letter, False))
         return ("statement", name)
     claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter), "relation": ">"}
