@@ -155,7 +155,7 @@ def test_counts_are_told_before_anything_is_solved(
     assert (caught.value.need, caught.value.have) == (need, have)
 
 
-@pytest.mark.parametrize("method", ALL)
+@pytest.mark.parametrize("method", cases(ALL, {"unknown-reduction", "range-only"}.__contains__))
 def test_a_target_on_a_station(method: str) -> None:
     with pytest.raises(OnStationError, match="B5") as caught:
         locate(*seen(AROUND, [5e3, 1e3 + 1e-9], [100, 50]), method)
@@ -212,7 +212,7 @@ def test_nothing_that_comes_out_is_no_number() -> None:
     """Targets on and beside lines, planes and stations, quiet and fast: an answer or an error."""
     random = np.random.default_rng(7)
     answers = 0
-    for case in range(samples(6)):
+    for case in range(samples(5)):
         d = 2 + case % 2
         places = random.uniform(-1e4, 1e4, (2 * d + 1, d))
         places[:, -1] *= [0, 1e-6, 1e-3][case % 3]
