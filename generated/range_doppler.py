@@ -1928,8 +1928,9 @@ def doppler_shift(
         -(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w,
         h = (w - g u)/f;
         r = target - station, f = |r|, u = r/f, w = target velocity - station velocity.
-        This is the narrow-band shift of one way: with g at the time of sending the classical one
-        is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift
+        This is the narrow-band shift of one way, of first order in speeds over c: at a station
+        at rest the classical one is fc/(1 + g/c) - fc, fc g^2/(c (c + g)) above it. An echo has
+        twice the shift
 
     target_x: position of the target along x, m; of magnitude at most 1e60, in float32 1e12.
     target_y: position of the target along y, m; of magnitude at most 1e60, in float32 1e12.
@@ -3319,8 +3320,9 @@ def doppler_shift_in_plane(
         -(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w,
         h = (w - g u)/f;
         r = target - station, f = |r|, u = r/f, w = target velocity - station velocity.
-        This is the narrow-band shift of one way: with g at the time of sending the classical one
-        is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift
+        This is the narrow-band shift of one way, of first order in speeds over c: at a station
+        at rest the classical one is fc/(1 + g/c) - fc, fc g^2/(c (c + g)) above it. An echo has
+        twice the shift
 
     target_x: position of the target along x, m; of magnitude at most 1e60, in float32 1e12.
     target_y: position of the target along y, m; of magnitude at most 1e60, in float32 1e12.

@@ -87,11 +87,12 @@ def doppler_steps() -> list[Step]:
         Step(
             "arrival",
             "A target sends with the carrier frequency `f_c`, and waves run at `c`. What is sent "
-            "at `t` arrives at `t + f(t)/c`, at a station that stands still or moves as given; so "
-            "a wave that is sent in the time 1 arrives in `1 + g/c`.",
+            "at `t` arrives at `t + f(t)/c` at a station that stands still, so that a wave that is "
+            "sent in the time 1 arrives in `1 + g/c`.",
             described("received frequency f_c/(1 + g/c), g > -c, by one clock for both"),
-            "This is the classical Doppler effect with `g` taken where the wave was sent; clocks "
-            "that run slower as they move (relativity) are left out, a matter of `|v|^2/c^2`.",
+            "This is the classical Doppler effect, `g` being taken when the wave was sent. That a "
+            "station moves while the wave is under way, and that moving clocks run slower "
+            "(relativity), are matters of the second order in speeds over `c`, and left out.",
             "doppler",
             heading="Doppler in hertz",
         ),

@@ -41,7 +41,7 @@ def component_steps(towers: Sequence[Tower]) -> list[Step]:
     """What the names mean in each tower, and the derivatives along its parameters."""
     opening = Step(
         "components",
-        "The kernels compute entries. In the plane `u = (\\sin B, \\cos B)` with any bearing `B`; "
+        "The kernels compute entries. In the plane `u = (sin B, cos B)` with any bearing `B`; "
         "in space it is tilted from straight up by any angle but a half turn, and from straight "
         "down likewise, so that no direction is left out.",
         described("r = f u, w = (w_x, w_y, w_z), L = B + r, L' = B' + w, all of any sign"),

@@ -168,7 +168,7 @@ def rate_steps() -> list[Step]:
             "rate-gradient",
             "So `c` is of second order: the derivative of the range rate by the target's position "
             "is `h'`, equations (24) and (25) of the source, and by its velocity `u'`. By the "
-            "station's they have the other sign (steps @target-moves and @station-moves).",
+            "station's they have the other sign (step @target-moves).",
             described("dg = h'(dL - dB) + u'(dv_L - dv_B)"),
             "Step @rate-remainder-size.",
             NAME,

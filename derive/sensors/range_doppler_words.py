@@ -107,8 +107,9 @@ _EQUATIONS: dict[str, tuple[str, ...]] = {
         "-(fc/c) g and its derivatives -(fc/c) h, -(fc/c) u, c = 299792458 m/s, g = u'w,",
         "h = (w - g u)/f;",
         f"{_W}.",
-        "This is the narrow-band shift of one way: with g at the time of sending the classical one",
-        "is fc/(1 + g/c) - fc, which differs by fc g^2/(c (c + g)). An echo has twice the shift",
+        "This is the narrow-band shift of one way, of first order in speeds over c: at a station",
+        "at rest the classical one is fc/(1 + g/c) - fc, fc g^2/(c (c + g)) above it. An echo has",
+        "twice the shift",
     ),
     "bistatic_range_doppler": (
         "f_1 + f_2, g_1 + g_2, u_1 + u_2, h_1 + h_2 with f, g, u, h of `range_doppler` from each",

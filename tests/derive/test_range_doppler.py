@@ -194,7 +194,7 @@ def test_a_value_that_a_node_has_not_is_refused(kernel: str, name: str, original
     data = copy.deepcopy(original)
     statement = f"kernel-{kernel.replace('_', '-')}-above"
     (entry,) = [each for each in data["statements"] if each["id"] == statement]
-    number = str(graphs()[kernel]["names"][name])
+    number = str(graphs()[kernel].get("names", {})[name])
     assert entry["evidence"]["values"][number]["nodes"] == [["symbol", name]]
     entry["evidence"]["values"][number]["nodes"] = [["symbol", "turning_y"]]
     result = check_statement(data, statement)
