@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 
-from flint import fmpq_mat
+from flint import fmpq, fmpq_mat
 
 from gainproof.verify.judge.matrices.definite_values import bad_direction, is_symmetric
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
@@ -25,6 +25,7 @@ SPECIAL = 0.5
 """How often such columns are tried, and how often they are not 0."""
 RARE = 0.15
 """How often a letter without facts is 0, which refutes much that is said of all of them."""
+SMALL = fmpq(1, 16)
 STEPS = (1, 2, 3, 2, 1, 4, 6, 7, 8)
 """What the steps of sizes are tried with, small ones first; six unknowns want six equations."""
 
@@ -220,7 +221,9 @@ def _from_hypothesis(
                 size = value.nrows()
                 strict = "=" not in operator
                 gap = _gram(size, source.randint(0, size), strict, source)
-                return value + gap if operator.startswith(above) else value - gap
+                if operator.startswith(above):
+                    return value + gap
+                return value - gap * SMALL  # so that it may be positive as well
     return None
 
 
