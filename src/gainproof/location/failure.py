@@ -12,14 +12,12 @@ from gainproof.location.errors import (
     UnobservableError,
 )
 from gainproof.location.gauss_newton import DEFICIENT, ON_STATION, Iterated
+from gainproof.location.geometry_words import listed, motion_words, shape_words
 from gainproof.location.measurement import seen
 from gainproof.location.observability import (
     Direction,
     Observability,
-    listed,
-    motion_words,
     observability,
-    shape_words,
     weakest,
 )
 from gainproof.location.problem import Problem

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from gainproof.location.geometry_words import listed
 from gainproof.location.methods import method_of
-from gainproof.location.observability import listed
 from gainproof.location.result import Convergence, Location
 from gainproof.location.selection import Decision, Selection
 
