@@ -39,6 +39,7 @@ class Alphabet:
     symmetric: set[int] = field(default_factory=set)
     _numbers: dict[str, int] = field(default_factory=dict)
     _sizes: dict[Size, str] = field(default_factory=dict)
+    _met: dict[tuple[int, int], bool | None] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for size in sorted(self.cuts, key=str):
@@ -130,11 +131,17 @@ class Alphabet:
         inverses that meet vanish. None for a word that is zero.
         """
         found: list[int] = []
+        known = self._met
         for letter in word:
-            if letter // 2 in self.symmetric:
-                letter -= letter % 2
+            if letter % 2 and letter // 2 in self.symmetric:
+                letter -= 1
             if found:
-                met = self.meeting(found[-1], letter)
+                pair = (found[-1], letter)
+                # a letter gets its inverse once, before the two can meet
+                if pair in known:
+                    met = known[pair]
+                else:
+                    met = known[pair] = self.meeting(*pair)
                 if met is False:
                     return None
                 if met:
