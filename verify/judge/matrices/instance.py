@@ -93,6 +93,10 @@ class Instance:
         return self._names[name]
 
     def with_values(self, values: Mapping[str, fmpq_mat]) -> Instance:
+        """Other values of some letters; nothing is kept of what was worked out before."""
+        return Instance(self.setting, self.steps, {**self.values, **values})
+
+    def _with_random(self, values: Mapping[str, fmpq_mat]) -> Instance:
         """Other values of some random letters, on which no inverse depends."""
         return Instance(self.setting, self.steps, {**self.values, **values}, self)
 
@@ -102,14 +106,14 @@ class Instance:
         """
         names = random_letters(node, self.setting)
         zeros = {name: self.zero(self.setting.letters[name].shape) for name in names}
-        at_zero = self.with_values(zeros).of(node)
+        at_zero = self._with_random(zeros).of(node)
         total = at_zero
         for name in names:
             variance = self.setting.letters[name].variance
             assert variance is not None
             for weight, column in _squares(self.of(variance)):
-                both = self.with_values({**zeros, name: column}).of(node)
-                both += self.with_values({**zeros, name: -column}).of(node)
+                both = self._with_random({**zeros, name: column}).of(node)
+                both += self._with_random({**zeros, name: -column}).of(node)
                 total += (both - at_zero - at_zero) * (weight / 2)
         return total
 
