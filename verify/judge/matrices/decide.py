@@ -19,6 +19,8 @@ from gainproof.verify.judge.verdict import Finding
 
 TRIED = 4
 """Instances before a proof is looked for."""
+MORE_TRIED = 12
+"""Instances where no proof was found."""
 METHOD = "words"
 
 
@@ -110,7 +112,12 @@ def _decided(case: Case, setting: MatrixSetting) -> Finding:
     if not found:
         return Finding("undecided", _why_none(case, setting))
     if failed is None:
-        return _proved(case, layers)
+        finding = _proved(case, layers)
+        if finding.verdict == "proved":
+            return finding
+        failed = _tried(case, setting, MORE_TRIED, 2)[1]
+        if failed is None:
+            return finding
     instance, missing = failed
     wanted = possible_conditions(case.question, setting, instance, missing)
     for said, question in wanted:
@@ -172,14 +179,14 @@ def _spoken(question: Question, setting: MatrixSetting) -> MatrixSetting:
 
 
 def _tried(
-    case: Case, setting: MatrixSetting
+    case: Case, setting: MatrixSetting, most: int = TRIED, seed: int = 1
 ) -> tuple[list[Instance], tuple[Instance, bool] | None]:
     """Instances of the hypotheses, and the first at which the claim fails or has no value."""
     question, found = case.question, list[Instance]()
     wanted = (*question.chains, *(Chain((n,), (REGULAR,)) for n in question.existing))
     missing = None
     for instance in islice(
-        instances(setting, question.given, question.invertible, case.bounds), TRIED
+        instances(setting, question.given, question.invertible, case.bounds, seed), most
     ):
         found.append(instance)
         try:
@@ -196,7 +203,7 @@ def _proved(case: Case, layers: Layers) -> Finding:
     try:
         parts = layers.prove(case.question)
     except UnprovedError as reason:
-        return Finding("undecided", f"true at {TRIED} exact instances; {reason}")
+        return Finding("undecided", f"true at {TRIED + MORE_TRIED} exact instances; {reason}")
     return Finding("proved", "for every size", method=METHOD, certificate={"words": parts})
 
 

@@ -20,7 +20,7 @@ from gainproof.verify.judge.matrices.letter import (
 from gainproof.verify.judge.matrices.size import Shape
 from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 
-MOST_TRIES = 60
+MOST_TRIES = 120
 SPECIAL = 0.5
 """How often such columns are tried, and how often they are not 0."""
 RARE = 0.15
@@ -68,6 +68,8 @@ def instances(
         try:
             instance = Instance(setting, steps)
             _fill(instance, given, source)
+            # values were changed while others were formed: nothing is kept of those
+            instance = instance.with_values({})
             if (
                 all(holds(chain, instance) for chain in given)
                 and all(instance.of(node).det() != 0 for node in invertible)
@@ -175,7 +177,7 @@ def _of_letter(letter: Letter, instance: Instance, source: random.Random) -> fmp
     if DEFINITE in letter.facts or SEMIDEFINITE in letter.facts:
         strict = DEFINITE in letter.facts
         width = rows if strict or INVERTIBLE in letter.facts else source.randint(0, rows)
-        return _gram(rows, width, strict, source)
+        return _gram(rows, width, strict, source) * source.choice((fmpq(1), fmpq(1), SMALL))
     if not letter.facts and source.random() < RARE:
         return fmpq_mat(rows, columns)
     found = _random(rows, columns, source)
@@ -215,7 +217,7 @@ def _from_hypothesis(
                     continue
                 if any(part.kind == "name" and part.name in waiting for part in other.walk()):
                     continue
-                value = instance.of(other)
+                value = instance.with_values({}).of(other)
                 if operator == "=":
                     return value
                 size = value.nrows()
