@@ -12,6 +12,8 @@
 - `least_squares_line`: Least-squares line (growing memory): gains by sample number.
 - `least_squares_mean`: Least-squares mean (growing memory): gains by sample number.
 - `least_squares_parabola`: Least-squares parabola (growing memory): gains by sample number.
+- `multipath_location`: Location from range and Doppler in multipath: the deviation of an
+  estimated bias.
 - `polar_coordinates`: Polar coordinates: range, elevation and bearing from north.
 - `position_velocity_random_acceleration`: Position and velocity measured, random acceleration
   (constant over each interval).
@@ -23,6 +25,7 @@
 - `random_jerk`: Random jerk (constant over each interval): steady state with measured position.
 - `random_velocity`: Random velocity (velocity random walk): steady state with measured
   position.
+- `range_doppler`: Range and Doppler of moving targets from moving stations.
 - `recursion_three_states`: Kalman recursion of position, velocity and acceleration, any
   intervals.
 - `recursion_two_states`: Kalman recursion of position and velocity, any intervals.
