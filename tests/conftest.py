@@ -18,7 +18,7 @@ from gainproof.verify.judge.claim import file
 
 def pytest_configure(config: pytest.Config) -> None:
     """Thorough runs draw larger samples; the environment is what other processes have too."""
-    if samples.thorough(config.getoption("-m")):
+    if samples.thorough(config.getoption("-m") or ""):
         from hypothesis import settings
 
         os.environ.setdefault(samples.VARIABLE, str(samples.THOROUGH))
@@ -30,7 +30,7 @@ def pytest_configure(config: pytest.Config) -> None:
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Under `-m thorough` whatever draws samples is asked again, now with the larger ones."""
-    if samples.thorough(config.getoption("-m")):
+    if samples.thorough(config.getoption("-m") or ""):
         for item in filter(samples.draws, items):
             item.add_marker(pytest.mark.thorough)
 

@@ -102,8 +102,8 @@ def _check(fields: Fields, kind: str, statement: Statement) -> None:
     operators = {operator for chain in chains for operator in chain.operators}
     alone = all(not chain.operators for chain in chains)
     if kind in ("dimension", "invertible"):
-        if kind == "invertible" and (not alone or statement.connective):
-            raise fields.fail("latex", "a claim of kind invertible is one expression")
+        if not alone or statement.connective or len(chains) > 1:
+            raise fields.fail("latex", f"a claim of kind {kind} is one expression")
         return
     arrows = {"implication": "=>", "equivalence": "<=>"}
     if arrows.get(kind, "") != statement.connective:

@@ -12,7 +12,7 @@ from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.prove import Question
 from gainproof.verify.judge.matrices.sample import holds, instances, is_random
-from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
+from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes, UnsaidShapeError
 from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 from gainproof.verify.judge.matrices.witness import witness_of
 from gainproof.verify.judge.verdict import Finding
@@ -37,7 +37,11 @@ def decide(claim: MatrixClaim, setting: MatrixSetting) -> Finding:
     shapes = Shapes(setting.letters, setting.sizes)
     try:
         cases = cases_of(claim, shapes)
+    except UnsaidShapeError as reason:
+        return Finding("undecided", f"shapes: {reason}")
     except ShapeFault as reason:
+        if any(bound for other in (claim.statement, *claim.given) for bound in other.bounds):
+            return Finding("undecided", f"shapes are not read with conditions on sizes: {reason}")
         return Finding("refuted", f"shapes do not fit: {reason}", method="shapes")
     fault = wrong_shape(claim, shapes)
     if fault is not None:

@@ -6,7 +6,14 @@ from collections.abc import Mapping
 
 from gainproof.verify.judge.claim.errors import FileText
 from gainproof.verify.judge.claim.fields import Fields
-from gainproof.verify.judge.matrices.letter import FACTS, Letter, MatrixSetting
+from gainproof.verify.judge.matrices.letter import (
+    DEFINITE,
+    FACTS,
+    SEMIDEFINITE,
+    SYMMETRIC,
+    Letter,
+    MatrixSetting,
+)
 from gainproof.verify.judge.matrices.lexer import RELATIONS
 from gainproof.verify.judge.matrices.reader import read_matrix
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
@@ -71,7 +78,13 @@ class _Declaring:
         self._sizes = sizes
         self._letters: dict[str, Letter] = {}
         self._shapes = Shapes(self._letters, sizes)
-        self._blocks = {name: place for owner in entries for name, place in self._cells(owner)}
+        self._blocks: dict[str, tuple[str, int, int]] = {}
+        for owner in entries:
+            for name, place in self._cells(owner):
+                if name in self._blocks:
+                    other = self._blocks[name][0]
+                    raise entries[owner].fail("blocks", f"{name} is already a block of {other}")
+                self._blocks[name] = place
         self._open: list[str] = []
 
     def all(self) -> MatrixSetting:
@@ -93,7 +106,8 @@ class _Declaring:
             or any(not isinstance(row, list) or len(row) != width for row in rows)
         ):
             raise fields.fail("blocks", "rows of names of one length are wanted")
-        found = []
+        found: list[tuple[str, tuple[str, int, int]]] = []
+        mirrored: list[tuple[str, tuple[str, int, int]]] = []
         for i, row in enumerate(rows):
             for j, cell in enumerate(row):
                 bare = str(cell).strip()
@@ -104,11 +118,18 @@ class _Declaring:
                     raise fields.fail("blocks", f"not a symbol: {error.problem}") from error
                 if name not in self._entries:
                     raise fields.fail("blocks", f"{name} is not declared")
-                if not turned:
-                    found.append((name, (owner, i, j)))
+                (mirrored if turned else found).append(
+                    (name, (owner, *((j, i) if turned else (i, j))))
+                )
         names = [name for name, _ in found]
         if len(set(names)) < len(names):
             raise fields.fail("blocks", "a name stands in two places")
+        for entry in mirrored:
+            if entry not in found:
+                raise fields.fail("blocks", f"{entry[0]}^T is not opposite to {entry[0]}")
+        facts = {DEFINITE, SEMIDEFINITE, SYMMETRIC} & set(fields.texts("is", len(FACTS)))
+        if mirrored and not facts and not fields.has("definition"):
+            raise fields.fail("blocks", f"{owner} is not said to be symmetric")
         return found
 
     def _declare(self, name: str) -> None:
@@ -156,7 +177,11 @@ class _Declaring:
                 raise fields.fail(
                     "variance", "a column, and a square matrix of its size are wanted"
                 )
-            variance = self._shapes.filled(variance, (said[0], said[0]))
+            covariance = variance.kind == "name" and self._letters[variance.name].facts
+            if not covariance or not {DEFINITE, SEMIDEFINITE} & set(covariance):
+                raise fields.fail(
+                    "variance", "a letter that is positive definite or semidefinite is wanted"
+                )
         return Letter(name, meaning, said, facts, None, variance)
 
     def _said_shape(self, fields: Fields) -> Shape | None:

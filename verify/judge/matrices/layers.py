@@ -77,7 +77,8 @@ class Layers:
                 certificate = written(proof_of(asked, setting, most, self._budget))
                 fault = rejected(certificate)
                 if fault is None:
-                    return [*lemmas, *more, certificate]
+                    hidden = self._of_hidden(question, setting, deep, given, invertible)
+                    return [*lemmas, *more, *hidden, certificate]
                 reasons.append(f"the proof that was found is not accepted: {fault}")
             except FAILURES as reason:
                 reasons.append(str(reason))
@@ -168,6 +169,27 @@ class Layers:
                 lemmas += self.prove(asked, deep + 1)
                 inverses.append(node)
         return lemmas, facts, inverses
+
+    def _of_hidden(
+        self,
+        question: Question,
+        setting: MatrixSetting,
+        deep: int,
+        known: list[Chain],
+        invertible: list[Node],
+    ) -> list[dict[str, Any]]:
+        """Every inverse in a closed definition exists: a letter that is none has no truth. Raises
+        UnprovedError.
+        """
+        given = (*question.given, *known)
+        existing = (*question.invertible, *invertible)
+        met = {*_inverted(question, setting), *existing}
+        lemmas: list[dict[str, Any]] = []
+        for node in _inverted(question, self.setting):
+            if node not in met:
+                asked = Question((), given, existing, (), (node,))
+                lemmas += self.prove(asked, deep + 1)
+        return lemmas
 
     def _wanted(self, question: Question, closed: frozenset[str]) -> list[Node]:
         """Blocks on a diagonal that are closed, and what is inverted."""

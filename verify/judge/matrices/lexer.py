@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 from dataclasses import dataclass
 from fractions import Fraction
@@ -60,6 +61,9 @@ _POWERS = {
     "{-1}": "-1",
     "{-T}": "-T",
 }
+
+# 0 with accents and no more: what has a subscript besides is a letter of its own
+_ZERO = re.compile(r"(?:\\[a-z]+\{)+0\}+", re.ASCII)
 
 
 @dataclass(frozen=True)
@@ -212,7 +216,7 @@ def _symbol(text: str, position: int, letters: Collection[str], sizes: Sizes) ->
         rows, _, columns = subscript.partition(",")
         shape = (read_size(rows, sizes), read_size(columns, sizes))
         return Token("zero", position, shape=shape), end
-    if base.rstrip("}").endswith("0"):
+    if _ZERO.fullmatch(name):
         return Token("number", position), end
     if name == "E":
         return Token("expect", position), end

@@ -20,6 +20,7 @@ from gainproof.verify.judge.matrices.tree import (
 from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_DEPTH, MOST_ENTRIES
 
+MOST_POWERS = 4
 _STARTS = frozenset(("name", "number", "unit", "zero", "begin", "expect", "(", "[", "{"))
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
 
@@ -126,7 +127,11 @@ class _Parser:
 
     def _factor(self) -> Node:
         node = self._primary()
+        powers = 0
         while self.kind == "power":
+            powers += 1
+            if powers > MOST_POWERS:
+                raise self._error(f"more than {MOST_POWERS} powers of one matrix")
             token = self.take()
             if "-" in token.value:
                 node = Node("inverse", (node,), position=node.position)

@@ -16,6 +16,10 @@ class ShapeFault(ValueError):
     """Shapes that do not fit; the text says which."""
 
 
+class UnsaidShapeError(ShapeFault):
+    """A shape that what is printed leaves open."""
+
+
 @dataclass(frozen=True)
 class Shapes:
     """Shapes of the letters declared so far. A number has the shape None."""
@@ -34,7 +38,7 @@ class Shapes:
         """The shape. Raises ShapeFault."""
         found = self._found(node)
         if found == "any":
-            raise ShapeFault("the shape of a zero is not said")
+            raise UnsaidShapeError("that of a zero is not said")
         return found  # type: ignore[return-value]
 
     def _found(self, node: Node) -> Shape | str | None:
@@ -92,6 +96,8 @@ class Shapes:
             if shape is None:
                 continue
             if total is not None and total[1] != shape[0]:
+                if (ONE, ONE) in (total, shape):
+                    raise UnsaidShapeError("a matrix of one row and column is no number here")
                 shown = f"{self.said(total)} by one of shape {self.said(shape)}"
                 raise ShapeFault(
                     f"a matrix of shape {shown} is multiplied: {shown_columns(self, total, shape)}"
@@ -124,7 +130,7 @@ class Shapes:
                     )
                 sizes[at] = size
         if any(size is None for size in (*heights, *widths)):
-            raise ShapeFault("the shape of a row or column of zeros is not said")
+            raise UnsaidShapeError("that of a row or column of zeros is not said")
         return [h for h in heights if h is not None], [w for w in widths if w is not None]
 
     def filled(self, node: Node, wanted: Shape | None = None) -> Node:
@@ -164,7 +170,7 @@ class Shapes:
             raise ShapeFault(f"more than {MOST_NODES} parts")
         shape = self.common(chain.sides, "are compared")
         if shape == "any":
-            raise ShapeFault("the shape of a zero is not said")
+            raise UnsaidShapeError("that of a zero is not said")
         wanted = (ONE, ONE) if shape is None else shape
         sides = tuple(self.filled(side, wanted) for side in chain.sides)  # type: ignore[arg-type]
         if chain.operators == (REGULAR,) and wanted[0] != wanted[1]:

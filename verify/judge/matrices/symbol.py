@@ -63,7 +63,7 @@ def scan_symbol(text: str, position: int) -> tuple[str, int] | None:
         if text[position : position + 1] != "}":
             raise ReaderError("an accent over more than one symbol", text, position)
         position += 1
-    for accent in sorted(set(accents), reverse=True):
+    for accent in sorted(accents, reverse=True):
         base = f"{accent}{{{base}}}"
     return with_subscript(base, inner), position
 

@@ -11,6 +11,10 @@ from matrix_claims import SYMBOLS, claim, judged_matrices, text_of
 from gainproof.verify.judge.claim.errors import ClaimFileError
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.matrices.certificate import rejected
+from gainproof.verify.judge.matrices.decide import cases_of
+from gainproof.verify.judge.matrices.layers import Layers
+from gainproof.verify.judge.matrices.macaulay import UnprovedError
+from gainproof.verify.judge.matrices.shapes import Shapes
 
 BAD_LETTERS = {
     "'K' = { definition = '-Q', is = ['positive definite'], meaning = 'no' }": "nothing else",
@@ -21,6 +25,9 @@ BAD_LETTERS = {
     "'K' = { shape = ['n - m', 'n'], meaning = 'negative' }": "may be negative",
     "'K' = { shape = ['k', 'n'], meaning = 'undeclared' }": "no size k",
     "'K' = { shape = ['n', 'n'], variance = 'Q', meaning = 'no column' }": "a column",
+    "'y' = { shape = ['n', '1'], variance = 'X', meaning = 'may be negative' }": "semidefinite",
+    "'y' = { shape = ['n', '1'], variance = 'x x^T', meaning = 'of a column' }": "semidefinite",
+    "'K' = { shape = ['n', 'n'], blocks = [['V_1']], meaning = 'again' }": "already a block of V",
     "'K' = { meaning = 'nothing' }": "this field is missing",
     "'K' = { shape = ['n', 'n'], color = 'red', meaning = 'unknown field' }": "not known",
     "'A' = { shape = ['n', 'n'], meaning = 'twice' }": "TOML",
@@ -50,6 +57,10 @@ BAD_CLAIMS = {
     "A = " + "A + " * 1500 + "A": "more than|characters",
     r"A = \frac{1}{0} A": "division by zero",
     r"\underline{AB} = A": "more than one symbol",
+    r"A + \hat{A_0} = A": "not declared",
+    r"A + \mathrm{0}_5 = A": "not declared",
+    r"\hat{\hat{a}} = \hat{a}": "not declared",
+    "B" + 5 * "^{-T}" + " = B": "powers",
 }
 
 
@@ -67,6 +78,7 @@ def test_bad_formulas_are_refused_with_their_place(latex: str) -> None:
         ("A = A", "identity", "domain = 'n > 1'"),
         ("A = A", "identity", "using = ['later']"),
         ("A = A", "dimension", ""),
+        ("A = 2 A", "dimension", "shape = ['m', 'n']"),
         ("A = A", "unbiased", ""),
         ("A = A", "inequality", ""),
         ("A = A", "identity", "given = ['A']"),
@@ -134,3 +146,55 @@ def test_an_altered_proof_is_rejected() -> None:
             assert rejected(changed) is not None, evidence
             count += 1
     assert count > 50
+
+
+TWO_BY_TWO = """
+'K' = { shape = ["n", "n"], blocks = [['K_1', 'K_2'], ['CELL', 'K_3']], meaning = "in blocks" }
+'K_1' = { shape = ["p", "p"], meaning = "block" }
+'K_2' = { shape = ["p", "n-p"], meaning = "block" }
+'K_3' = { shape = ["n-p", "n-p"], meaning = "block" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("cell", "problem"),
+    [("K_2^T", "K is not said to be symmetric"), ("K_1^T", "not opposite to K_1")],
+)
+def test_a_transpose_as_a_block_is_no_fact_by_itself(cell: str, problem: str) -> None:
+    text = text_of(claim("A = A"), SYMBOLS + TWO_BY_TWO.replace("CELL", cell))
+    with pytest.raises(ClaimFileError, match=problem.replace("^", r"\^")):
+        read_claim_text(text)
+
+
+HIDDEN = r"""
+'K' = { definition = '(B - C)^{-1}', meaning = "perhaps none" }
+'L' = { definition = '\begin{pmatrix} K & O_{n,n} \\ O_{n,n} & I_n \end{pmatrix}', meaning = "n" }
+"""
+
+
+@pytest.mark.parametrize("latex", ["K + K = 2 K", "L + L = 2 L", r"L^T L \geq 0"])
+@pytest.mark.parametrize("more", ["", "using = ['0']"])
+def test_a_definition_that_stays_closed_has_to_mean_something(latex: str, more: str) -> None:
+    """(B - C)^{-1} is nothing where B = C, whatever would be true of any matrix. Instances, which
+    rarely have B = C, are not asked.
+    """
+    kind = "inequality" if "geq" in latex else "identity"
+    given = "invertible = ['B - C']"
+    text = claim("I_n = I_n", name="0") + claim(latex, kind, more)
+    text += claim(latex, kind, f"{more}\n{given}", name="2")
+    read = read_claim_text(text_of(text, SYMBOLS + HIDDEN))
+    setting = read.settings["s"].matrices
+    assert setting is not None
+    questions = [
+        cases_of(each.matrices, Shapes(setting.letters, setting.sizes))[0].question
+        for each in read.claims
+        if each.matrices is not None
+    ]
+    with pytest.raises(UnprovedError, match="has an inverse"):
+        Layers(setting).prove(questions[1])
+    assert Layers(setting).prove(questions[2])
+
+
+@pytest.mark.parametrize("latex", ["0 B = B", "a^T a B = B a^T a"])
+def test_shapes_that_are_left_open_refute_nothing(latex: str) -> None:
+    assert judged_matrices(latex).verdict == "undecided"
