@@ -86,8 +86,9 @@ def rank_steps(found: Found) -> list[Step]:
             "station-count",
             "So the detection of biases, and Doppler alone, take at least as many stations as "
             "there are unknowns of the course, 6 in space and 4 in a plane, however many ranges. "
-            "With `n_b` clean ranges the rows that count are these and the Doppler (step "
-            "@free-noise-regular): `n + n_b` of them, at least `2 d`. That many need not do.",
+            "With `n_b` clean ranges the rows that count are these and the Doppler, since those "
+            "with a bias of their own may be left out (below): `n + n_b` of them, at least "
+            "`2 d`. That many need not do.",
             cited(
                 "A matrix with fewer rows than columns takes some column other than 0 to 0.",
                 MATRICES.text(),
