@@ -69,8 +69,10 @@ def cases_of(claim: MatrixClaim, shapes: Shapes) -> list[Case]:
     statement = claim.statement
     chains = tuple(shapes.chain(chain) for chain in statement.chains)
     after = tuple(shapes.chain(chain) for chain in statement.after)
-    given = tuple(shapes.chain(c) for other in claim.given for c in other.chains)
-    inverted = tuple(_square(node, shapes) for node in claim.invertible)
+    hypotheses = tuple(shapes.chain(c) for other in claim.given for c in other.chains)
+    given = tuple(c for c in hypotheses if c.operators != (REGULAR,))
+    regular = tuple(c.sides[0] for c in hypotheses if c.operators == (REGULAR,))
+    inverted = (*regular, *(_square(node, shapes) for node in claim.invertible))
     hints = tuple(_filled(node, shapes) for node in claim.hints)
     premises = tuple(
         case.question for premise in claim.premises for case in cases_of(premise, shapes)

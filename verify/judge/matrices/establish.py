@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from fractions import Fraction
 
 from gainproof.verify.judge.matrices.alphabet import SYMMETRIC_FACTS, Alphabet
 from gainproof.verify.judge.matrices.book import Book
@@ -275,9 +276,17 @@ def shown(book: Book, number: int) -> str:
     value = book.alphabet.elements.get(number)
     if value is None:
         return book.alphabet.names[number]
-    words = [" ".join(book.text(word)) or "1" for word in value.terms]
-    more = f" + {len(words) - 3} more terms" if len(words) > 3 else ""
-    return " + ".join(words[:3]) + more
+    terms = list(value.terms.items())
+    words = "".join(_term(" ".join(book.text(word)), factor) for word, factor in terms[:3])
+    more = f" + {len(terms) - 3} more terms" if len(terms) > 3 else ""
+    return words.removeprefix(" + ").removeprefix(" ") + more
+
+
+def _term(word: str, factor: Fraction) -> str:
+    """With its sign before it."""
+    size = abs(factor)
+    number = "" if size == 1 and word else f"{size} " if word else str(size)
+    return f" {'-' if factor < 0 else '+'} {number}{word}"
 
 
 def _make_symmetric(book: Book, number: int) -> None:

@@ -151,3 +151,11 @@ def test_agreement_is_no_proof() -> None:
         "proved",
         "undecided",
     )
+
+
+def test_a_determinant_that_is_not_zero_is_an_inverse() -> None:
+    more = r"given = ['\det(B) \neq 0']"
+    assert judged_matrices("B^{-1} B = I_n", more=more).verdict == "proved"
+    assert judged_matrices(r"B^T B > 0", "inequality", more).verdict == "proved"
+    alone = judged_matrices("(B - 2 C)^{-1} (B - 2 C) = I_n")
+    assert (alone.verdict, alone.domain) == ("conditional", "B - 2 C has an inverse")
