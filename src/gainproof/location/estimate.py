@@ -18,6 +18,7 @@ from gainproof.location.selection import Selection, select, threshold
 from gainproof.location.settling import Settled, settle
 from gainproof.location.starts import starts
 from gainproof.location.stations import Observations, Stations, bounded, from_the_first
+from gainproof.location.unsettled import UNSETTLED, unsettled_words
 from gainproof.location.warning_words import AMBIGUOUS, few_clean, warnings
 
 DEFAULT = "unknown-reduction"
@@ -74,7 +75,8 @@ def _reduced(
     biased = [given.names.index(each.station) for each in tests[most].decisions if not each.clean]
     asked = problem(given, observed, method, biased)
     found = _told(settle(asked, observed, places[most].unknowns[None, :], near))
-    begun = _told(Settled(free, first.iterated, places[most], first.all_but(places[most])))
+    begun = _told(replace(first, best=places[most], others=first.all_but(places[most])))
+    found = replace(found, warnings=(*_open(first), *found.warnings))
     if not found.others:
         # where as many ranges are clean elsewhere, the choice among the places was none
         count = len(tests[most].clean)
@@ -109,7 +111,18 @@ def _told(settled: Settled) -> Location:
         report(asked, settled.iterated, best.number, rank.ratio),
         rank.rank,
         tuple(Place(*_split(asked, each.unknowns), each.cost) for each in others),
-        warnings(asked, best, others, covariance),
+        (*_open(settled), *warnings(asked, best, others, covariance)),
+    )
+
+
+def _open(settled: Settled) -> tuple[str, ...]:
+    """The warning of starts that settled nowhere."""
+    told = settled.unsettled
+    if told is None:
+        return ()
+    words = unsettled_words(settled.asked, settled.iterated, told)
+    return (
+        f"{UNSETTLED}: {settled.asked.method.name}: {words}; a place there may explain the observations as well",
     )
 
 

@@ -95,7 +95,7 @@ def iterate(asked: Problem, starts: Reals, observed: Reals) -> Iterated:
     ended = np.full(n, RUNNING)
     iterations, halvings = np.zeros(n, np.intp), np.zeros(n, np.intp)
     last = np.full(n, np.inf)
-    cost = _cost(asked, x, z)
+    cost = costs(asked, x, z)
     ended[~np.isfinite(cost)] = ON_STATION
     far = FAR * np.maximum(asked.stations.spread, _distance(asked, x))
     rest = rounding(asked, z)
@@ -135,7 +135,7 @@ def _descend(
     limit = cost[now] * (1 + 8 * EPSILON) + slack
     halved = np.full(now.size, -1)
     trial = x[now] + change
-    found = _cost(asked, trial, z[now])
+    found = costs(asked, trial, z[now])
     fine = found <= limit
     x[now[fine]], cost[now[fine]], halved[fine] = trial[fine], found[fine], 0
     left = np.flatnonzero(~fine)
@@ -146,17 +146,18 @@ def _descend(
     at, m = now[left], len(asked.used.values)
     trials = x[at][:, None, :] + change[left][:, None, :] * shares[:, None]
     rows = np.repeat(z[at], len(shares), axis=0).reshape(-1, m)
-    costs = _cost(asked, trials.reshape(-1, x.shape[1]), rows).reshape(len(at), -1)
-    lower = costs <= limit[left][:, None]
+    along = costs(asked, trials.reshape(-1, x.shape[1]), rows).reshape(len(at), -1)
+    lower = along <= limit[left][:, None]
     first = np.argmax(lower, axis=1)
     some = np.flatnonzero(lower.any(axis=1))
     taken = first[some]
-    x[at[some]], cost[at[some]] = trials[some, taken], costs[some, taken]
+    x[at[some]], cost[at[some]] = trials[some, taken], along[some, taken]
     halved[left[some]] = taken + 1
     return halved
 
 
-def _cost(asked: Problem, x: Reals, z: Reals) -> Reals:
+def costs(asked: Problem, x: Reals, z: Reals) -> Reals:
+    """Of targets (N, k) for observations (N, m); infinite on a station."""
     with np.errstate(all="ignore"):
         found = np.square(residual(asked, x, z)).sum(axis=1)
     return np.where(np.isnan(found), np.inf, found)

@@ -19,8 +19,8 @@ from gainproof.location.result import Convergence
 WORDS = {
     CONVERGED: "converged",
     DEFICIENT: "the linear model lost its rank",
-    STUCK: f"no part of a step down to 2^-{MOST_HALVINGS} lowered the cost",
-    ENDLESS: f"the steps did not become small in {MOST_ITERATIONS} iterations",
+    STUCK: f"neither a part of a step down to 2^-{MOST_HALVINGS} nor damped steps lowered the cost",
+    ENDLESS: f"the steps did not become small in {MOST_ITERATIONS} iterations and damped ones",
     ON_STATION: "the target came to lie on a station",
     AWAY: "the target ran away",
 }
