@@ -11,19 +11,19 @@ from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.clearing import cleared
 from gainproof.verify.judge.matrices.cuts import cuts_of, pieces_of
 from gainproof.verify.judge.matrices.equation import Known
-from gainproof.verify.judge.matrices.establish import (
-    add_equation,
-    begun,
-    establish,
-    suppose_equal,
-    suppose_invertible,
-    suppose_order,
-)
+from gainproof.verify.judge.matrices.establish import establish
 from gainproof.verify.judge.matrices.expand import Expander
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
 from gainproof.verify.judge.matrices.order import definite, prove_order
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
+from gainproof.verify.judge.matrices.suppose import (
+    add_equation,
+    begun,
+    suppose_equal,
+    suppose_invertible,
+    suppose_order,
+)
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
 MOST_HINTS = 40
