@@ -80,6 +80,17 @@ def test_a_place_that_is_far_better_and_was_not_reached_is_no_answer(
     assert caught.value.report.ended != "converged"
 
 
+def test_a_selection_that_the_cost_refutes_is_told() -> None:
+    """Biases of kilometres within the deviations of their estimates: the test misses them."""
+    found = locate(*far_and_slow())
+    assert found.first is not None
+    assert found.convergence.cost > 100 * found.convergence.degrees_of_freedom
+    told = found.warnings[0]
+    assert told.startswith("refuted: the selection of clean ranges cannot be right")
+    place = ", ".join(f"{value:.1f}" for value in found.first.position.tolist())
+    assert f"Take bias detection instead, whose cost 4.39 noise explains: ({place}) m" in told
+
+
 def test_a_damped_step_is_that_of_damped_normal_equations() -> None:
     """(J'J + damping I) s = J'r, in columns that are well conditioned."""
     given, observed = far_and_slow()

@@ -19,7 +19,7 @@ from gainproof.location.settling import Settled, settle
 from gainproof.location.starts import starts
 from gainproof.location.stations import Observations, Stations, bounded, from_the_first
 from gainproof.location.unsettled import UNSETTLED, unsettled_words
-from gainproof.location.warning_words import AMBIGUOUS, few_clean, warnings
+from gainproof.location.warning_words import AMBIGUOUS, few_clean, refuted, warnings
 
 DEFAULT = "unknown-reduction"
 FALSE_ALARM = 0.05
@@ -76,7 +76,7 @@ def _reduced(
     asked = problem(given, observed, method, biased)
     found = _told(settle(asked, observed, places[most].unknowns[None, :], near))
     begun = _told(replace(first, best=places[most], others=first.all_but(places[most])))
-    found = replace(found, warnings=(*_open(first), *found.warnings))
+    found = replace(found, warnings=(*refuted(found, begun), *_open(first), *found.warnings))
     if not found.others:
         # where as many ranges are clean elsewhere, the choice among the places was none
         count = len(tests[most].clean)
@@ -122,7 +122,10 @@ def _open(settled: Settled) -> tuple[str, ...]:
         return ()
     words = unsettled_words(settled.asked, settled.iterated, told)
     return (
-        f"{UNSETTLED}: {settled.asked.method.name}: {words}; a place there may explain the observations as well",
+        (
+            f"{UNSETTLED}: {settled.asked.method.name}: {words}; a place there may explain the "
+            "observations as well"
+        ),
     )
 
 

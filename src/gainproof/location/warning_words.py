@@ -11,11 +11,14 @@ from gainproof.location.ambiguity import Candidate, mirror_words
 from gainproof.location.gauss_newton import rounding
 from gainproof.location.observability import bending
 from gainproof.location.problem import Problem
+from gainproof.location.result import Location
 from gainproof.location.selection import exceeded
 
 AMBIGUOUS = "ambiguous"
 UNLIKELY = 1e-3
 """How rarely noise alone may give such a cost before it is told."""
+REFUTED = 1e-6
+"""How rarely noise alone may give the cost with biases left out before their choice is refuted."""
 NO_COST = 1e-12
 DILUTED = 100.0
 """Deviation of a velocity over the largest of a range rate: beyond it the geometry is told."""
@@ -52,6 +55,29 @@ def warnings(
             "not in the model, or deviations that are too small"
         )
     return tuple(found)
+
+
+def refuted(found: Location, first: Location) -> tuple[str, ...]:
+    """Where biases that a test left out are missed: noise alone hardly ever gives the cost without
+    them, but well that of bias detection (first).
+    """
+    if not _beyond_noise(found) or _beyond_noise(first):
+        return ()
+    place = f"({_numbers(first.position, 1)}) m"
+    if first.velocity is not None:
+        place += f" with velocity ({_numbers(first.velocity, 3)}) m/s"
+    return (
+        (
+            "refuted: the selection of clean ranges cannot be right, as noise gives a cost beyond "
+            f"{found.convergence.cost:.4g} in less than one of a million cases. Take bias detection "
+            f"instead, whose cost {_cost(first.convergence.cost)} noise explains: {place}"
+        ),
+    )
+
+
+def _beyond_noise(found: Location) -> bool:
+    freedom = found.convergence.degrees_of_freedom
+    return freedom > 0 and exceeded(found.convergence.cost, freedom) < REFUTED
 
 
 def few_clean(clean: int, ranges: int) -> tuple[str, ...]:
