@@ -218,6 +218,16 @@ def test_the_picture(folder: Path, ending: str, capsys: Capture) -> None:
         ),
         (f"{HEAD},correlation\nS1,1,,3,,0.5", ROW, "wanted a range and a range rate with it"),
         ("\0", ROW, "o.csv: cannot be read: is no text"),
+        (
+            f"{HEAD}\n{BESIDE.replace(',10,', ',1e200,', 1)}",
+            ROW,
+            "line 2, column 4 (sigma_range): a deviation is between 1e-09 and 1e+12 in m and m/s",
+        ),
+        (
+            f"{HEAD}\n{BESIDE.replace(',0.1', ',1e-10', 1)}",
+            ROW,
+            "line 2, column 5 (sigma_range_rate): a deviation is between",
+        ),
     ],
 )
 def test_files_that_cannot_be_used_are_named_with_their_place(
@@ -226,6 +236,20 @@ def test_files_that_cannot_be_used_are_named_with_their_place(
     Path("o.csv").write_text(observed)
     Path("s.csv").write_text(given)
     assert message in refused(capsys)
+
+
+@pytest.mark.usefixtures("folder")
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("method", [method.name for method in METHODS])
+def test_deviations_at_the_ends_of_what_is_taken_give_numbers(method: str, capsys: Capture) -> None:
+    """All data are JSON without NaN, whatever the status."""
+    for sigma, of_rate in (("1e-9", "1e12"), ("1e12", "1e-9"), ("1e-9", "1e-9"), ("1e12", "1e12")):
+        text = Path("observations.csv").read_text().replace(",10,0.1", f",{sigma},{of_rate}")
+        Path("o.csv").write_text(text)
+        assert located("--json", "--method", method, observed="o.csv") in (0, 1)
+        told = capsys.readouterr().out
+        assert "NaN" not in told
+        assert "Infinity" not in told
 
 
 @pytest.mark.usefixtures("folder")
@@ -239,6 +263,14 @@ def test_files_that_cannot_be_used_are_named_with_their_place(
         (
             "1,0,0,0\n0,1,0,0\n0,0,1,0\n1,0,0,1\n",
             "must be symmetric: the range of S1 with the range rate of S2 has 0.0",
+        ),
+        (
+            "1e300,0,0,0\n0,1,0,0\n0,0,1,0\n0,0,0,1\n",
+            "v.csv: a covariance is at most 1e+24, got 1e+300",
+        ),
+        (
+            "1e-20,0,0,0\n0,1,0,0\n0,0,1,0\n0,0,0,1\n",
+            "v.csv: the deviation of the range of S1 is between 1e-09 and 1e+12 in m and m/s",
         ),
         ("1,2,0,0\n2,1,0,0\n0,0,1,0\n0,0,0,1\n", "must be positive definite"),
         (
@@ -260,6 +292,8 @@ def test_a_covariance_that_is_none_is_named(matrix: str, message: str, capsys: C
     [
         (["--method", "dopler-only"], "no method is called 'dopler-only'; nearest: doppler-only"),
         (["--near", "1,2,3"], "--near takes 2 numbers in m"),
+        (["--near=1e16,1"], "--near takes numbers up to 1e+15 m"),
+        (["--near=1,-1e300"], "--near takes numbers up to 1e+15 m"),
         (["--near", "1,x"], "--near takes numbers, got 'x'"),
         (["--false-alarm", "1"], "--false-alarm is between 0 and 1, got 1"),
         (["--false-alarm", "nan"], "--false-alarm takes finite numbers"),

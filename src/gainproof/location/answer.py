@@ -19,7 +19,7 @@ from gainproof.location.methods import CHOSEN, method_of
 from gainproof.location.page import page
 from gainproof.location.plain import plain, plain_failure
 from gainproof.location.result import Location
-from gainproof.location.stations import Stations
+from gainproof.location.stations import MOST, Stations
 
 
 def answered(options: argparse.Namespace) -> int:
@@ -84,6 +84,8 @@ def _near(text: str, dimension: int) -> list[float]:
     found = [_number("--near", part) for part in text.split(",")]
     if len(found) != dimension:
         raise BadInputError(f"--near takes {dimension} numbers in m, with commas, got {text!r}")
+    if not max(map(abs, found)) <= MOST:
+        raise BadInputError(f"--near takes numbers up to {MOST:g} m, got {text!r}")
     return found
 
 

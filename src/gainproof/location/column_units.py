@@ -9,6 +9,10 @@ SPEEDS = {"m/s": 1.0, "km/s": 1e3, "km/h": 1 / 3.6, "cm/s": 1e-2, "mm/s": 1e-3}
 PURE = {"1": 1.0}
 
 
+LEAST_DEVIATION, MOST_DEVIATION = 1e-9, 1e12
+"""In m and m/s: beyond them squares and ratios run out of digits."""
+
+
 @dataclass(frozen=True)
 class Kind:
     """A column that a file may have: units with their size in metres and seconds, none for words;
@@ -18,6 +22,8 @@ class Kind:
     units: dict[str, float] | None
     needed: bool = False
     above_zero: bool = False
+    deviation: bool = False
+    """Whether it is the deviation of noise, which is taken between LEAST and MOST deviation."""
     blank: bool = False
     """Whether a cell may be empty."""
 
@@ -34,8 +40,8 @@ STATION_COLUMNS = {
 OBSERVATION_COLUMNS = {
     "station": Kind(None, needed=True),
     "range": Kind(LENGTHS, above_zero=True, blank=True),
-    "sigma_range": Kind(LENGTHS, above_zero=True, blank=True),
+    "sigma_range": Kind(LENGTHS, above_zero=True, deviation=True, blank=True),
     "range_rate": Kind(SPEEDS, blank=True),
-    "sigma_range_rate": Kind(SPEEDS, above_zero=True, blank=True),
+    "sigma_range_rate": Kind(SPEEDS, above_zero=True, deviation=True, blank=True),
     "correlation": Kind(PURE, blank=True),
 }

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from gainproof import places
 from gainproof.bad_input import BadInputError, nearest
-from gainproof.location.column_units import Kind
+from gainproof.location.column_units import LEAST_DEVIATION, MOST_DEVIATION, Kind
 
 LARGEST_FILE = 10_000_000
 """Bytes."""
@@ -149,4 +149,9 @@ def _cell(where: str, text: str, kind: Kind, size: float) -> str | float | None:
         raise BadInputError(f"{where}: wanted a finite number, got {text}")
     if kind.above_zero and not value * size > 0:
         raise BadInputError(f"{where}: wanted a number above 0, got {text}")
+    if kind.deviation and not LEAST_DEVIATION <= value * size <= MOST_DEVIATION:
+        raise BadInputError(
+            f"{where}: a deviation is between {LEAST_DEVIATION:g} and {MOST_DEVIATION:g} in m and "
+            f"m/s, got {text}"
+        )
     return value * size

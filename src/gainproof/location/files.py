@@ -9,7 +9,12 @@ import numpy as np
 from gainproof import places
 from gainproof.bad_input import BadInputError, nearest
 from gainproof.fixed_gain.arguments import Reals
-from gainproof.location.column_units import OBSERVATION_COLUMNS, STATION_COLUMNS
+from gainproof.location.column_units import (
+    LEAST_DEVIATION,
+    MOST_DEVIATION,
+    OBSERVATION_COLUMNS,
+    STATION_COLUMNS,
+)
 from gainproof.location.csv_table import CsvTable, read, text_of
 from gainproof.location.noise import whitening
 from gainproof.location.stations import Observations, Stations, observations, stations
@@ -141,7 +146,27 @@ def _matrix(seen: CsvTable, path: Path) -> Reals:
         rows.append(row)
     if len(rows) != len(_told(seen)):
         raise BadInputError(f"{file}: wanted {len(_told(seen))} rows, got {len(rows)}")
+    _require_deviations(file, seen, rows)
     return np.array(rows)
+
+
+def _require_deviations(file: str, seen: CsvTable, rows: list[list[float]]) -> None:
+    """That variances of a file are those of deviations that columns may have; those not above 0
+    are named elsewhere.
+    """
+    largest = max((abs(value) for row in rows for value in row), default=0.0)
+    if largest > MOST_DEVIATION**2:
+        raise BadInputError(
+            f"{file}: a covariance is at most {MOST_DEVIATION**2:g}, got {largest!s}: the "
+            f"deviation of an observation is at most {MOST_DEVIATION:g} in m and m/s"
+        )
+    for i, name in enumerate(_told(seen)):
+        variance = rows[i][i]
+        if variance > 0 and not LEAST_DEVIATION <= variance**0.5 <= MOST_DEVIATION:
+            raise BadInputError(
+                f"{file}: the deviation of {name} is between {LEAST_DEVIATION:g} and "
+                f"{MOST_DEVIATION:g} in m and m/s, got the variance {variance!s}"
+            )
 
 
 def _told(seen: CsvTable) -> list[str]:

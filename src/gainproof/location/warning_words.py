@@ -69,8 +69,8 @@ def refuted(found: Location, first: Location) -> tuple[str, ...]:
     return (
         (
             "refuted: the selection of clean ranges cannot be right, as noise gives a cost beyond "
-            f"{found.convergence.cost:.4g} in less than one of a million cases. Take bias detection "
-            f"instead, whose cost {_cost(first.convergence.cost)} noise explains: {place}"
+            f"{found.convergence.cost:.4g} in less than one of a million cases. Take bias "
+            f"detection instead, whose cost {_cost(first.convergence.cost)} noise explains: {place}"
         ),
     )
 
