@@ -218,6 +218,21 @@ def test_the_picture(folder: Path, ending: str, capsys: Capture) -> None:
         ),
         (f"{HEAD},correlation\nS1,1,,3,,0.5", ROW, "wanted a range and a range rate with it"),
         ("\0", ROW, "o.csv: cannot be read: is no text"),
+        (f"{HEAD}\nS1,1_0,2,3,4", ROW, "column 2 (range): wanted a number, got '1_0'"),
+        (f"{HEAD}\nS1,\uff11,2,3,4", ROW, "column 2 (range): wanted a number, got '\uff11'"),
+        (f'{HEAD}\n{BESIDE}"#5",1,1,1,1', ROW, "line 7, column 1 (station): a name does not begin"),
+        (f"{HEAD}\nS\x1b[31m,1,2,3,4", ROW, "line 2, column 1 (station): a name holds no control"),
+        (f'{HEAD}\n"S\n1",1,2,3,4', ROW, "o.csv, line 2: a quoted cell does not end there"),
+        (
+            f"{HEAD}\nS1,1,2,3,4",
+            "station,x [m],y [m],vx [m/s]\nS1,0,0,1",
+            "s.csv: there is a column vx and no column vy",
+        ),
+        (
+            HEAD + "".join(f"\nT{i},1,2,3,4" for i in range(1001)),
+            "station,x [m],y [m]" + "".join(f"\nT{i},{i},0" for i in range(1001)),
+            "o.csv: at most 2000 ranges and range rates are taken, got 2002",
+        ),
         (
             f"{HEAD}\n{BESIDE.replace(',10,', ',1e200,', 1)}",
             ROW,
@@ -233,9 +248,19 @@ def test_the_picture(folder: Path, ending: str, capsys: Capture) -> None:
 def test_files_that_cannot_be_used_are_named_with_their_place(
     observed: str, given: str, message: str, capsys: Capture
 ) -> None:
-    Path("o.csv").write_text(observed)
+    Path("o.csv").write_text(observed, encoding="utf-8")
     Path("s.csv").write_text(given)
     assert message in refused(capsys)
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_name_is_the_same_composed_and_in_parts(capsys: Capture) -> None:
+    for file, letter in (("observations.csv", "\u00e9"), ("stations.csv", "e\u0301")):
+        text = Path(file).read_text().replace("B1", letter)
+        Path(file[0] + ".csv").write_text(text, encoding="utf-8")
+    assert located("--json", observed="o.csv", given="s.csv") == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["selection"]["ranges"][0]["station"] == "\u00e9"
 
 
 @pytest.mark.usefixtures("folder")
@@ -292,6 +317,7 @@ def test_a_covariance_that_is_none_is_named(matrix: str, message: str, capsys: C
     [
         (["--method", "dopler-only"], "no method is called 'dopler-only'; nearest: doppler-only"),
         (["--near", "1,2,3"], "--near takes 2 numbers in m"),
+        (["--near=1_0,1"], "--near takes numbers, got '1_0'"),
         (["--near=1e16,1"], "--near takes numbers up to 1e+15 m"),
         (["--near=1,-1e300"], "--near takes numbers up to 1e+15 m"),
         (["--near", "1,x"], "--near takes numbers, got 'x'"),

@@ -11,6 +11,7 @@ from typing import Any
 
 from gainproof import places
 from gainproof.bad_input import BadInputError
+from gainproof.location.cell_text import decimal
 from gainproof.location.errors import LocationError
 from gainproof.location.estimate import DEFAULT, FALSE_ALARM, locate
 from gainproof.location.example import FILES, write_example
@@ -91,7 +92,7 @@ def _near(text: str, dimension: int) -> list[float]:
 
 def _number(name: str, text: str) -> float:
     try:
-        value = float(text)
+        value = decimal(text)
     except ValueError:
         raise BadInputError(f"{name} takes numbers, got {text!r}") from None
     if not math.isfinite(value):

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from gainproof import places
 from gainproof.bad_input import BadInputError, nearest
+from gainproof.location import cell_text
 from gainproof.location.column_units import LEAST_DEVIATION, MOST_DEVIATION, Kind
 
 LARGEST_FILE = 10_000_000
@@ -80,13 +81,19 @@ def text_of(path: Path, file: str) -> str:
 
 
 def _rows(path: Path, file: str) -> list[tuple[int, list[str]]]:
-    reader = csv.reader(text_of(path, file).splitlines())
+    lines = re.split(r"\r\n|\r|\n", text_of(path, file))
+    # what is quoted is no comment
+    reader = csv.reader("" if line.lstrip().startswith("#") else line for line in lines)
+    rows: list[tuple[int, list[str]]] = []
+    last = 0
     try:
-        return [
-            (reader.line_num, row)
-            for row in reader
-            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
-        ]
+        for row in reader:
+            if reader.line_num > last + 1:
+                raise BadInputError(f"{file}, line {last + 1}: a quoted cell does not end there")
+            last = reader.line_num
+            if any(cell.strip() for cell in row):
+                rows.append((last, row))
+        return rows
     except csv.Error as error:
         raise BadInputError(f"{file}, line {reader.line_num}: {error}") from None
 
@@ -136,13 +143,16 @@ def _cell(where: str, text: str, kind: Kind, size: float) -> str | float | None:
     if kind.units is None:
         if not text:
             raise BadInputError(f"{where}: the cell is empty")
-        return text
+        try:
+            return cell_text.name(text)
+        except ValueError as error:
+            raise BadInputError(f"{where}: {error}") from None
     if not text:
         if kind.blank:
             return None
         raise BadInputError(f"{where}: the cell is empty, wanted a number")
     try:
-        value = float(text)
+        value = cell_text.decimal(text)
     except ValueError:
         raise BadInputError(f"{where}: wanted a number, got {text!r}") from None
     if not math.isfinite(value * size):

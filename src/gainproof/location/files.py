@@ -9,6 +9,7 @@ import numpy as np
 from gainproof import places
 from gainproof.bad_input import BadInputError, nearest
 from gainproof.fixed_gain.arguments import Reals
+from gainproof.location.cell_text import decimal
 from gainproof.location.column_units import (
     LEAST_DEVIATION,
     MOST_DEVIATION,
@@ -19,6 +20,7 @@ from gainproof.location.csv_table import CsvTable, read, text_of
 from gainproof.location.noise import whitening
 from gainproof.location.stations import Observations, Stations, observations, stations
 
+MOST_OBSERVATIONS = 2000
 PAIRS = (("range", "sigma_range"), ("range_rate", "sigma_range_rate"))
 
 
@@ -32,6 +34,11 @@ def read_files(
     seen, places_of = read(observed, OBSERVATION_COLUMNS), read(standing, STATION_COLUMNS)
     rows = _station_rows(seen, places_of)
     given = _stations(places_of, rows)
+    if len(_told(seen)) > MOST_OBSERVATIONS:
+        raise BadInputError(
+            f"{seen.file}: at most {MOST_OBSERVATIONS} ranges and range rates are taken, got "
+            f"{len(_told(seen))}: their covariance is a full matrix"
+        )
     values = {name: seen.numbers(name) for name, _ in PAIRS}
     noise = _diagonal(seen) if covariance is None else _matrix(seen, covariance)
     try:
@@ -68,6 +75,13 @@ def _stations(table: CsvTable, rows: list[int]) -> Stations:
     axes = ("x", "y", "z") if "z" in table.at else ("x", "y")
     if "vz" in table.at and "z" not in table.at:
         raise BadInputError(f"{table.file}: there is a column vz and no column z")
+    speeds = [f"v{axis}" for axis in axes]
+    missing = [name for name in speeds if name not in table.at]
+    if missing and len(missing) < len(speeds):
+        has = " and ".join(name for name in speeds if name in table.at)
+        raise BadInputError(
+            f"{table.file}: there is a column {has} and no column {' and no '.join(missing)}"
+        )
     chosen = {
         name: [float(table.numbers(name)[row] or 0.0) for row in rows]
         for axis in axes
@@ -129,7 +143,7 @@ def _matrix(seen: CsvTable, path: Path) -> Reals:
         row = []
         for place, cell in enumerate(text.split(","), 1):
             try:
-                row.append(float(cell))
+                row.append(decimal(cell))
             except ValueError:
                 raise BadInputError(
                     f"{file}, line {line}, column {place}: wanted a number, got {cell.strip()!r}"
