@@ -91,6 +91,15 @@ def test_a_selection_that_the_cost_refutes_is_told() -> None:
     assert f"Take bias detection instead, whose cost 4.39 noise explains: ({place}) m" in told
 
 
+def test_deviations_whose_costs_are_no_numbers_are_refused() -> None:
+    """They were told as a target on a station."""
+    given, observed = far_and_slow()
+    tiny = observations(given, RANGES, RATES, observed.covariance * 1e-300)
+    with pytest.raises(ValueError, match="deviations are between 1e-50 and 1e") as caught:
+        locate(given, tiny)
+    assert type(caught.value) is ValueError
+
+
 def test_a_damped_step_is_that_of_damped_normal_equations() -> None:
     """(J'J + damping I) s = J'r, in columns that are well conditioned."""
     given, observed = far_and_slow()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from gainproof.fixed_gain.arguments import Reals
@@ -23,6 +24,8 @@ from gainproof.location.warning_words import AMBIGUOUS, few_clean, refuted, warn
 
 DEFAULT = "unknown-reduction"
 FALSE_ALARM = 0.05
+LEAST_DEVIATION, MOST_DEVIATION = 1e-50, 1e50
+"""In any unit of length and time: with distances of the kernels' domain, costs stay finite."""
 
 
 def locate(
@@ -45,6 +48,7 @@ def locate(
     """
     chosen = method_of(method)
     threshold(false_alarm)
+    _require_deviations(observed)
     ranges = int((~observed.is_rate).sum())
     require_counts(chosen, given.dimension, ranges, int(observed.is_rate.sum()))
     here = from_the_first(given)
@@ -53,6 +57,20 @@ def locate(
         return _reduced(here, observed, chosen, false_alarm, close)
     asked = problem(here, observed, chosen)
     return _told(settle(asked, observed, starts(asked, observed, close), close))
+
+
+def _require_deviations(observed: Observations) -> None:
+    """ValueError where squares of white residuals would run out of numbers; what is not above 0 is
+    named with the covariance.
+    """
+    variances = np.diag(observed.covariance)
+    least, most = LEAST_DEVIATION**2, MOST_DEVIATION**2
+    wrong = variances[(variances > 0) & ~((variances >= least) & (variances <= most))]
+    if wrong.size:
+        raise ValueError(
+            f"deviations are between {LEAST_DEVIATION:g} and {MOST_DEVIATION:g}, got "
+            f"the variance {float(wrong[0])!s}"
+        )
 
 
 def _reduced(
