@@ -11,15 +11,11 @@ from gainproof.derive.estimation.location_setting import (
     FULL,
     FULL_B,
     GRAM,
-    KEPT_B,
     LOCATION,
     N_FULL,
-    N_KEPT,
     RANGE,
-    UNIT_N,
     A,
     B,
-    H,
 )
 from gainproof.derive.estimation.spoken import meanings, together
 from gainproof.derive.relation import cited
@@ -34,9 +30,6 @@ from gainproof.derive.words.statement import (
     prove_invertible,
     prove_order,
 )
-
-FREE = UNIT_N - H @ H.T
-BACK = N_KEPT.T @ N_FULL + KEPT_B @ H.T @ FULL_B.T
 
 
 def doppler_gram(_: Found) -> list[Statement]:
