@@ -11,7 +11,6 @@ from typing import Any
 
 from gainproof import places
 from gainproof.bad_input import BadInputError
-from gainproof.location.cell_text import decimal
 from gainproof.location.errors import LocationError
 from gainproof.location.estimate import DEFAULT, FALSE_ALARM, locate
 from gainproof.location.example import FILES, write_example
@@ -21,6 +20,7 @@ from gainproof.location.page import page
 from gainproof.location.plain import plain, plain_failure
 from gainproof.location.result import Location
 from gainproof.location.stations import MOST, Stations
+from gainproof.tables.cell_text import decimal
 
 
 def answered(options: argparse.Namespace) -> int:

@@ -9,16 +9,12 @@ import numpy as np
 from gainproof import places
 from gainproof.bad_input import BadInputError, nearest
 from gainproof.fixed_gain.arguments import Reals
-from gainproof.location.cell_text import decimal
-from gainproof.location.column_units import (
-    LEAST_DEVIATION,
-    MOST_DEVIATION,
-    OBSERVATION_COLUMNS,
-    STATION_COLUMNS,
-)
-from gainproof.location.csv_table import CsvTable, read, text_of
+from gainproof.location.columns import OBSERVATION_COLUMNS, STATION_COLUMNS
 from gainproof.location.noise import whitening
 from gainproof.location.stations import Observations, Stations, observations, stations
+from gainproof.tables.cell_text import decimal
+from gainproof.tables.csv_table import CsvTable, read, text_of
+from gainproof.tables.kind import LEAST_DEVIATION, MOST_DEVIATION
 
 MOST_OBSERVATIONS = 2000
 PAIRS = (("range", "sigma_range"), ("range_rate", "sigma_range_rate"))

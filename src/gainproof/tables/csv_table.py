@@ -11,8 +11,8 @@ from pathlib import Path
 
 from gainproof import places
 from gainproof.bad_input import BadInputError, nearest
-from gainproof.location import cell_text
-from gainproof.location.column_units import LEAST_DEVIATION, MOST_DEVIATION, Kind
+from gainproof.tables import cell_text
+from gainproof.tables.kind import LEAST_DEVIATION, MOST_DEVIATION, Kind
 
 LARGEST_FILE = 10_000_000
 """Bytes."""
