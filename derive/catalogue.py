@@ -24,7 +24,7 @@ from gainproof.derive.families import (
 )
 from gainproof.derive.filter_step import subject as filter_step
 from gainproof.derive.recursion import three_states, two_states
-from gainproof.derive.sensors import polar_coordinates, range_doppler
+from gainproof.derive.sensors import converted_measurements, polar_coordinates, range_doppler
 from gainproof.derive.subject import Subject
 
 
@@ -78,6 +78,7 @@ CATALOGUE: tuple[Entry, ...] = (
     ),
     Entry(interacting_gains.NAME, interacting_gains.TITLE, interacting_gains.build),
     Entry(polar_coordinates.NAME, polar_coordinates.TITLE, polar_coordinates.build),
+    Entry(converted_measurements.NAME, converted_measurements.TITLE, converted_measurements.build),
     Entry(range_doppler.NAME, range_doppler.TITLE, range_doppler.build),
     Entry(multipath_location.NAME, multipath_location.TITLE, multipath_location.build),
     Entry(filter_step.NAME, filter_step.TITLE, filter_step.build),

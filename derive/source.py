@@ -100,6 +100,36 @@ MATRICES = Source(
     "the linear equation of a covariance has one solution if the filter is stable",
 )
 
+DEBIASED = Source(
+    "lerro-bar-shalom-1993",
+    "D. Lerro, Y. Bar-Shalom",
+    "Tracking with Debiased Consistent Converted Measurements versus EKF",
+    "IEEE Transactions on Aerospace and Electronic Systems 29 (1993), 1015-1022",
+    "the debiased conversion of polar measurements",
+)
+UNBIASED = Source(
+    "longbin-1998",
+    "M. Longbin, S. Xiaoquan, Z. Yiyu, S. Z. Kang, Y. Bar-Shalom",
+    "Unbiased Converted Measurements for Tracking",
+    "IEEE Transactions on Aerospace and Electronic Systems 34 (1998), 1023-1027",
+    "the unbiased conversion of polar measurements",
+)
+MODIFIED = Source(
+    "duan-han-li-2004",
+    "Z. Duan, C. Han, X. R. Li",
+    "Comments on 'Unbiased Converted Measurements for Tracking'",
+    "IEEE Transactions on Aerospace and Electronic Systems 40 (2004), 1374-1377",
+    "the modified unbiased conversion of polar measurements",
+)
+TRACKER_LIBRARY = Source(
+    "crouse-tcl-conversion-2025",
+    "D. F. Crouse",
+    "Tracker Component Library, functions pol2CartTaylor and spher2CartTaylor",
+    "source code in the public domain, GitHub repository "
+    "USNavalResearchLaboratory/TrackerComponentLibrary",
+    "a transcription of the three papers on conversions, with their equation numbers",
+)
+
 SOURCES: tuple[Source, ...] = (
     KALATA,
     RICCATI,
@@ -112,4 +142,8 @@ SOURCES: tuple[Source, ...] = (
     SUZUKI,
     MATRICES,
     DOPPLER,
+    DEBIASED,
+    UNBIASED,
+    MODIFIED,
+    TRACKER_LIBRARY,
 )

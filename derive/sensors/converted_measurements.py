@@ -1,0 +1,69 @@
+"""Converted measurements: polar ones made Cartesian, what that does to their noise."""
+
+from __future__ import annotations
+
+from gainproof.derive.derivation import Derivation
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.sensors.algebraic import algebraic
+from gainproof.derive.sensors.converted_graphs import graphs
+from gainproof.derive.sensors.converted_module import kernel_module
+from gainproof.derive.sensors.converted_names import LATEX
+from gainproof.derive.sensors.converted_steps_conversions import conversion_steps
+from gainproof.derive.sensors.converted_steps_kernels import kernel_steps
+from gainproof.derive.sensors.converted_steps_noise import (
+    measurement_steps,
+    truth_steps,
+    turn_steps,
+)
+from gainproof.derive.sensors.converted_steps_range import range_steps
+from gainproof.derive.sensors.converted_steps_table import table_steps
+from gainproof.derive.sensors.converted_towers import main_tower, plane_tower
+from gainproof.derive.source import (
+    DEBIASED,
+    ELEMENTARY,
+    MODIFIED,
+    PROBABILITY,
+    TRACKER_LIBRARY,
+    UNBIASED,
+)
+from gainproof.derive.subject import Program, Subject
+
+NAME = "converted-measurements"
+TITLE = "Converted measurements: range and angles made Cartesian, with their noise"
+OPENING = (
+    "A polar measurement made Cartesian is biased, and its noise depends on where the target is. "
+    "Four conversions are in use. What is each exact for, and what is its covariance?"
+)
+
+
+def build() -> Subject:
+    """Derive the moments, the four conversions, what they are exact for, and their growth."""
+    made = graphs()
+    plain = {name: algebraic(graph) for name, graph in made.items()}
+    steps = (
+        *turn_steps(),
+        *truth_steps(),
+        *measurement_steps(),
+        *conversion_steps(),
+        *table_steps(),
+        *range_steps(),
+        *kernel_steps(plain),
+    )
+    sources = (DEBIASED, UNBIASED, MODIFIED, TRACKER_LIBRARY, PROBABILITY, ELEMENTARY)
+    return Subject(
+        name=NAME,
+        title=TITLE,
+        model=None,
+        derivation=Derivation(OPENING, steps, tuple(each.key for each in sources), LATEX),
+        towers={tower.name: tower for tower in (main_tower(), plane_tower())},
+        programs={
+            name: Program({entry: entry for entry in _symbols(graph)}, graph)
+            for name, graph in plain.items()
+        },
+        module=kernel_module(NAME, TITLE, made),
+        textbook=dict,
+    )
+
+
+def _symbols(graph: Graph) -> list[str]:
+    return [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]

@@ -1,0 +1,65 @@
+"""The printed module of converted measurements: which domains its kernels have."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy
+
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed, signed
+from gainproof.derive.sensors.converted_words import EQUATIONS, MEANINGS, SUMMARIES
+
+RANGE = ("1e-20", "1e60", ("1e-3", "1e12"))
+DEVIATION = ("1e-15", "2", ("1e-6", "2"))
+TURN = ("1e-20", "6.2832", ("1e-12", "6.2832"))
+DOMAINS: dict[str, Input] = {
+    "slant_range": closed("slant_range", "measured range, m", *RANGE),
+    "elevation": signed(
+        "elevation",
+        "measured elevation above the plane of x and y, rad",
+        "1e-20",
+        "1.5707963267948966",
+        ("1e-12", "1.5707962"),
+    ),
+    "azimuth": signed("azimuth", "measured azimuth from x towards y, rad", *TURN),
+    "range_deviation": closed("range_deviation", "standard deviation of the range, m", *RANGE),
+    **{
+        f"{angle}_deviation": closed(
+            f"{angle}_deviation", f"standard deviation of the {angle}, rad", *DEVIATION
+        )
+        for angle in ("elevation", "azimuth")
+    },
+}
+"""The arguments in their order."""
+
+
+def kernel_module(name: str, title: str, graphs: Mapping[str, Graph]) -> Module:
+    """The module of converted measurements."""
+    return Module(
+        name=name.replace("-", "_"),
+        title=f"{title}.",
+        command=f"gainproof generate {name}",
+        derivation=f"gainproof derive {name}, SymPy {sympy.__version__}",
+        kernels=tuple(_kernel(name, kernel, graph) for kernel, graph in graphs.items()),
+    )
+
+
+def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
+    used = {str(node[1]) for node in graph["nodes"] if node[0] == "symbol"}
+    return Kernel(
+        name=kernel,
+        result="".join(word.capitalize() for word in kernel.split("_")),
+        summary=SUMMARIES[kernel],
+        equations=EQUATIONS[kernel],
+        inputs=tuple(DOMAINS[entry] for entry in DOMAINS if entry in used),
+        outputs=tuple(
+            Output(entry, MEANINGS[entry], by_terms=entry in CANCELS) for entry in graph["outputs"]
+        ),
+        graph=graph,
+        source=f"derivation {name}",
+    )
+
+
+CANCELS = ("covariance_xy", "covariance_xz", "covariance_yz")
+"""Outputs that change their sign: differences of the variances along the axes."""

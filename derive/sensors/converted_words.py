@@ -1,0 +1,53 @@
+"""What the kernels of converted measurements say of themselves."""
+
+from __future__ import annotations
+
+from gainproof.derive.sensors.converted_graphs import PLANE
+
+MEANINGS = {
+    "x": "converted x, m",
+    "y": "converted y, m",
+    "z": "converted z, m",
+    **{f"covariance_{a}{a}": f"stated variance of {a}, m^2" for a in "xyz"},
+    **{
+        f"covariance_{a}{b}": f"stated covariance of {a} and {b}, m^2"
+        for a, b in ("xy", "xz", "yz")
+    },
+}
+
+MEANINGS |= {
+    "radial_variance": "stated variance along the measured line of sight, m^2",
+    "cross_variance": "stated variance across the measured line of sight, m^2",
+}
+
+_IN_PLANE = {
+    "classical_conversion": "The measured place, and its covariance to first order.",
+    "debiased_conversion": "The measured place less its mean bias, and its mean covariance.",
+    "unbiased_conversion": "The conversion without bias given the truth, and its mean square "
+    "error.",
+    "modified_unbiased_conversion": "Mean and covariance of the true place given the measurement.",
+}
+SUMMARIES = {f"{name}{PLANE}": text for name, text in _IN_PLANE.items()}
+
+EQUATIONS: dict[str, tuple[str, ...]] = {
+    "classical_conversion_in_plane": (
+        "x = r cos a, y = r sin a; along the line of sight the variance sr^2, across it (r sa)^2.",
+        "Biased given the truth by exp(-sa^2/2) - 1 times the range; a covariance to first order",
+        "only, too small along the line of sight where r^2 tanh(sa^2/2) > sr^2",
+    ),
+    "debiased_conversion_in_plane": (
+        "With k = exp(-sa^2/2): x = (1 + k - k^2) r cos a, y likewise; the covariance is the mean,",
+        "given the measurement, of that of the raw conversion given the truth (Lerro, Bar-Shalom",
+        "1993). What is left of the bias given the truth is -(1 - k)^2 (1 + k) times the range",
+    ),
+    "unbiased_conversion_in_plane": (
+        "With k = exp(-sa^2/2): x = r cos a/k, y likewise: given the truth the mean is the truth.",
+        "The covariance is the mean square error given the measurement (Longbin et al. 1998, (7)):",
+        "along (r^2 (1 - k^2)^2 (2 + k^2)/k^2 + sr^2 (1 + k^4))/2, across (r^2 + sr^2)(1 - k^4)/2",
+    ),
+    "modified_unbiased_conversion_in_plane": (
+        "With k = exp(-sa^2/2): x = k r cos a, y likewise; along the line of sight the variance",
+        "(r^2 (1 - k^2)^2 + sr^2 (1 + k^4))/2, across it (r^2 + sr^2)(1 - k^4)/2 (Duan, Han, Li",
+        "2004). Both exact, given the measurement, where nothing was known of the truth before",
+    ),
+}
