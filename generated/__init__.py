@@ -7,6 +7,8 @@
 - `continuous_white_acceleration`: Continuous white acceleration: steady state with measured
   position.
 - `continuous_white_jerk`: Continuous white jerk: steady state with measured position.
+- `converted_measurements`: Converted measurements: range and angles made Cartesian, with their
+  noise.
 - `filter_step`: One step of filters with fixed gains.
 - `interacting_gains`: Filters with matrix gains: the gain of one coordinate.
 - `least_squares_line`: Least-squares line (growing memory): gains by sample number.
