@@ -3,8 +3,7 @@
 A hint of a step may carry: "form" (an expression that shows a sign), "differentiated" (one equal to
 the claim's whose derivative shows its sign), "limit_form" (one whose limit can be read off where
 that of the claim's own expression cannot; refused where it can), "roots" (the tower value of
-each named square root of a kernel graph), "values" (expressions that named nodes of a kernel graph
-equal and that are written in their place), "branches" and "gaps", "ends" (the `limits.End` of the
+each named square root of a kernel graph), "branches" and "gaps", "ends" (the `limits.End` of the
 variable's parameter at "0" and "infinity").
 """
 
@@ -23,7 +22,6 @@ from gainproof.derive.algebra.riccati import definite_evidence, riccati_evidence
 from gainproof.derive.algebra.signs import divisors_shown, shown
 from gainproof.derive.algebra.tower import Fraction, Tower
 from gainproof.derive.derivation import Step
-from gainproof.derive.expression import graph_of
 
 Evidence = dict[str, Any]
 
@@ -122,13 +120,7 @@ def _program(step: Step, tower: Tower) -> Evidence:
     for name, value in step.hint.get("roots", {}).items():
         if name in names:
             values |= dict.fromkeys(_rooted(graph["nodes"], names[name]), value)
-    simpler = {
-        str(names[name]): graph_of(value)
-        for name, value in step.hint.get("values", {}).items()
-        if name in names
-    }
     return {
-        **({"values": simpler} if simpler else {}),
         "roots": {str(key): _root(tower, values[key]) for key in sorted(values)},
         "branches": numbered("branches", "call"),
         "gaps": {key: _root(tower, value) for key, value in numbered("gaps", "call").items()},

@@ -141,18 +141,23 @@ def _kernel(name: str, graph: Graph, tower: str) -> Step:
         f"The kernel {name} computes what it says{SIDES[tower]}.",
         Relation(
             "program",
-            {"program": name, "outputs": {each: meant(each) for each in graph["outputs"]}},
+            {
+                "program": name,
+                "outputs": {each: meant(each) for each in graph["outputs"]},
+                "nodes": _nodes(graph),
+            },
         ),
         "Evaluate the kernel's graph.",
         tower=tower,
-        hint={"graph": graph, "roots": {"slant_range": RANGE}, "values": _values(graph)},
+        hint={"graph": graph, "roots": {"slant_range": RANGE}},
         shown=False,
     )
 
 
-def _values(graph: Graph) -> dict[str, sp.Symbol]:
-    """Named nodes with what they are called in the towers."""
-    return {name: real(name) for name in graph.get("names", {}) if name != str(RANGE)}
+def _nodes(graph: Graph) -> dict[str, sp.Symbol]:
+    """The number of each named node, as text, with what it is called in the towers."""
+    names = graph.get("names", {}).items()
+    return {str(number): real(name) for name, number in names if name != str(RANGE)}
 
 
 def meant(output: str) -> sp.Expr:

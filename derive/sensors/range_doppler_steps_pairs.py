@@ -73,18 +73,23 @@ def _meanings(tower: str) -> list[Step]:
 
 def _kernel(name: str, graph: Graph, tower: str) -> Step:
     roots = {"slant_range": real("slant_range"), "other_range": real("other_range")}
-    values = {each: meant(each) for each in graph.get("names", {}) if each not in roots}
+    names = graph.get("names", {}).items()
+    nodes = {str(number): meant(name) for name, number in names if name not in roots}
     end = tower.removeprefix("pair_")
     return Step(
         f"kernel-{name.replace('_', '-')}{'' if end == 'plane' else f'-{end}'}",
         f"The kernel {name} computes what it says{WORDS[tower]}.",
         Relation(
             "program",
-            {"program": name, "outputs": {each: meant(each) for each in graph["outputs"]}},
+            {
+                "program": name,
+                "outputs": {each: meant(each) for each in graph["outputs"]},
+                "nodes": nodes,
+            },
         ),
         "Evaluate the kernel's graph.",
         tower=tower,
-        hint={"graph": graph, "roots": roots, "values": values},
+        hint={"graph": graph, "roots": roots},
         shown=False,
     )
 

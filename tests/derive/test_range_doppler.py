@@ -189,14 +189,14 @@ def test_every_direction_is_in_a_tower() -> None:
 
 @pytest.mark.parametrize("kernel", ["range_doppler", "range_rate_hessian"])
 @pytest.mark.parametrize("name", ["range_rate", "turning_x"])
-def test_a_value_that_a_node_has_not_is_refused(kernel: str, name: str, original: Plain) -> None:
-    """Proofs put names for nodes: a name of something else there."""
+def test_a_node_that_is_not_what_is_claimed(kernel: str, name: str, original: Plain) -> None:
+    """Claims put names for nodes: a name of something else there."""
     data = copy.deepcopy(original)
     statement = f"kernel-{kernel.replace('_', '-')}-above"
     (entry,) = [each for each in data["statements"] if each["id"] == statement]
     number = str(graphs()[kernel].get("names", {})[name])
-    assert entry["evidence"]["values"][number]["nodes"] == [["symbol", name]]
-    entry["evidence"]["values"][number]["nodes"] = [["symbol", "turning_y"]]
+    assert entry["claim"]["nodes"][number]["nodes"] == [["symbol", name]]
+    entry["claim"]["nodes"][number]["nodes"] = [["symbol", "turning_y"]]
     result = check_statement(data, statement)
     assert result.status == "rejected"
     assert "not the value of the node" in result.reason

@@ -151,9 +151,10 @@ stable {"model": model, "gain": [names] or [[names]]}; {"values": [fraction, ...
     the values are formed.
 positive_definite {"matrix": [[names]]}; {"minors": [fraction, ...]}
     The leading minors, manifestly positive.
-program {"program": name, "outputs": {output: graph}}; {"roots": {node: fraction}, "branches":
-{node: choice}, "gaps": {node: fraction}, "nonzero"}, possibly "values": {node: graph}
-    The program's outputs equal the claimed expressions. Each evaluated fractional power has its
+program {"program": name, "outputs": {output: graph}} and possibly "nodes": {node: graph};
+{"roots": {node: fraction}, "branches": {node: choice}, "gaps": {node: fraction}, "nonzero"}
+    The program's outputs equal the claimed expressions, and so do the nodes claimed, which these
+    outputs need and which are written so in what follows. Each evaluated fractional power has its
     root: manifestly nonnegative, its power equal to the base. Each evaluated call has a branch and
     a gap: select "then" with b - a manifestly positive, "else" with a - b manifestly nonnegative,
     the other branch not evaluated; abs "positive" or "negative" with its argument or the negative
@@ -162,8 +163,7 @@ program {"program": name, "outputs": {output: graph}}; {"roots": {node: fraction
     products, quotients and powers of x and of nodes without x that are shown positive (manifestly,
     or made of such by the same operations), with a logarithmic slope below 1, where that of x is 1,
     of a product the sum, of a quotient the difference, of a power the multiple, and of a sum any
-    between the least and the greatest of its terms. An evaluated node with an expression among
-    the values equals it, and is written so in what follows. Node numbers are keys, as text.
+    between the least and the greatest of its terms. Node numbers are keys, as text.
 sum {"index": name, "start": integer as text, "upper": parameter, "summand": graph, "closed":
 graph}; {}
     For every integer upper of the parameter's domain the sum over index = start..upper is the

@@ -9,6 +9,9 @@ import sympy as sp
 from tests.verify.certificate.toy_changes import changed, reason, refused, statement
 from tests.verify.certificate.toy_writer import fraction, graph
 
+from gainproof.verify.certificate.alteration import Campaign
+from gainproof.verify.certificate.altered import Alteration
+
 Data = dict[str, Any]
 
 p, s, g = sp.symbols("p s g")
@@ -153,26 +156,26 @@ def test_calls_belong_in_programs(memory: Data) -> None:
     assert "only in programs" in changed(memory, "root", "claim.outputs.low", claim)
 
 
-def with_values(data: Data, values: Any) -> Data:
-    statement(data, "kernel")["evidence"]["values"] = values
+def with_nodes(data: Data, nodes: Any) -> Data:
+    statement(data, "kernel")["claim"]["nodes"] = nodes
     return data
 
 
-def test_values_take_the_place_of_nodes_that_equal_them(acceleration: Data) -> None:
+def test_claimed_values_take_the_place_of_nodes_that_equal_them(acceleration: Data) -> None:
     """Node 3 is 4/p, node 9 is s, the outputs are alpha and beta."""
     alpha, beta = sp.symbols("alpha beta")
-    values = {"3": graph(4 / p), "9": graph(s), "14": graph(alpha), "16": graph(beta)}
-    assert reason(with_values(acceleration, values), "kernel") == ""
+    nodes = {"3": graph(4 / p), "9": graph(s), "14": graph(alpha), "16": graph(beta)}
+    assert reason(with_nodes(acceleration, nodes), "kernel") == ""
     assert not refused(acceleration)
 
 
 @pytest.mark.parametrize(
-    ("values", "why"),
+    ("nodes", "why"),
     [
-        ({"3": graph(4 / p + 1)}, "node 3: the value given is not the value of the node"),
-        ({"9": graph(2 * s)}, "node 9: the value given is not the value of the node"),
-        ({"9": graph(sp.Symbol("alpha"))}, "node 9: the value given is not the value"),
-        ({"14": graph(sp.Symbol("beta"))}, "node 14: the value given is not the value"),
+        ({"3": graph(4 / p + 1)}, "node 3: the value claimed is not the value of the node"),
+        ({"9": graph(2 * s)}, "node 9: the value claimed is not the value of the node"),
+        ({"9": graph(sp.Symbol("alpha"))}, "node 9: the value claimed is not the value"),
+        ({"14": graph(sp.Symbol("beta"))}, "node 14: the value claimed is not the value"),
         ({"9": graph(sp.Matrix([[s, s]]))}, "matrix"),
         ({"9": graph(1 / (s - p))}, "not shown to be nonzero"),
         ({"9": graph(sp.Symbol("nothing"))}, "neither a variable nor an element"),
@@ -184,23 +187,34 @@ def test_values_take_the_place_of_nodes_that_equal_them(acceleration: Data) -> N
         (None, ""),
     ],
 )
-def test_false_values(acceleration: Data, values: Any, why: str) -> None:
-    found = reason(with_values(acceleration, values), "kernel")
+def test_false_nodes(acceleration: Data, nodes: Any, why: str) -> None:
+    found = reason(with_nodes(acceleration, nodes), "kernel")
     assert found
     assert why in found
 
 
-def test_a_value_of_a_node_that_no_claimed_output_needs(acceleration: Data) -> None:
+def test_a_claimed_node_that_no_claimed_output_needs(acceleration: Data) -> None:
     """Node 16 leads to beta alone."""
     claim = statement(acceleration, "kernel")["claim"]
     del claim["outputs"]["beta"]
-    values = {"16": graph(sp.Symbol("beta"))}
-    assert "not used" in reason(with_values(acceleration, values), "kernel")
+    nodes = {"16": graph(sp.Symbol("beta"))}
+    assert "not used" in reason(with_nodes(acceleration, nodes), "kernel")
 
 
-def test_a_false_value_does_not_hide_a_false_graph(acceleration: Data) -> None:
-    """The kernel computes something else, and evidence says that it does not."""
+def test_a_false_node_does_not_hide_a_false_graph(acceleration: Data) -> None:
+    """The kernel computes something else, and the nodes claimed say that it does not."""
     acceleration["programs"]["gains"]["graph"]["nodes"][15] = ["mul", 4, 3]
-    values = {"15": graph(2 * p), "16": graph(sp.Symbol("beta"))}
-    for given in ({"15": values["15"]}, {"16": values["16"]}, values):
-        assert "not the value of the node" in reason(with_values(acceleration, given), "kernel")
+    nodes = {"15": graph(2 * p), "16": graph(sp.Symbol("beta"))}
+    for given in ({"15": nodes["15"]}, {"16": nodes["16"]}, nodes):
+        assert "not the value of the node" in reason(with_nodes(acceleration, given), "kernel")
+
+
+def test_a_claimed_node_left_out_is_another_claim(acceleration: Data) -> None:
+    """What a kernel computes on its way is part of what is expected of its certificate."""
+    campaign = Campaign(with_nodes(acceleration, {"9": graph(s), "3": graph(4 / p)}))
+    number = [entry["id"] for entry in acceleration["statements"]].index("kernel")
+    at = ("statements", number, "claim", "nodes")
+    assert campaign.outcome(Alteration((*at, "9"), "deleted", None)) == "unexpected"
+    assert campaign.outcome(Alteration(at, "deleted", None)) == "unexpected"
+    changed_ = Alteration((*at, "3", "nodes", 1), "altered", ["number", "3"])
+    assert campaign.outcome(changed_) in ("refuted", "malformed")

@@ -13,7 +13,7 @@ from gainproof.verify.certificate.kinds.program_evidence import (
     branches_taken,
     fractions,
     input_values,
-    values_given,
+    nodes_claimed,
 )
 from gainproof.verify.certificate.matrix import Matrix
 from gainproof.verify.certificate.nonzero import Nonzero
@@ -26,15 +26,15 @@ from gainproof.verify.certificate.written import WrittenFraction
 def program(case: Case) -> str:
     """Each claimed output of the program equals its expression at every point of the tower.
 
-    Claim: program (name), outputs (for each output a graph).
+    Claim: program (name), outputs (for each output a graph), and possibly nodes (for some nodes on
+    the way to these outputs a graph: what the kernel computes there, written so from there on).
     Evidence: roots (for each evaluated power with a fractional exponent its root, manifestly
     nonnegative; for each unknown its value, manifestly positive), branches and gaps (for each
-    evaluated ``select`` and ``abs``), nonzero, and possibly values (for nodes expressions that
-    their values equal and that then take their place).
+    evaluated ``select`` and ``abs``) and nonzero.
     """
-    claim = case.claims("program", "outputs")
-    more = ("values",) if "values" in schema.table(case.evidence, case.place) else ()
-    evidence = case.evidences("roots", "branches", "gaps", "nonzero", *more)
+    more = ("nodes",) if "nodes" in schema.table(case.claim, case.place) else ()
+    claim = case.claims("program", "outputs", *more)
+    evidence = case.evidences("roots", "branches", "gaps", "nonzero")
     name = schema.name(claim["program"], f"{case.place}.claim.program")
     if name not in case.programs:
         raise RejectedError(f"the program {name!r} is not in the certificate")
@@ -50,8 +50,8 @@ def program(case: Case) -> str:
     branches = branches_taken(case, evidence["branches"], kernel.graph)
     gaps = fractions(case, evidence["gaps"], "gaps")
     evaluation = case.evaluation(nonzero)
-    values = values_given(case, evaluation, evidence)
-    run = _Run(case, nonzero, kernel, roots, branches, gaps, values)
+    nodes = nodes_claimed(case, evaluation, claim)
+    run = _Run(case, nonzero, kernel, roots, branches, gaps, nodes)
     found = run.outputs(kernel.graph, tuple(claimed))
     run.finish()
     for output, value in found.items():
@@ -73,7 +73,7 @@ class _Run(Evaluation):
         roots: Mapping[int, WrittenFraction],
         branches: Mapping[int, str],
         gaps: Mapping[int, WrittenFraction],
-        values: Mapping[int, Ratio],
+        claimed: Mapping[int, Ratio],
     ) -> None:
         super().__init__(case.tower, nonzero)
         self._inputs = input_values(case.tower, case.evaluation(nonzero), kernel)
@@ -82,8 +82,8 @@ class _Run(Evaluation):
         self._roots = dict(roots)
         self._branches = dict(branches)
         self._gaps = dict(gaps)
-        self._given = dict(values)
-        self._replaced_nodes: set[int] = set()
+        self._claimed = dict(claimed)
+        self._met: set[int] = set()
         self._positive: dict[int, bool] = {}
         self._fixed: set[int] = set()
         self._rooted: set[int] = set()
@@ -161,20 +161,20 @@ class _Run(Evaluation):
         return self._scalar(values, wanted)
 
     def _node(self, graph: Graph, index: int, values: Mapping[int, Value]) -> Value:
-        """The value; where one is given it equals that, and is written so from here on."""
+        """The value; where one is claimed it equals that, and is written so from here on."""
         found = super()._node(graph, index, values)
-        if index not in self._given:
+        if index not in self._claimed:
             return found
-        self._replaced_nodes.add(index)
-        given = self._given[index]
-        if isinstance(found, Matrix) or not found.equals(given):
-            raise RejectedError("the value given is not the value of the node")
-        return given
+        self._met.add(index)
+        claimed = self._claimed[index]
+        if isinstance(found, Matrix) or not found.equals(claimed):
+            raise RejectedError("the value claimed is not the value of the node")
+        return claimed
 
     def finish(self) -> None:
-        """Reject evidence for nodes that were not evaluated."""
+        """Reject claims and evidence for nodes that were not evaluated."""
         for listed, visited, what in (
-            (self._given, self._replaced_nodes, "values"),
+            (self._claimed, self._met, "claimed nodes"),
             (self._roots, self._rooted, "roots"),
             (self._branches, self._decided, "branches"),
             (self._gaps, self._decided, "gaps"),

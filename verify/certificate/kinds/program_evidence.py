@@ -1,4 +1,4 @@
-"""The evidence of kernels as it is read: what inputs stand for, fractions, branches, values."""
+"""Claim and evidence of kernels as they are read: inputs, nodes, fractions, branches."""
 
 from __future__ import annotations
 
@@ -33,19 +33,19 @@ def input_values(
     }
 
 
-def values_given(
-    case: Case, evaluation: Evaluation, evidence: Mapping[str, Plain]
+def nodes_claimed(
+    case: Case, evaluation: Evaluation, claim: Mapping[str, Plain]
 ) -> dict[int, Ratio]:
-    """The expressions given for nodes, as their values; none if there is no such field."""
-    if "values" not in evidence:
+    """What nodes are claimed to equal, as values; none if there is no such field."""
+    if "nodes" not in claim:
         return {}
-    place = f"{case.place}.evidence.values"
+    place = f"{case.place}.claim.nodes"
     found = {
         schema.index(key, place): evaluation.scalar(read_expression(entry, f"{place}.{key}"))
-        for key, entry in schema.table(evidence["values"], place).items()
+        for key, entry in schema.table(claim["nodes"], place).items()
     }
     if not found:
-        raise MalformedError(f"{place}: values are given or the field is left out")
+        raise MalformedError(f"{place}: some are claimed or the field is left out")
     return found
 
 

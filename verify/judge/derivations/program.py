@@ -10,6 +10,7 @@ from gainproof.verify.judge.derivations.surroundings import Surroundings
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.graph import read_graph, read_values
+from gainproof.verify.judge.exact.grid import Grid
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.hypothesis import settle
@@ -19,17 +20,19 @@ from gainproof.verify.judge.verdict import Finding, finding_of
 def judge_program(
     where: Surroundings, claim: Mapping[str, Any], programs: Mapping[str, Any]
 ) -> Finding:
-    """Whether every claimed output of a kernel's graph equals its formula. Raises Undecided,
-    Malformed.
+    """Whether every claimed output, and every claimed node, of a kernel's graph equals its formula.
+
+    Raises Undecided, Malformed.
     """
     program = programs.get(claim["program"])
     if program is None:
         raise Undecided(f"the program {claim['program']} was not given")
     inputs = {name: _input(where, value) for name, value in program["inputs"].items()}
     outputs = read_values(program["graph"])
+    nodes = _nodes(program["graph"], claim.get("nodes", {}))
+    found = [(outputs.get(name), name, formula) for name, formula in claim["outputs"].items()]
     finding: Finding | None = None
-    for name, formula in claim["outputs"].items():
-        made = outputs.get(name)
+    for made, name, formula in [*found, *nodes]:
         if not isinstance(made, Expr):
             raise Malformed(f"the program has no output {name}")
         computed = with_known_roots(where, substituted(made, inputs))
@@ -42,6 +45,18 @@ def judge_program(
     if finding is None:
         raise Undecided("a program without outputs")
     return finding
+
+
+def _nodes(
+    graph: Mapping[str, Any], claimed: Mapping[str, Any]
+) -> list[tuple[Expr | Grid, str, Any]]:
+    """What the claimed nodes compute, with their numbers and formulas."""
+    if not claimed:
+        return []
+    if not all(number.isdecimal() for number in claimed):
+        raise Malformed("nodes are claimed by their numbers")
+    values = read_values({**graph, "outputs": {number: int(number) for number in claimed}})
+    return [(values[number], number, formula) for number, formula in claimed.items()]
 
 
 def _input(where: Surroundings, value: Any) -> Expr:

@@ -104,3 +104,24 @@ def test_free_symbols_of_a_relation() -> None:
     assert judge_relation(left, right, degree=1, free=["z"]).verdict == "proved"
     product = symbol_graph("alpha", "z", kind="mul")
     assert judge_relation(left, product, degree=1, free=["z"]).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("node", "meant", "verdict"),
+    [("2", 7, "proved"), ("2", 8, "refuted"), ("9", 7, "undecided"), ("two", 7, "undecided")],
+)
+def test_claimed_nodes_of_a_kernel_are_judged(node: str, meant: int, verdict: str) -> None:
+    """The kernel adds 3 and 4 on the way to a square."""
+    nodes = [["number", "3"], ["number", "4"], ["add", 0, 1], ["mul", 2, 2]]
+
+    def number(value: int) -> dict[str, Any]:
+        return {"nodes": [["number", str(value)]], "outputs": {"value": 0}}
+
+    claim = {
+        "program": "kernel",
+        "outputs": {"square": number(49)},
+        "nodes": {node: number(meant)},
+    }
+    program = {"inputs": {}, "graph": {"nodes": nodes, "outputs": {"square": 3}}}
+    found = judge_statement("program", claim, degree=0, programs={"kernel": program})
+    assert found.verdict == verdict, found.reason
