@@ -8,13 +8,17 @@ from typing import Any
 
 from gainproof import atomic_file, derivations, workers
 from gainproof.bad_input import BadInputError
-from gainproof.derive.printer.package import shared_files
+from gainproof.derive.printer.package import CODE, code_source, shared_files
 from gainproof.drift import Difference
 from gainproof.workshop import Workshop
 
 
-def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
-    """Content by file name, of everything or of one subject. Raises BadInputError."""
+def fresh(name_or_file: str | None, shop: Workshop, *, own: bool = True) -> dict[str, bytes]:
+    """Content by file name, of everything or of one subject. Raises BadInputError.
+
+    `own`: for the package's own folder, so with the code that one subject's kernels share with
+    others; a folder elsewhere has none, kernels there import it from the installed package.
+    """
     if name_or_file is None:
         names = derivations.catalogue(shop)
         jobs = [workers.Job(name, "print_one", {"name": name}) for name in names]
@@ -28,9 +32,10 @@ def fresh(name_or_file: str | None, shop: Workshop) -> dict[str, bytes]:
         derivations.require_names([name_or_file], shop)
         job, depends = workers.Job(name_or_file, "print_one", {"name": name_or_file}), []
     (found,) = shop.results("printed", [job], *depends)
-    # what modules share is left out: kernels import it from the installed package
-    texts = found["files"].items()
-    return {name: text.encode("utf-8") for name, text in texts if not name.startswith("_")}
+    texts = {name: text for name, text in found["files"].items() if own or not name.startswith("_")}
+    if own:
+        texts |= {name: code_source(name) for name in CODE}
+    return {name: text.encode("utf-8") for name, text in texts.items()}
 
 
 def _require_accepted(path: Path, shop: Workshop) -> None:

@@ -59,6 +59,19 @@ def test_one_subject_alone_leaves_the_others_and_the_shared_files(tmp_path: Path
         assert (tmp_path / name).read_bytes() == (committed / name).read_bytes()
 
 
+def test_one_subject_in_the_package_brings_the_code_that_it_shares(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(places, "generated_folder", lambda: tmp_path)
+    assert cli.main(["generate", "least-squares-mean"]) == 0
+    names = sorted(path.name for path in tmp_path.iterdir())
+    assert names == sorted([*CODE, "least_squares_mean.json", "least_squares_mean.py"])
+    (tmp_path / CODE[0]).write_text("", encoding="utf-8")
+    assert cli.main(["generate", "least-squares-mean", "--check"]) == 1
+    assert cli.main(["generate", "least-squares-mean"]) == 0
+    assert cli.main(["generate", "least-squares-mean", "--check"]) == 0
+
+
 def test_subjects_agree_on_the_files_that_they_share() -> None:
     parts = [{"module": m, "title": m, "files": {"_shared.py": "x", m: m}} for m in ("a", "b")]
     files = generated_files.together(parts)

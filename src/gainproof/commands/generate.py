@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     if options.subject and derivations.is_file(options.subject) and not options.out:
         raise BadInputError("kernels of your own model need a place: give --out DIR")
     folder = Path(options.out) if options.out else places.generated_folder()
-    files = generated_files.fresh(options.subject, shop)
+    files = generated_files.fresh(options.subject, shop, own=not options.out)
     differences = drift.compare(files, folder, only=bool(options.subject or options.out))
     if options.check:
         for difference in differences:
