@@ -84,12 +84,6 @@ _TRACKING_INDEX_DOMAIN_5 = Domain(
     (5e-324, 3.1217485503159922e144),
     (1.401298464324817e-45, 7.205759403792794e16),
 )
-_TRACKING_INDEX_DOMAIN_6 = Domain(
-    "tracking_index",
-    "a number above 0 and at most 2^200, in float32 above 0 and at most 1073741824",
-    (5e-324, 1.6069380442589903e60),
-    (1.401298464324817e-45, 1073741824.0),
-)
 
 
 class Gains(NamedTuple):
@@ -113,7 +107,7 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
@@ -257,14 +251,14 @@ def gain_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: derivative of the position gain. Relative error at most 16.92 * 2^-52 (float64), 16.94 *
+    alpha: derivative of the position gain. Relative error at most 16.96 * 2^-52 (float64), 16.95 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64) and
         1e-45 <= tracking_index <= 7.235911e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.72
-        * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.73
+        * 2^-52 (float64), 17.74 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.82 * 2^-52 (float64), 16.83 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.83 * 2^-52 (float64), 16.83 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -447,7 +441,7 @@ def gains_with_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
@@ -457,14 +451,14 @@ def gains_with_derivatives(
         * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 16.92 * 2^-52 (float64), 16.94
+    d_alpha: derivative of the position gain. Relative error at most 16.96 * 2^-52 (float64), 16.95
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64)
         and 1e-45 <= tracking_index <= 7.235911e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        17.72 * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        17.73 * 2^-52 (float64), 17.74 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.82 * 2^-52 (float64), 16.83 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.83 * 2^-52 (float64), 16.83 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -644,8 +638,8 @@ def predictor_gains(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.17 * 2^-52
-        (float64), 6.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.18 * 2^-52
+        (float64), 6.19 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -792,14 +786,14 @@ def predictor_gain_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.22 * 2^-52 (float64), 18.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 18.25 * 2^-52 (float64), 18.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 1.990641374279621e103 (float64) and 1e-45 <= tracking_index <= 2.4624511e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 17.75 * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 17.76 * 2^-52 (float64), 17.77 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.235446903786528e103 (float64) and 1e-45 <= tracking_index <=
         2.765279e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 16.82 * 2^-52 (float64), 16.83 * 2^-23 (float32),
+        interval, gamma. Relative error at most 16.83 * 2^-52 (float64), 16.83 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
 
@@ -1109,7 +1103,7 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 11.35 * 2^-52 (float64), 11.35 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 11.35 * 2^-52 (float64), 11.36 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0003752096714334e154 (float64) and 1e-45 <= tracking_index <=
         1.3763372e19 (float32).
 
@@ -2260,15 +2254,15 @@ def gain_second_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 26.53 * 2^-52
-        (float64), 27.28 * 2^-23 (float32), proved for 6.852691063641298e-186 <= tracking_index <=
-        1.565378169971955e77 (float64) and 4.6732775e-24 <= tracking_index <= 5.80631e09 (float32).
+    alpha: second derivative by Lambda of the position gain. Relative error at most 26.51 * 2^-52
+        (float64), 27.29 * 2^-23 (float32), proved for 6.852691063641751e-186 <= tracking_index <=
+        1.565378169971955e77 (float64) and 4.6734494e-24 <= tracking_index <= 5.80631e09 (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 36.26 * 2^-52 (float64), 36.27 * 2^-23 (float32), proved for
-        3.506117298415984e-232 <= tracking_index <= 3.351388711764904e77 (float64) and 6.871206e-30
+        error at most 36.28 * 2^-52 (float64), 36.31 * 2^-23 (float32), proved for
+        3.506117298416322e-232 <= tracking_index <= 3.351388711764904e77 (float64) and 6.871575e-30
         <= tracking_index <= 1.2430991e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 32.52 * 2^-52 (float64), 32.57 * 2^-23 (float32), proved
+        interval. Relative error at most 32.62 * 2^-52 (float64), 32.61 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45 <= tracking_index
         <= 1.4102813e10 (float32).
 
@@ -2580,15 +2574,15 @@ def predictor_gain_second_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 30.08 * 2^-52 (float64), 30.10 * 2^-23 (float32), proved for
-        6.852691063641441e-186 <= tracking_index <= 3.922157988100115e77 (float64) and 4.67333e-24
+        Relative error at most 30.12 * 2^-52 (float64), 30.16 * 2^-23 (float32), proved for
+        6.8526910636419685e-186 <= tracking_index <= 3.922157988100115e77 (float64) and 4.673531e-24
         <= tracking_index <= 1.4548092e10 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta + gamma. Relative error at most 36.76 * 2^-52 (float64), 36.77 * 2^-23 (float32),
-        proved for 3.506117298415985e-232 <= tracking_index <= 4.2786186800086156e77 (float64) and
-        6.8712065e-30 <= tracking_index <= 1.5870279e10 (float32).
+        beta + gamma. Relative error at most 36.78 * 2^-52 (float64), 36.81 * 2^-23 (float32),
+        proved for 3.5061172984163225e-232 <= tracking_index <= 4.2786186800086156e77 (float64) and
+        6.871576e-30 <= tracking_index <= 1.5870279e10 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 32.52 * 2^-52 (float64), 32.57 * 2^-23
+        the sampling interval, gamma. Relative error at most 32.62 * 2^-52 (float64), 32.61 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45
         <= tracking_index <= 1.4102813e10 (float32).
 
@@ -3764,24 +3758,23 @@ def closed_loop_poles(
         a = sqrt(1 + 2 g - G), real_pole = (t - 1)/(t + 1), half_sum = (g - 1)/(1 + a + g)
 
     tracking_index: Lambda, with Lambda^2 =
-        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
-        2^200, in float32 above 0 and at most 1073741824.
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    real_pole: positive pole, the one that is real for every index. Relative error at most 8.60 *
-        2^-52 (float64), 8.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <= 1.0737418e09 (float32).
+    real_pole: positive pole, the one that is real for every index. Relative error at most 8.09 *
+        2^-52 (float64), 8.55 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        7.343758849926206e154 (float64) and 1e-45 <= tracking_index <= 1.0103697e20 (float32).
     modulus: geometric mean of the moduli of the other two, that of each while they are complex.
-        Relative error at most 6.08 * 2^-52 (float64), 6.15 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
-        1.0737418e09 (float32).
+        Relative error at most 6.55 * 2^-52 (float64), 6.54 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
+        3.4028235e38 (float32).
     half_sum: half the sum of these two, the real part of each while they are complex. Relative
-        error at most 30.39 * 2^-52 (float64), 29.96 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
-        1.0737418e09 (float32).
+        error at most 32.24 * 2^-52 (float64), 31.92 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
+        3.4028235e38 (float32).
     quarter_discriminant: square of half their difference, negative while they are complex. Relative
-        error at most 38.90 * 2^-52 (float64), 38.96 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
-        1.0737418e09 (float32).
+        error at most 40.45 * 2^-52 (float64), 40.66 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
+        3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -3802,157 +3795,164 @@ def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: b
     w0, w1, w2, w3, w4, w5, w6 = work
     p = np.sqrt(tracking_index, real_pole)
     r = np.sqrt(p, modulus)
-    t3 = np.multiply(p, r, w0)
-    t5 = np.divide(0.015625, r, half_sum)
-    t6 = np.multiply(p, 0.015625, w1)
-    t7 = np.multiply(tracking_index, r, w2)
-    t9 = np.multiply(t7, 0.0006944444444444445, w2)
-    t10 = np.square(t9, w3)
-    t11 = np.multiply(t10, t9, w4)
-    t12 = np.multiply(t9, t6, w5)
-    t14 = np.multiply(t11, 2.0, w6)
-    t15 = np.add(t12, t14, w5)
-    t16 = np.add(t5, t15, w5)
-    t18 = np.multiply(t10, 3.0, w3)
-    t19 = np.add(t18, t6, w3)
-    t21 = np.multiply(t3, 0.00234374962747097, w0)
-    t22 = np.add(t5, t21, half_sum)
-    t23 = np.multiply(t6, 2.0, w1)
-    t24 = np.multiply(t9, t23, w1)
-    t26 = np.multiply(t11, 8.0, w4)
-    t27 = np.add(t24, t26, w1)
-    t28 = np.add(t22, t27, half_sum)
-    t29 = near_cbrt(t28, half_sum, single)
-    t31 = np.multiply(t19, t29, w0)
-    t32 = np.add(t31, t16, w1)
-    t33 = np.multiply(t29, t32, w4)
-    t34 = np.sqrt(t33, quarter_discriminant)
-    t35 = np.sqrt(t34, w4)
-    t37 = np.multiply(t32, 0.25, w1)
-    t38 = np.multiply(t31, 0.25, w0)
-    t39 = np.add(t37, t38, w1)
-    t40 = np.multiply(t34, t35, quarter_discriminant)
-    t41 = np.multiply(t35, t40, w4)
-    t42 = np.multiply(t39, t29, half_sum)
-    t43 = np.subtract(t41, t42, w4)
-    t44 = np.subtract(t40, t39, quarter_discriminant)
-    t45 = np.divide(t43, t44, w4)
-    t47 = np.multiply(t19, t45, w0)
-    t48 = np.add(t47, t16, w1)
-    t49 = np.multiply(t45, t48, w6)
-    t50 = np.sqrt(t49, w6)
-    t51 = np.sqrt(t50, half_sum)
-    t52 = np.multiply(t48, 0.25, w1)
-    t53 = np.multiply(t47, 0.25, w0)
-    t54 = np.add(t52, t53, w1)
-    t55 = np.multiply(t50, t51, w6)
-    t56 = np.multiply(t51, t55, half_sum)
-    t57 = np.multiply(t54, t45, w4)
-    t58 = np.subtract(t56, t57, half_sum)
-    t59 = np.subtract(t55, t54, w6)
-    t60 = np.divide(t58, t59, half_sum)
-    t62 = np.multiply(t19, t60, w0)
-    t63 = np.add(t62, t16, w1)
-    t64 = np.multiply(t60, t63, w4)
-    t65 = np.sqrt(t64, w4)
-    t66 = np.sqrt(t65, w6)
-    t67 = np.multiply(t63, 0.25, w1)
-    t68 = np.multiply(t62, 0.25, w0)
-    t69 = np.add(t67, t68, w1)
-    t70 = np.multiply(t65, t66, w4)
-    t71 = np.multiply(t66, t70, w6)
-    t72 = np.multiply(t69, t60, half_sum)
-    t73 = np.subtract(t71, t72, w6)
-    t74 = np.subtract(t70, t69, w4)
-    t75 = np.divide(t73, t74, w6)
-    t77 = np.multiply(t19, t75, w0)
-    t78 = np.add(t77, t16, w1)
-    t79 = np.multiply(t75, t78, w4)
-    t80 = np.sqrt(t79, w4)
-    t81 = np.sqrt(t80, half_sum)
-    t82 = np.multiply(t78, 0.25, w1)
-    t83 = np.multiply(t77, 0.25, w0)
-    t84 = np.add(t82, t83, w1)
-    t85 = np.multiply(t80, t81, w4)
-    t86 = np.multiply(t81, t85, half_sum)
-    t87 = np.multiply(t84, t75, w6)
-    t88 = np.subtract(t86, t87, half_sum)
-    t89 = np.subtract(t85, t84, w4)
-    t90 = np.divide(t88, t89, half_sum)
-    t92 = np.multiply(t19, t90, w3)
-    t93 = np.add(t92, t16, w3)
-    t94 = np.multiply(t90, t93, half_sum)
-    inner = np.sqrt(t94, half_sum)
-    z = np.sqrt(inner, half_sum)
-    t97 = np.add(z, t9, half_sum)
-    t98 = np.divide(t97, r, half_sum)
-    t99 = np.multiply(t98, tracking_index, w0)
-    y = np.sqrt(t99, w1)
-    t102 = np.add(t99, 1.0, w0)
-    s = np.sqrt(t102, w0)
-    t104 = np.divide(1.0, t98, w2)
-    t105 = np.divide(t104, tracking_index, w3)
-    t107 = np.divide(2.220446049250313e-16, tracking_index, w4)
-    t109 = np.multiply(tracking_index, 4.625929269271486e-19, w5)
-    t110 = np.add(t107, t109, w4)
-    c_scaled = np.sqrt(t110, w4)
-    t113 = np.multiply(c_scaled, 67108864.0, w4)
-    t114 = np.divide(y, s, w5)
-    t115 = np.multiply(t113, t114, w4)
-    t116 = np.divide(t115, p, w4)
-    t117 = np.multiply(t116, 8.0, w4)
-    t118 = np.add(t105, t117, w5)
-    t120 = np.divide(0.13333333333333333, t118, w5)
-    t121 = np.add(t117, 1.0, w6)
-    t122 = np.add(t121, t120, w5)
-    a = np.sqrt(t122, real_pole)
-    t124 = np.add(a, 1.0, real_pole)
-    t125 = np.add(t124, t117, w4)
-    t126 = np.add(s, y, w0)
-    t129 = np.multiply(tracking_index, 1.9309493362512626, real_pole)
-    t130 = np.add(t104, t129, real_pole)
-    t132 = np.multiply(t130, 0.01454608337892598, real_pole)
-    t133 = np.add(t98, t132, real_pole)
+    t4 = np.divide(1.0, r, half_sum)
+    t6 = np.multiply(tracking_index, 0.015625, modulus)
+    t7 = np.add(t4, t6, modulus)
+    t8 = np.divide(1.0, t7, quarter_discriminant)
+    t9 = np.multiply(t8, t4, modulus)
+    t10 = np.square(t9, w0)
+    t11 = np.multiply(t9, t4, modulus)
+    t12 = np.multiply(t11, 0.015625, modulus)
+    t13 = np.multiply(t10, t12, w0)
+    t14 = np.square(t8, modulus)
+    t15 = np.multiply(tracking_index, t8, half_sum)
+    t17 = np.multiply(t15, 0.0006944444444444445, half_sum)
+    t18 = np.multiply(t14, 0.015625, w1)
+    t19 = np.square(t17, w2)
+    t20 = np.multiply(t19, t17, w3)
+    t21 = np.multiply(t17, t18, w4)
+    t23 = np.multiply(t20, 2.0, w5)
+    t24 = np.add(t21, t23, w4)
+    t25 = np.add(t13, t24, w4)
+    t27 = np.multiply(t19, 3.0, w2)
+    t28 = np.add(t27, t18, w2)
+    t29 = np.multiply(t14, t8, modulus)
+    t31 = np.multiply(t29, 0.00234374962747097, modulus)
+    t32 = np.add(t13, t31, w0)
+    t33 = np.multiply(t18, 2.0, w1)
+    t34 = np.multiply(t17, t33, w1)
+    t36 = np.multiply(t20, 8.0, w3)
+    t37 = np.add(t34, t36, w1)
+    t38 = np.add(t32, t37, w0)
+    t39 = near_cbrt(t38, w0, single)
+    t41 = np.multiply(t28, t39, w1)
+    t42 = np.add(t41, t25, w3)
+    t43 = np.multiply(t39, t42, w5)
+    t44 = np.sqrt(t43, w5)
+    t45 = np.sqrt(t44, modulus)
+    t47 = np.multiply(t42, 0.25, w3)
+    t48 = np.multiply(t41, 0.25, w1)
+    t49 = np.add(t47, t48, w3)
+    t50 = np.multiply(t44, t45, w5)
+    t51 = np.multiply(t45, t50, modulus)
+    t52 = np.multiply(t49, t39, w0)
+    t53 = np.subtract(t51, t52, modulus)
+    t54 = np.subtract(t50, t49, w5)
+    t55 = np.divide(t53, t54, modulus)
+    t57 = np.multiply(t28, t55, w0)
+    t58 = np.add(t57, t25, w1)
+    t59 = np.multiply(t55, t58, w3)
+    t60 = np.sqrt(t59, w3)
+    t61 = np.sqrt(t60, w5)
+    t62 = np.multiply(t58, 0.25, w1)
+    t63 = np.multiply(t57, 0.25, w0)
+    t64 = np.add(t62, t63, w1)
+    t65 = np.multiply(t60, t61, w3)
+    t66 = np.multiply(t61, t65, w5)
+    t67 = np.multiply(t64, t55, modulus)
+    t68 = np.subtract(t66, t67, w5)
+    t69 = np.subtract(t65, t64, w3)
+    t70 = np.divide(t68, t69, w5)
+    t72 = np.multiply(t28, t70, w0)
+    t73 = np.add(t72, t25, w1)
+    t74 = np.multiply(t70, t73, w3)
+    t75 = np.sqrt(t74, w3)
+    t76 = np.sqrt(t75, modulus)
+    t77 = np.multiply(t73, 0.25, w1)
+    t78 = np.multiply(t72, 0.25, w0)
+    t79 = np.add(t77, t78, w1)
+    t80 = np.multiply(t75, t76, w3)
+    t81 = np.multiply(t76, t80, modulus)
+    t82 = np.multiply(t79, t70, w5)
+    t83 = np.subtract(t81, t82, modulus)
+    t84 = np.subtract(t80, t79, w3)
+    t85 = np.divide(t83, t84, modulus)
+    t87 = np.multiply(t28, t85, w0)
+    t88 = np.add(t87, t25, w1)
+    t89 = np.multiply(t85, t88, w3)
+    t90 = np.sqrt(t89, w3)
+    t91 = np.sqrt(t90, w5)
+    t92 = np.multiply(t88, 0.25, w1)
+    t93 = np.multiply(t87, 0.25, w0)
+    t94 = np.add(t92, t93, w1)
+    t95 = np.multiply(t90, t91, w3)
+    t96 = np.multiply(t91, t95, w5)
+    t97 = np.multiply(t94, t85, modulus)
+    t98 = np.subtract(t96, t97, w5)
+    t99 = np.subtract(t95, t94, w3)
+    t100 = np.divide(t98, t99, w5)
+    t102 = np.multiply(t28, t100, w2)
+    t103 = np.add(t102, t25, w2)
+    t104 = np.multiply(t100, t103, w5)
+    inner = np.sqrt(t104, w5)
+    z = np.sqrt(inner, w5)
+    t107 = np.add(z, t17, w5)
+    t108 = np.divide(t107, t8, w0)
+    t109 = np.divide(t8, t107, quarter_discriminant)
+    v_root = np.sqrt(t108, w1)
+    t111 = np.divide(t109, tracking_index, w2)
+    t112 = np.add(t111, 1.0, w3)
+    t = np.sqrt(t112, w3)
+    t115 = np.divide(2.220446049250313e-16, tracking_index, w4)
+    t117 = np.multiply(tracking_index, 4.625929269271486e-19, w5)
+    t118 = np.add(t115, t117, w4)
+    c_scaled = np.sqrt(t118, w4)
+    t121 = np.multiply(c_scaled, 67108864.0, w4)
+    t122 = np.multiply(t121, 8.0, w4)
+    t123 = np.divide(t122, t, w4)
+    t124 = np.divide(t123, p, w4)
+    t125 = np.add(t111, t124, w5)
+    t127 = np.divide(0.13333333333333333, t125, w5)
+    t128 = np.add(t124, 1.0, modulus)
+    t129 = np.add(t128, t127, w5)
+    a = np.sqrt(t129, half_sum)
+    t131 = np.add(a, 1.0, half_sum)
+    t132 = np.add(t131, t124, half_sum)
+    t133 = np.add(t, 1.0, w3)
+    t136 = np.multiply(t109, 0.01454608337892598, w4)
+    t138 = np.multiply(tracking_index, 0.028087750045592646, w6)
+    t139 = np.add(t136, t138, w4)
+    t140 = np.add(t108, t139, w4)
     rest = -9.738720763152742e-08 if single else 3.740420498507711e-16
-    np.subtract(5.966800592310059, tracking_index, modulus)
-    t134 = np.add(modulus, rest, modulus)
-    t135 = np.divide(t134, t133, modulus)
-    t136 = np.divide(t135, tracking_index, modulus)
-    t137 = np.add(5.966800592310059, tracking_index, real_pole)
-    t138 = np.multiply(t136, t137, modulus)
-    t140 = np.multiply(t138, 0.028087750045592646, modulus)
-    t141 = np.divide(1.0, t126, real_pole)
-    t143 = np.divide(y, tracking_index, w1)
-    t144 = np.multiply(t143, 8.0, w1)
-    t147 = np.add(t105, 0.9309493362512627, quarter_discriminant)
-    t148 = np.divide(t147, t121, quarter_discriminant)
-    t149 = np.multiply(t140, t148, quarter_discriminant)
-    t153 = np.multiply(tracking_index, 1.183064446160989, w6)
-    t154 = np.add(t104, t153, w2)
-    t156 = np.multiply(t154, 0.0028603819712654517, w2)
-    t157 = np.add(t98, t156, half_sum)
+    np.subtract(5.966800592310059, tracking_index, w6)
+    t141 = np.add(w6, rest, w6)
+    t142 = np.divide(t141, t140, w6)
+    t143 = np.divide(t142, tracking_index, w6)
+    t144 = np.add(5.966800592310059, tracking_index, w4)
+    t145 = np.multiply(t143, t144, w6)
+    t147 = np.multiply(t145, 0.028087750045592646, w6)
+    t148 = np.divide(t111, t133, w4)
+    t150 = np.divide(v_root, p, w1)
+    t151 = np.multiply(t150, 8.0, w1)
+    t154 = np.add(t111, 0.9309493362512627, real_pole)
+    t155 = np.divide(t154, t128, real_pole)
+    t156 = np.multiply(t147, t155, w6)
+    t160 = np.multiply(t109, 0.0028603819712654517, quarter_discriminant)
+    t162 = np.multiply(tracking_index, 0.0033840162126440396, real_pole)
+    t163 = np.add(t160, t162, quarter_discriminant)
+    t164 = np.add(t108, t163, w0)
     rest_ = 7.072486027936975e-07 if single else -1.5829239487703273e-15
-    np.subtract(31.608914128879448, tracking_index, w2)
-    t158 = np.add(w2, rest_, w2)
-    t159 = np.divide(t158, t157, w2)
-    t160 = np.divide(t159, tracking_index, w2)
-    t161 = np.add(31.608914128879448, tracking_index, w6)
-    t162 = np.multiply(t160, t161, w2)
-    t164 = np.multiply(t162, 0.001000877316602882, w2)
-    t165 = np.divide(t164, t125, w2)
-    t167 = np.add(t105, 0.8497311128276556, w3)
-    t168 = np.divide(t167, t122, w3)
-    t169 = np.multiply(t165, t168, w2)
-    t170 = np.divide(t169, t125, w2)
-    np.divide(t141, t126, real_pole)
-    np.divide(t144, t125, modulus)
-    np.divide(t149, t125, half_sum)
-    np.multiply(t170, -3.0, quarter_discriminant)
+    np.subtract(31.608914128879448, tracking_index, real_pole)
+    t165 = np.add(real_pole, rest_, real_pole)
+    t166 = np.divide(t165, t164, real_pole)
+    t167 = np.divide(t166, tracking_index, real_pole)
+    t168 = np.add(31.608914128879448, tracking_index, w0)
+    t169 = np.multiply(t167, t168, real_pole)
+    t171 = np.multiply(t169, 0.001000877316602882, real_pole)
+    t172 = np.divide(t171, t132, real_pole)
+    t174 = np.add(t111, 0.8497311128276556, w2)
+    t175 = np.divide(t174, t129, w2)
+    t176 = np.multiply(t172, t175, real_pole)
+    t177 = np.divide(t176, t132, w0)
+    np.divide(t148, t133, real_pole)
+    np.divide(t151, t132, modulus)
+    np.divide(t156, t132, half_sum)
+    np.multiply(t177, -3.0, quarter_discriminant)
 
 
 _CLOSED_LOOP_POLES = Signature(
     "closed_loop_poles",
-    (_TRACKING_INDEX_DOMAIN_6,),
+    (_TRACKING_INDEX_DOMAIN,),
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
     7,
     _closed_loop_poles_block,

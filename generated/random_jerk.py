@@ -84,12 +84,6 @@ _TRACKING_INDEX_DOMAIN_5 = Domain(
     (5e-324, 3.1217485503159922e144),
     (1.401298464324817e-45, 7.205759403792794e16),
 )
-_TRACKING_INDEX_DOMAIN_6 = Domain(
-    "tracking_index",
-    "a number above 0 and at most 2^200, in float32 above 0 and at most 1073741824",
-    (5e-324, 1.6069380442589903e60),
-    (1.401298464324817e-45, 1073741824.0),
-)
 
 
 class Gains(NamedTuple):
@@ -114,13 +108,13 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
         6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.60
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.61
         * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
@@ -259,14 +253,14 @@ def gain_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 17.06 * 2^-52 (float64), 17.06 *
+    alpha: derivative of the position gain. Relative error at most 17.11 * 2^-52 (float64), 17.07 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 6.147487532734931e102 (float64) and
         1e-45 <= tracking_index <= 7.604528e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 18.04
-        * 2^-52 (float64), 18.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 18.06
+        * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <= 2.1021648e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 17.11 * 2^-52 (float64), 17.11 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 17.12 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <= tracking_index <=
         2.6091866e13 (float32).
 
@@ -450,24 +444,24 @@ def gains_with_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.17 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
         6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.60
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.61
         * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 17.06 * 2^-52 (float64), 17.06
+    d_alpha: derivative of the position gain. Relative error at most 17.11 * 2^-52 (float64), 17.07
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 6.147487532734931e102 (float64)
         and 1e-45 <= tracking_index <= 7.604528e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        18.04 * 2^-52 (float64), 18.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        18.06 * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <= 2.1021648e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 17.11 * 2^-52 (float64), 17.11 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 17.12 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <= tracking_index <=
         2.6091866e13 (float32).
 
@@ -650,14 +644,14 @@ def predictor_gains(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.17 * 2^-52
-        (float64), 6.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.18 * 2^-52
+        (float64), 6.19 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     acceleration: acceleration entry of F K times the square of the sampling interval, gamma.
-        Relative error at most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for
+        Relative error at most 4.61 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.1754945e-38 <= tracking_index <= 3.4028235e38 (float32).
 
@@ -799,14 +793,14 @@ def predictor_gain_derivatives(
         finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.53 * 2^-52 (float64), 18.52 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 18.56 * 2^-52 (float64), 18.54 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 2.1423048991561227e103 (float64) and 1e-45 <= tracking_index <= 2.650061e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 18.03 * 2^-52 (float64), 18.02 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 18.05 * 2^-52 (float64), 18.03 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.426769755425277e103 (float64) and 1e-45 <= tracking_index <=
         3.001948e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 17.11 * 2^-52 (float64), 17.11 * 2^-23 (float32),
+        interval, gamma. Relative error at most 17.12 * 2^-52 (float64), 17.12 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <=
         tracking_index <= 2.6091866e13 (float32).
 
@@ -988,7 +982,7 @@ def innovation_deviation(
         finite.
 
     innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
-        4.99 * 2^-52 (float64), 4.99 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        4.99 * 2^-52 (float64), 5.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1118,7 +1112,7 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
         finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 11.48 * 2^-52 (float64), 11.48 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 11.48 * 2^-52 (float64), 11.49 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0777833921299165e154 (float64) and 1e-45 <= tracking_index <=
         1.482837e19 (float32).
 
@@ -2280,16 +2274,16 @@ def gain_second_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 27.38 * 2^-52
-        (float64), 27.57 * 2^-23 (float32), proved for 6.852691063641311e-186 <= tracking_index <=
-        1.6248136397643547e77 (float64) and 4.6732578e-24 <= tracking_index <= 6.0267684e09
+    alpha: second derivative by Lambda of the position gain. Relative error at most 27.32 * 2^-52
+        (float64), 27.57 * 2^-23 (float32), proved for 6.852691063641772e-186 <= tracking_index <=
+        1.6248136397643547e77 (float64) and 4.6734187e-24 <= tracking_index <= 6.0267684e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 36.26 * 2^-52 (float64), 36.27 * 2^-23 (float32), proved for
-        3.506117298415993e-232 <= tracking_index <= 3.483368529203275e77 (float64) and 6.8711666e-30
+        error at most 36.28 * 2^-52 (float64), 36.31 * 2^-23 (float32), proved for
+        3.506117298416336e-232 <= tracking_index <= 3.483368529203275e77 (float64) and 6.871511e-30
         <= tracking_index <= 1.2920532e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 32.83 * 2^-52 (float64), 32.83 * 2^-23 (float32), proved
+        interval. Relative error at most 32.93 * 2^-52 (float64), 32.85 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 4.0961722872046457e77 (float64) and 1e-45 <= tracking_index
         <= 1.5193547e10 (float32).
 
@@ -2603,15 +2597,15 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 30.48 * 2^-52 (float64), 30.47 * 2^-23 (float32), proved for
-        6.852691063641454e-186 <= tracking_index <= 4.1442054202196843e77 (float64) and
-        4.6733086e-24 <= tracking_index <= 1.5371711e10 (float32).
+        Relative error at most 30.61 * 2^-52 (float64), 30.56 * 2^-23 (float32), proved for
+        6.852691063641991e-186 <= tracking_index <= 4.1442054202196843e77 (float64) and 4.673496e-24
+        <= tracking_index <= 1.5371711e10 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta + gamma. Relative error at most 36.76 * 2^-52 (float64), 36.77 * 2^-23 (float32),
-        proved for 3.506117298415993e-232 <= tracking_index <= 4.5504227289903544e77 (float64) and
-        6.871167e-30 <= tracking_index <= 1.6878456e10 (float32).
+        beta + gamma. Relative error at most 36.78 * 2^-52 (float64), 36.81 * 2^-23 (float32),
+        proved for 3.506117298416337e-232 <= tracking_index <= 4.5504227289903544e77 (float64) and
+        6.871512e-30 <= tracking_index <= 1.6878456e10 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 32.83 * 2^-52 (float64), 32.83 * 2^-23
+        the sampling interval, gamma. Relative error at most 32.93 * 2^-52 (float64), 32.85 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 4.0961722872046457e77 (float64) and 1e-45
         <= tracking_index <= 1.5193547e10 (float32).
 
@@ -3790,24 +3784,24 @@ def closed_loop_poles(
         a = sqrt(2/3 + 2 g - G), real_pole = (t - 1)/(t + 1), half_sum = (g - 1)/(1 + a + g)
 
     tracking_index: Lambda, with Lambda^2 =
-        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
-        most 2^200, in float32 above 0 and at most 1073741824.
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
+        finite.
 
-    real_pole: positive pole, the one that is real for every index. Relative error at most 8.67 *
-        2^-52 (float64), 8.47 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <= 1.0737418e09 (float32).
+    real_pole: positive pole, the one that is real for every index. Relative error at most 8.17 *
+        2^-52 (float64), 8.41 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        4.022342378982779e154 (float64) and 1e-45 <= tracking_index <= 5.5340232e19 (float32).
     modulus: geometric mean of the moduli of the other two, that of each while they are complex.
-        Relative error at most 6.34 * 2^-52 (float64), 6.31 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
-        1.0737418e09 (float32).
+        Relative error at most 6.63 * 2^-52 (float64), 6.62 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
+        3.4028235e38 (float32).
     half_sum: half the sum of these two, the real part of each while they are complex. Relative
-        error at most 30.39 * 2^-52 (float64), 30.11 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
-        1.0737418e09 (float32).
+        error at most 32.20 * 2^-52 (float64), 32.07 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
+        3.4028235e38 (float32).
     quarter_discriminant: square of half their difference, negative while they are complex. Relative
-        error at most 35.64 * 2^-52 (float64), 35.48 * 2^-23 (float32), proved for 5e-324 <=
-        tracking_index <= 1.6069380442589903e60 (float64) and 1e-45 <= tracking_index <=
-        1.0737418e09 (float32).
+        error at most 36.64 * 2^-52 (float64), 36.67 * 2^-23 (float32), proved for 5e-324 <=
+        tracking_index <= 4.5726476713518234e154 (float64) and 1e-45 <= tracking_index <=
+        6.2911447e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -3825,152 +3819,159 @@ def closed_loop_poles(
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
     (tracking_index,) = given
     real_pole, modulus, half_sum, quarter_discriminant = out
-    w0, w1, w2, w3, w4, w5, w6 = work
+    w0, w1, w2, w3, w4, w5 = work
     p = np.sqrt(tracking_index, real_pole)
     r = np.sqrt(p, modulus)
-    t3 = np.multiply(p, r, w0)
-    t5 = np.divide(0.015625, r, half_sum)
-    t7 = np.multiply(p, 0.020833333333333332, w1)
-    t8 = np.multiply(tracking_index, r, w2)
-    t10 = np.multiply(t8, 0.0023148148148148147, w2)
-    t11 = np.square(t10, w3)
-    t12 = np.multiply(t11, t10, w4)
-    t13 = np.multiply(t10, t7, w5)
-    t15 = np.multiply(t12, 2.0, w6)
-    t16 = np.add(t13, t15, w5)
-    t17 = np.add(t5, t16, w5)
-    t19 = np.multiply(t11, 3.0, w3)
-    t20 = np.add(t19, t7, w3)
-    t22 = np.multiply(t3, 0.003608439117670059, w0)
-    t23 = np.add(t5, t22, half_sum)
-    t24 = np.multiply(t7, 2.0, w1)
-    t25 = np.multiply(t10, t24, w1)
-    t27 = np.multiply(t12, 8.0, w4)
-    t28 = np.add(t25, t27, w1)
-    t29 = np.add(t23, t28, half_sum)
-    t30 = near_cbrt(t29, half_sum, single)
-    t32 = np.multiply(t20, t30, w0)
-    t33 = np.add(t32, t17, w1)
-    t34 = np.multiply(t30, t33, w4)
-    t35 = np.sqrt(t34, quarter_discriminant)
-    t36 = np.sqrt(t35, w4)
-    t38 = np.multiply(t33, 0.25, w1)
-    t39 = np.multiply(t32, 0.25, w0)
-    t40 = np.add(t38, t39, w1)
-    t41 = np.multiply(t35, t36, quarter_discriminant)
-    t42 = np.multiply(t36, t41, w4)
-    t43 = np.multiply(t40, t30, half_sum)
-    t44 = np.subtract(t42, t43, w4)
-    t45 = np.subtract(t41, t40, quarter_discriminant)
-    t46 = np.divide(t44, t45, w4)
-    t48 = np.multiply(t20, t46, w0)
-    t49 = np.add(t48, t17, w1)
-    t50 = np.multiply(t46, t49, w6)
-    t51 = np.sqrt(t50, w6)
-    t52 = np.sqrt(t51, half_sum)
-    t53 = np.multiply(t49, 0.25, w1)
-    t54 = np.multiply(t48, 0.25, w0)
-    t55 = np.add(t53, t54, w1)
-    t56 = np.multiply(t51, t52, w6)
-    t57 = np.multiply(t52, t56, half_sum)
-    t58 = np.multiply(t55, t46, w4)
-    t59 = np.subtract(t57, t58, half_sum)
-    t60 = np.subtract(t56, t55, w6)
-    t61 = np.divide(t59, t60, half_sum)
-    t63 = np.multiply(t20, t61, w0)
-    t64 = np.add(t63, t17, w1)
-    t65 = np.multiply(t61, t64, w4)
-    t66 = np.sqrt(t65, w4)
-    t67 = np.sqrt(t66, w6)
-    t68 = np.multiply(t64, 0.25, w1)
-    t69 = np.multiply(t63, 0.25, w0)
-    t70 = np.add(t68, t69, w1)
-    t71 = np.multiply(t66, t67, w4)
-    t72 = np.multiply(t67, t71, w6)
-    t73 = np.multiply(t70, t61, half_sum)
-    t74 = np.subtract(t72, t73, w6)
-    t75 = np.subtract(t71, t70, w4)
-    t76 = np.divide(t74, t75, w6)
-    t78 = np.multiply(t20, t76, w0)
-    t79 = np.add(t78, t17, w1)
-    t80 = np.multiply(t76, t79, w4)
-    t81 = np.sqrt(t80, w4)
-    t82 = np.sqrt(t81, half_sum)
-    t83 = np.multiply(t79, 0.25, w1)
-    t84 = np.multiply(t78, 0.25, w0)
-    t85 = np.add(t83, t84, w1)
-    t86 = np.multiply(t81, t82, w4)
-    t87 = np.multiply(t82, t86, half_sum)
-    t88 = np.multiply(t85, t76, w6)
-    t89 = np.subtract(t87, t88, half_sum)
-    t90 = np.subtract(t86, t85, w4)
-    t91 = np.divide(t89, t90, half_sum)
-    t93 = np.multiply(t20, t91, w3)
-    t94 = np.add(t93, t17, w3)
-    t95 = np.multiply(t91, t94, half_sum)
-    inner = np.sqrt(t95, half_sum)
-    z = np.sqrt(inner, half_sum)
-    t98 = np.add(z, t10, half_sum)
-    t99 = np.divide(t98, r, half_sum)
-    t100 = np.multiply(t99, tracking_index, w0)
-    y = np.sqrt(t100, w1)
-    t103 = np.add(t100, 1.0, w0)
-    s = np.sqrt(t103, w0)
-    t105 = np.divide(1.0, t99, w2)
-    t106 = np.divide(t105, tracking_index, w3)
-    t108 = np.divide(2.220446049250313e-16, tracking_index, w4)
-    t110 = np.multiply(tracking_index, 3.854941057726238e-19, w5)
-    t111 = np.add(t108, t110, w4)
-    c_scaled = np.sqrt(t111, w4)
-    t114 = np.multiply(c_scaled, 67108864.0, w4)
-    t115 = np.divide(y, s, w5)
-    t116 = np.multiply(t114, t115, w4)
-    t117 = np.divide(t116, p, w4)
-    t118 = np.multiply(t117, 8.0, w4)
-    t120 = np.multiply(t106, 0.3333333333333333, w5)
-    t122 = np.add(t120, 0.1111111111111111, w5)
-    t123 = np.add(t106, t118, w6)
-    t124 = np.divide(t122, t123, w5)
-    t126 = np.add(t118, 0.6666666666666666, w6)
-    t127 = np.add(t126, t124, w6)
-    a = np.sqrt(t127, w5)
-    t129 = np.add(a, 1.0, w5)
-    t130 = np.add(t129, t118, w5)
-    t131 = np.add(s, y, w0)
-    t135 = np.multiply(tracking_index, 2.1240937744230046, real_pole)
-    t136 = np.add(t105, t135, w2)
-    t138 = np.multiply(t136, 0.012355631892026117, w2)
-    t139 = np.add(t99, t138, half_sum)
+    t4 = np.divide(1.0, r, half_sum)
+    t6 = np.multiply(tracking_index, 0.015625, modulus)
+    t7 = np.add(t4, t6, modulus)
+    t8 = np.divide(1.0, t7, quarter_discriminant)
+    t9 = np.multiply(t8, t4, modulus)
+    t10 = np.square(t9, w0)
+    t11 = np.multiply(t9, t4, modulus)
+    t12 = np.multiply(t11, 0.015625, modulus)
+    t13 = np.multiply(t10, t12, w0)
+    t14 = np.square(t8, modulus)
+    t15 = np.multiply(tracking_index, t8, half_sum)
+    t17 = np.multiply(t15, 0.0023148148148148147, half_sum)
+    t19 = np.multiply(t14, 0.020833333333333332, w1)
+    t20 = np.square(t17, w2)
+    t21 = np.multiply(t20, t17, w3)
+    t22 = np.multiply(t17, t19, w4)
+    t24 = np.multiply(t21, 2.0, w5)
+    t25 = np.add(t22, t24, w4)
+    t26 = np.add(t13, t25, w4)
+    t28 = np.multiply(t20, 3.0, w2)
+    t29 = np.add(t28, t19, w2)
+    t30 = np.multiply(t14, t8, modulus)
+    t32 = np.multiply(t30, 0.003608439117670059, modulus)
+    t33 = np.add(t13, t32, w0)
+    t34 = np.multiply(t19, 2.0, w1)
+    t35 = np.multiply(t17, t34, w1)
+    t37 = np.multiply(t21, 8.0, w3)
+    t38 = np.add(t35, t37, w1)
+    t39 = np.add(t33, t38, w0)
+    t40 = near_cbrt(t39, w0, single)
+    t42 = np.multiply(t29, t40, w1)
+    t43 = np.add(t42, t26, w3)
+    t44 = np.multiply(t40, t43, w5)
+    t45 = np.sqrt(t44, w5)
+    t46 = np.sqrt(t45, modulus)
+    t48 = np.multiply(t43, 0.25, w3)
+    t49 = np.multiply(t42, 0.25, w1)
+    t50 = np.add(t48, t49, w3)
+    t51 = np.multiply(t45, t46, w5)
+    t52 = np.multiply(t46, t51, modulus)
+    t53 = np.multiply(t50, t40, w0)
+    t54 = np.subtract(t52, t53, modulus)
+    t55 = np.subtract(t51, t50, w5)
+    t56 = np.divide(t54, t55, modulus)
+    t58 = np.multiply(t29, t56, w0)
+    t59 = np.add(t58, t26, w1)
+    t60 = np.multiply(t56, t59, w3)
+    t61 = np.sqrt(t60, w3)
+    t62 = np.sqrt(t61, w5)
+    t63 = np.multiply(t59, 0.25, w1)
+    t64 = np.multiply(t58, 0.25, w0)
+    t65 = np.add(t63, t64, w1)
+    t66 = np.multiply(t61, t62, w3)
+    t67 = np.multiply(t62, t66, w5)
+    t68 = np.multiply(t65, t56, modulus)
+    t69 = np.subtract(t67, t68, w5)
+    t70 = np.subtract(t66, t65, w3)
+    t71 = np.divide(t69, t70, w5)
+    t73 = np.multiply(t29, t71, w0)
+    t74 = np.add(t73, t26, w1)
+    t75 = np.multiply(t71, t74, w3)
+    t76 = np.sqrt(t75, w3)
+    t77 = np.sqrt(t76, modulus)
+    t78 = np.multiply(t74, 0.25, w1)
+    t79 = np.multiply(t73, 0.25, w0)
+    t80 = np.add(t78, t79, w1)
+    t81 = np.multiply(t76, t77, w3)
+    t82 = np.multiply(t77, t81, modulus)
+    t83 = np.multiply(t80, t71, w5)
+    t84 = np.subtract(t82, t83, modulus)
+    t85 = np.subtract(t81, t80, w3)
+    t86 = np.divide(t84, t85, modulus)
+    t88 = np.multiply(t29, t86, w0)
+    t89 = np.add(t88, t26, w1)
+    t90 = np.multiply(t86, t89, w3)
+    t91 = np.sqrt(t90, w3)
+    t92 = np.sqrt(t91, w5)
+    t93 = np.multiply(t89, 0.25, w1)
+    t94 = np.multiply(t88, 0.25, w0)
+    t95 = np.add(t93, t94, w1)
+    t96 = np.multiply(t91, t92, w3)
+    t97 = np.multiply(t92, t96, w5)
+    t98 = np.multiply(t95, t86, modulus)
+    t99 = np.subtract(t97, t98, w5)
+    t100 = np.subtract(t96, t95, w3)
+    t101 = np.divide(t99, t100, w5)
+    t103 = np.multiply(t29, t101, w2)
+    t104 = np.add(t103, t26, w2)
+    t105 = np.multiply(t101, t104, w5)
+    inner = np.sqrt(t105, w5)
+    z = np.sqrt(inner, w5)
+    t108 = np.add(z, t17, w5)
+    t109 = np.divide(t108, t8, w0)
+    t110 = np.divide(t8, t108, quarter_discriminant)
+    v_root = np.sqrt(t109, w1)
+    t112 = np.divide(t110, tracking_index, w2)
+    t113 = np.add(t112, 1.0, w3)
+    t = np.sqrt(t113, w3)
+    t116 = np.divide(2.220446049250313e-16, tracking_index, w4)
+    t118 = np.multiply(tracking_index, 3.854941057726238e-19, w5)
+    t119 = np.add(t116, t118, w4)
+    c_scaled = np.sqrt(t119, w4)
+    t122 = np.multiply(c_scaled, 67108864.0, w4)
+    t123 = np.multiply(t122, 8.0, w4)
+    t124 = np.divide(t123, t, w4)
+    t125 = np.divide(t124, p, w4)
+    t127 = np.multiply(t112, 0.3333333333333333, w5)
+    t129 = np.add(t127, 0.1111111111111111, w5)
+    t130 = np.add(t112, t125, modulus)
+    t131 = np.divide(t129, t130, w5)
+    t133 = np.add(t125, 0.6666666666666666, modulus)
+    t134 = np.add(t133, t131, modulus)
+    a = np.sqrt(t134, w5)
+    t136 = np.add(a, 1.0, w5)
+    t137 = np.add(t136, t125, w5)
+    t138 = np.add(t, 1.0, w3)
+    t142 = np.multiply(t110, 0.012355631892026117, quarter_discriminant)
+    t144 = np.multiply(tracking_index, 0.026244520780915007, half_sum)
+    t145 = np.add(t142, t144, quarter_discriminant)
+    t146 = np.add(t109, t145, w0)
     rest = 1.3118362574005005e-07 if single else 2.6682135546293653e-16
-    np.subtract(6.172778260761257, tracking_index, w2)
-    t140 = np.add(w2, rest, w2)
-    t141 = np.divide(t140, t139, w2)
-    t142 = np.divide(t141, tracking_index, w2)
-    t143 = np.add(6.172778260761257, tracking_index, real_pole)
-    t144 = np.multiply(t142, t143, w2)
-    t146 = np.multiply(t144, 0.026244520780915007, w2)
-    t147 = np.divide(1.0, t131, real_pole)
-    t149 = np.divide(y, tracking_index, w1)
-    t150 = np.multiply(t149, 8.0, w1)
-    t153 = np.add(t106, 1.1240937744230048, modulus)
-    t154 = np.add(t118, 1.0, w4)
-    t155 = np.divide(t153, t154, modulus)
-    t156 = np.multiply(t146, t155, w2)
-    t158 = np.add(t106, 0.8888888888888888, w4)
-    t159 = np.divide(t158, t127, w4)
-    t160 = np.multiply(t106, t159, w3)
-    t161 = np.divide(t160, t130, w3)
-    t162 = np.divide(t161, t130, w3)
-    np.divide(t147, t131, real_pole)
-    np.divide(t150, t130, modulus)
-    np.divide(t156, t130, half_sum)
-    np.multiply(t162, -3.0, quarter_discriminant)
+    np.subtract(6.172778260761257, tracking_index, half_sum)
+    t147 = np.add(half_sum, rest, half_sum)
+    t148 = np.divide(t147, t146, half_sum)
+    t149 = np.divide(t148, tracking_index, half_sum)
+    t150 = np.add(6.172778260761257, tracking_index, w0)
+    t151 = np.multiply(t149, t150, half_sum)
+    t153 = np.multiply(t151, 0.026244520780915007, half_sum)
+    t154 = np.divide(t112, t138, w0)
+    t156 = np.divide(v_root, p, w1)
+    t157 = np.multiply(t156, 8.0, w1)
+    t160 = np.add(t112, 1.1240937744230048, real_pole)
+    t161 = np.add(t125, 1.0, w4)
+    t162 = np.divide(t160, t161, real_pole)
+    t163 = np.multiply(t153, t162, half_sum)
+    t165 = np.add(t112, 0.8888888888888888, w4)
+    t166 = np.divide(t165, t134, w4)
+    t167 = np.multiply(t112, t166, w2)
+    t168 = np.divide(t167, t137, w2)
+    t169 = np.divide(t168, t137, w2)
+    np.divide(t154, t138, real_pole)
+    np.divide(t157, t137, modulus)
+    np.divide(t163, t137, half_sum)
+    np.multiply(t169, -3.0, quarter_discriminant)
 
 
 _CLOSED_LOOP_POLES = Signature(
     "closed_loop_poles",
-    (_TRACKING_INDEX_DOMAIN_6,),
+    (_TRACKING_INDEX_DOMAIN,),
     ("real_pole", "modulus", "half_sum", "quarter_discriminant"),
-    7,
+    6,
     _closed_loop_poles_block,
 )

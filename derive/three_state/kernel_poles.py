@@ -24,7 +24,8 @@ from gainproof.derive.three_state.spectrum import Spectrum
 
 POLES = "closed_loop_poles"
 REAL, MODULUS, MEAN, SQUARE = "real_pole", "modulus", "half_sum", "quarter_discriminant"
-WITHIN = "1/13"
+WITHIN, WITHIN_WIDELY = "1/13", "1/9"
+"""The latter where V is the root of B for many indices."""
 
 
 def pole_graph(spectrum: Spectrum) -> Graph:
@@ -70,27 +71,28 @@ def _over_level(builder: GraphBuilder, s: Spectrum) -> Graph:
     names: dict[str, Node] = {}
     index = builder.symbol("tracking_index")
     names["p"] = p = builder.sqrt(index)
-    v = _share(builder, s, index, p, names)
-    names["y"] = y = builder.sqrt(v * index)
-    names["s"] = over = builder.sqrt(v * index + 1)
-    level = (1 / v) / index
-    g = ((scaled_delta(builder, s, index, p, names) * (y / over)) / p) * 8
+    v, inverse = _share(builder, s, index, p, names)
+    names["v_root"] = root_of_v = builder.sqrt(v)
+    level = inverse / index
+    names["t"] = t = builder.sqrt(level + 1)
+    g = ((scaled_delta(builder, s, index, p, names) * 8) / t) / p
     more = total(weighted(level, 1 - s.m1), s.m2 or None) if s.m1 < 1 or s.m2 else None
     square = total(g, s.m1 or None, None if more is None else more / (level + g))
     names["a"] = a = builder.sqrt(square)
-    below, step, rise = (a + 1) + g, over + y, 2 - s.m1
+    below, step, rise = (a + 1) + g, t + 1, 2 - s.m1
 
     def away(zero: Any, limit: Any) -> Any:
         """G - zero, where `limit` is the index at which G is `zero`."""
-        under = v + (1 / v + index * (zero + rise)) * (zero / 64)
+        part = builder.node(zero) / 64
+        under = v + (inverse * part + index * (part * (zero + rise)))
         return ((((limit - index) / under) / index) * (limit + index)) * (1 / (limit * limit))
 
     middle = _middle(builder, s, names)
     names["middle_root"] = builder.sqrt(middle + (1 - s.m2))
     first = away(middle, 8 / names["middle_root"])
     outputs = {
-        REAL: (1 / step) / step,
-        MODULUS: ((y / index) * 8) / below,
+        REAL: (level / step) / step,
+        MODULUS: ((root_of_v / p) * 8) / below,
         MEAN: (first * ((level + (middle + (1 - s.m1))) / (g + 1))) / below,
     }
     whole, sharp = Fraction(2, 3) * rise, s.m1 * s.m1 - 4 * s.m2
@@ -116,20 +118,30 @@ def _middle(builder: GraphBuilder, s: Spectrum, names: dict[str, Node]) -> Any:
 
 def _share(
     builder: GraphBuilder, s: Spectrum, index: Node, p: Node, names: dict[str, Node]
-) -> Node:
-    """V, made of h and the certified root Z."""
+) -> tuple[Node, Node]:
+    """V and its inverse, made of the nodes h and z, a certified root: they are h u and Z u.
+
+    With u = 1/(Lambda^(-1/4) + Lambda/64) the fourth power of z stays between those of numbers and
+    of Lambda^(-1/12), so that no index is too large for Newton's steps. `share`, which is
+    u Lambda^(-1/4), and the square of u may be 0 for a large index, where they are added to what is
+    not.
+    """
     names["r"] = r = builder.sqrt(p)
-    long = p * r
-    a, b, h = Fraction(1, 64) / r, p * ((2 - s.m1) / 64), (index * r) * ((1 - s.m1 + s.m2) / 192)
-    cube = (h * h) * h
+    over = 1 / r
+    u = 1 / (over + index * Fraction(1, 64))
+    share = u * over
+    a = (share * share) * ((share * over) * Fraction(1, 64))
+    square, h = u * u, (index * u) * ((1 - s.m1 + s.m2) / 192)
+    b, cube = square * ((2 - s.m1) / 64), (h * h) * h
     free, times = a + (h * b + cube * 2), (h * h) * 3 + b
     # near the root of b, which matters between both ends of the index
     between = Fraction(round(2**30 * 1.2 * float((2 - s.m1) / 64) ** 1.5), 2**30)
-    start = near_cbrt((a + long * between) + (h * (b * 2) + cube * 8))
+    flat = (2 - s.m1) ** 2 / (1 - s.m1 + s.m2)
+    start = near_cbrt((a + (square * u) * between) + (h * (b * 2) + cube * 8))
 
     def step(z: Node) -> tuple[Node, ...]:
         names["inner"] = inner = builder.sqrt(z * (times * z + free))
         return (builder.sqrt(inner),)
 
-    names["z"] = z = fixed_point_values(start, step, WITHIN)[0]
-    return (z + h) / r
+    names["z"] = z = fixed_point_values(start, step, WITHIN if flat < 8 else WITHIN_WIDELY)[0]
+    return (z + h) / u, u / (z + h)

@@ -113,9 +113,6 @@ def _input(c: Context, name: str, graph: Graph) -> Input:
         least, small = LEAST_ALPHA
         return Input("alpha", "position gain", least, "1", False, single=(small, "1"))
     meaning = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
-    if name == POLES and not c.spectrum.rational_in_root:
-        double, single = pole_module.UP_TO
-        return Input("tracking_index", meaning, "0", double, upper_open=False, single=("0", single))
     if "predicted_" not in name and "updated_" not in name:
         return Input("tracking_index", meaning)
     turns = any(output.endswith(SCALE) for output in graph["outputs"])

@@ -17,8 +17,6 @@ MEANINGS: Mapping[str, str] = MappingProxyType(
         "quarter_discriminant": "square of half their difference, negative while they are complex",
     }
 )
-UP_TO = (2**200, 2**30)
-"""Newton's steps hold the fourth power of a number that grows like Lambda^(5/4)."""
 
 
 def equations(c: Context) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ from gainproof.derive.expression import real
 from gainproof.derive.steady_state.towers import rational
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.kernel_basis import UNIT
-from gainproof.derive.three_state.names import DELTA, DEVIATION, ETA, NU, XI
+from gainproof.derive.three_state.names import DELTA, DEVIATION, ETA, INDEX, NU, XI
 from gainproof.derive.three_state.pole_places import middle, numbers, places, turn
 from gainproof.derive.three_state.spectrum import Spectrum
 from gainproof.derive.three_state.towers import kernel_tower
@@ -122,14 +122,14 @@ def kernel_roots(c: Context) -> dict[str, sp.Expr]:
             "root_3": real("root_3"),
             "modulus_inverse": 1 / MODULUS,
         }
-    z = real("rest_of_root")
+    z = real("rest_of_root") / (1 + INDEX * r / 64)
     found = {
         "p": r**2,
         "r": r,
         "z": z,
         "inner": z**2,
-        "y": Y,
-        "s": real("upper"),
+        "v_root": Y / r**2,
+        "t": T,
         "a": A,
         "c_scaled": rational(UNIT) * DELTA * r**2 / 8,
         "middle_surd": middle(s).surd,

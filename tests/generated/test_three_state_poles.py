@@ -11,8 +11,10 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import pytest
+from kernel_errors import broken_promises, log_uniform, measure
 from kernel_truth import THREE_STATES, truth_at
-from printed_kernels import PrintedKernel, printed_kernels
+from one_of_each import cases
+from printed_kernels import DTYPES, PrintedKernel, printed_kernels
 
 from gainproof.verify.oracles import doubling
 from gainproof.verify.oracles.matrices import identity, matrix, product, subtract
@@ -114,7 +116,7 @@ def test_signs_change_where_they_should(family: str) -> None:
     poles = KERNELS[family].function
     assert poles(middle * 0.999).half_sum > 0 > poles(middle * 1.001).half_sum
     if turn is None:
-        values = poles(np.geomspace(1e-300, 1e60, 500)).quarter_discriminant
+        values = poles(np.geomspace(1e-300, 1e154, 500)).quarter_discriminant
         assert np.all(values < 0)
     else:
         assert (
@@ -146,3 +148,46 @@ def test_no_digit_is_lost_next_to_a_sign(family: str) -> None:
             assert near(kernel, output, index) <= kernel.promises["float64"][output].error(
                 "float64"
             )
+
+
+WIDE = {
+    family: [k for k in printed_kernels() if k.family == family and k.domain["float64"][1] > 1e308]
+    for family in THREE_STATES
+}
+"""What takes every index; with covariances beside them, whose squares overflow, few are tried."""
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize(
+    "family", cases(sorted(THREE_STATES), lambda family: family == "random_jerk")
+)
+def test_they_are_right_for_every_index(family: str, dtype: str) -> None:
+    kernels = WIDE[family]
+    assert KERNELS[family] in kernels
+    low, high = KERNELS[family].domain[dtype]
+    numbers = np.finfo(dtype)
+    assert (low, high) == (float(numbers.smallest_subnormal), float(numbers.max))
+    ends = [low, 2 * low, float(numbers.tiny), high / 4, np.nextafter(high, 0), high]
+    points = [*ends, *log_uniform(low, high, 24, seed=5), *log_uniform(1, high, 24, seed=6)]
+    if dtype == "float64":
+        points += [1e-300, 1e300]
+    for stated in KERNELS[family].promises[dtype].values():
+        places = (stated.highest, stated.highest * 1.001, stated.highest * 4)
+        points += [stated.lowest, *(place for place in places if place < high)]
+    assert not broken_promises(kernels, dtype, measure(kernels, dtype, points))
+
+
+@pytest.mark.parametrize("family", sorted(THREE_STATES))
+def test_where_they_end(family: str) -> None:
+    """Every output is promised to the index 1e300 and beyond, but for those that go by 1/Lambda^2:
+    these while they are normal numbers.
+    """
+    stated = KERNELS[family].promises["float64"]
+    soon = {name for name, promise in stated.items() if promise.highest < 1e307}
+    quickly = {"random_jerk": {"real_pole", "quarter_discriminant"}}
+    quickly["continuous_white_jerk"] = {"real_pole"}
+    assert soon == quickly.get(family, set())
+    assert all(promise.lowest == 5e-324 for promise in stated.values())
+    for name in soon:
+        poles = KERNELS[family].function(np.array([stated[name].highest]))
+        assert abs(float(getattr(poles, name)[0])) == pytest.approx(2.0**-1022, rel=1e-9)
