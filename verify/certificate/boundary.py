@@ -25,8 +25,7 @@ from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.generator import read_constants
 from gainproof.verify.certificate.pair_boundary import require_pair, require_root
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.polynomial import Polynomial
-from gainproof.verify.certificate.products import Monomial
+from gainproof.verify.certificate.polynomial import Exponents, Polynomial
 from gainproof.verify.certificate.ratio import Ratio, number, polynomial
 from gainproof.verify.certificate.rejection import RejectedError
 from gainproof.verify.certificate.tower import Tower
@@ -127,7 +126,7 @@ class Boundary:
             result = result + self._at_boundary(monomial, coefficient)
         return result
 
-    def _at_boundary(self, monomial: Monomial, coefficient: Fraction) -> Polynomial:
+    def _at_boundary(self, monomial: Exponents, coefficient: Fraction) -> Polynomial:
         """A term without the tending parameter, the generators' values put in.
 
         Values of later generators may still be missing: then their exponents are zero.

@@ -10,14 +10,14 @@ statement is rejected, never a false one accepted.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
 from gainproof.verify.certificate.coupled import Pair
+from gainproof.verify.certificate.monomials import DIGIT, beyond
 from gainproof.verify.certificate.polynomial import Polynomial, Ring
-from gainproof.verify.certificate.products import Monomial
-from gainproof.verify.certificate.rejection import RejectedError
+from gainproof.verify.certificate.rejection import MAXIMUM_EXPONENT, RejectedError
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ class Field:
     after the radicand has been shown manifestly positive.
     """
 
-    __slots__ = ("free", "generators", "parameters", "ring")
+    __slots__ = ("free", "generators", "parameters", "reduced", "ring")
 
     def __init__(
         self,
@@ -64,6 +64,11 @@ class Field:
         self.parameters = parameters
         self.generators = generators
         self.free = free
+        # the monomial of the highest exponents that no relation lowers
+        self.reduced = ring.highest
+        for number, generator in enumerate(generators):
+            excess = MAXIMUM_EXPONENT - (generator.power - 1)
+            self.reduced -= excess << ring.place(self.position(number))
 
     def position(self, generator_number: int) -> int:
         """The place of a generator among all variables."""
@@ -85,20 +90,15 @@ class Field:
 
     def reduce(self, polynomial: Polynomial) -> Polynomial:
         """The remainder by the relations: every generator y has an exponent below its n."""
-        degrees = list(polynomial.degrees())
+        if not beyond(polynomial.degrees(), self.reduced, self.ring.guard):
+            return polynomial
         for number in range(len(self.generators) - 1, -1, -1):
-            if not self._is_reduced(number, degrees):
-                polynomial = self._reduce_by(number, polynomial)
-                degrees = list(polynomial.degrees())
+            polynomial = self._reduce_by(number, polynomial)
             if self._starts_pair(number):  # y is reduced; x brings it back, of a lower degree
                 while polynomial.degree(self.position(number + 1)) > 1:
                     polynomial = self._reduce_by(number + 1, polynomial)
                     polynomial = self._reduce_by(number, polynomial)
-                degrees = list(polynomial.degrees())
         return polynomial
-
-    def _is_reduced(self, number: int, degrees: Sequence[int]) -> bool:
-        return not degrees or degrees[self.position(number)] < self.generators[number].power
 
     def _starts_pair(self, number: int) -> bool:
         pair = self.generators[number].pair
@@ -109,11 +109,12 @@ class Field:
         if polynomial.degree(position) < generator.power:
             return polynomial
         # the powers of y^n, each with what it is multiplied by
-        parts: dict[int, dict[Monomial, int]] = {}
+        parts: dict[int, dict[int, int]] = {}
+        place, power = self.ring.place(position), generator.power
+        whole = power << place
         for monomial, coefficient in polynomial.terms.items():
-            quotient, rest = divmod(monomial[position], generator.power)
-            lowered = (*monomial[:position], rest, *monomial[position + 1 :])
-            parts.setdefault(quotient, {})[lowered] = coefficient
+            quotient = (monomial >> place & DIGIT) // power
+            parts.setdefault(quotient, {})[monomial - quotient * whole] = coefficient
         top = max(parts)
         result = self.ring.normal(parts.pop(top), polynomial.denominator)
         for quotient in range(top - 1, -1, -1):
@@ -165,7 +166,7 @@ class Field:
         if not self.positive_inside(polynomial):
             return False
         closed = [i for i, parameter in enumerate(self.parameters) if parameter.closed]
-        return any(not any(m[i] for i in closed) for m in self.shifted(polynomial).terms)
+        return self._has_term_without(closed, polynomial)
 
     def positive_along(self, polynomial: Polynomial, position: int) -> bool:
         """Positive wherever the parameter at ``position`` is not at the end of its domain.
@@ -175,7 +176,12 @@ class Field:
         if not self.positive_inside(polynomial):
             return False
         others = [i for i, p in enumerate(self.parameters) if p.closed and i != position]
-        return any(not any(m[i] for i in others) for m in self.shifted(polynomial).terms)
+        return self._has_term_without(others, polynomial)
+
+    def _has_term_without(self, positions: Iterable[int], polynomial: Polynomial) -> bool:
+        """Whether these parameters are all absent from a term, in the distances."""
+        digits = self.ring.digits(positions)
+        return any(not m & digits for m in self.shifted(polynomial).terms)
 
     def nonnegative(self, polynomial: Polynomial) -> bool:
         """Manifestly nonnegative: zero, or positive inside."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from gainproof.verify.certificate import schema, written
 from gainproof.verify.certificate.coupled import Pair
 from gainproof.verify.certificate.field import Field, Generator
+from gainproof.verify.certificate.monomials import WIDTH
 from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.polynomial import Polynomial, Ring
 from gainproof.verify.certificate.rejection import MAXIMUM_ROOT, RejectedError
@@ -45,8 +46,8 @@ def read_constants(value: Plain, tower: Field, position: int, place: str) -> Fie
 
 def lifted(value: Polynomial, ring: Ring) -> Polynomial:
     """The same polynomial in a ring with further variables at the end."""
-    padding = (0,) * (ring.size - value.ring.size)
-    return Polynomial(ring, {m + padding: c for m, c in value.terms.items()}, value.denominator)
+    padding = WIDTH * (ring.size - value.ring.size)
+    return Polynomial(ring, {m << padding: c for m, c in value.terms.items()}, value.denominator)
 
 
 def lifted_generators(generators: Sequence[Generator], ring: Ring) -> tuple[Generator, ...]:

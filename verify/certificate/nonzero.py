@@ -8,7 +8,6 @@ from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.plain import Plain
 from gainproof.verify.certificate.polynomial import Polynomial
-from gainproof.verify.certificate.products import Monomial
 from gainproof.verify.certificate.ratio import Ratio
 from gainproof.verify.certificate.rejection import RejectedError
 from gainproof.verify.certificate.written import read_fraction
@@ -86,13 +85,13 @@ def read_nonzero(value: Plain, field: Field, place: str) -> Nonzero:
     )
 
 
-def by_free_symbols(field: Field, polynomial: Polynomial) -> Mapping[Monomial, Polynomial]:
+def by_free_symbols(field: Field, polynomial: Polynomial) -> Mapping[int, Polynomial]:
     """The coefficients of the monomials in the free symbols."""
-    first = field.free_positions().start
-    parts: dict[Monomial, dict[Monomial, int]] = {}
+    frees = field.ring.digits(field.free_positions())
+    parts: dict[int, dict[int, int]] = {}
     for monomial, coefficient in polynomial.terms.items():
-        inner = monomial[:first] + (0,) * (len(monomial) - first)
-        parts.setdefault(monomial[first:], {})[inner] = coefficient
+        free = monomial & frees
+        parts.setdefault(free, {})[monomial - free] = coefficient
     return {
         free: field.ring.normal(part, polynomial.denominator)
         for free, part in sorted(parts.items())

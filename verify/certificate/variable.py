@@ -89,5 +89,5 @@ def _orders(field: Field, value: Polynomial, position: int) -> tuple[int, int]:
             raise RejectedError(
                 "the variable of a limit holds a generator that depends on the parameter"
             )
-    exponents = [monomial[position] for monomial in field.shifted_at(value, position).terms]
+    exponents = field.shifted_at(value, position).by_power(position)
     return min(exponents), max(exponents)

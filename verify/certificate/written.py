@@ -8,8 +8,7 @@ from fractions import Fraction
 from gainproof.verify.certificate import schema
 from gainproof.verify.certificate.field import Field
 from gainproof.verify.certificate.plain import Plain
-from gainproof.verify.certificate.polynomial import Polynomial, Ring
-from gainproof.verify.certificate.products import Monomial
+from gainproof.verify.certificate.polynomial import Exponents, Polynomial, Ring
 from gainproof.verify.certificate.ratio import Ratio, fraction
 from gainproof.verify.certificate.rejection import (
     MAXIMUM_EXPONENT,
@@ -21,8 +20,8 @@ from gainproof.verify.certificate.rejection import (
 
 def polynomial(value: Plain, ring: Ring, place: str) -> Polynomial:
     """A polynomial: [[coefficient, [exponents]], ...], nonzero, exponents strictly descending."""
-    terms: dict[Monomial, Fraction] = {}
-    previous: Monomial | None = None
+    terms: dict[Exponents, Fraction] = {}
+    previous: Exponents | None = None
     entries = schema.items(value, place)
     if len(entries) > MAXIMUM_TERMS:
         raise MalformedError(f"{place}: more than {MAXIMUM_TERMS} terms")
