@@ -7,23 +7,113 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from gainproof.derive.printer.shipped._signature import Array, Arrays, Domain, Signature
+    from gainproof.derive.printer.shipped._signature import (
+        Array,
+        Arrays,
+        Domain,
+        Required,
+        Signature,
+    )
 
-ENOUGH = 1.001
+SIZE = 65536
+"""Elements of a block: calls cost little beside it, and what is looked at twice is in the cache."""
 ROW = 1024
 """Numbers of a sum of squares: of more, numbers of the domain would often add up to too much, and
 from 8193 on libraries take threads, which may have to wait.
 """
+LARGEST = (1e38, 1e307)
+"""Sums of squares that are looked at: in float32 and float64 none of them has overflowed."""
+ENOUGH = 1.001
 
 
 def admit(
-    kernel: Signature, parts: Arrays, start: int, inputs: Arrays, shape: tuple[int, ...]
+    kernel: Signature,
+    flat: Arrays,
+    start: int,
+    stop: int,
+    inputs: Arrays,
+    shape: tuple[int, ...],
 ) -> None:
-    """ValueError unless a block of every input lies in its domain; numbers are looked at once."""
-    for domain, part, whole in zip(kernel.inputs, parts, inputs, strict=True):
-        if not start or whole.size > 1:
-            _guard(kernel, domain, part, start, whole, shape)
-    _require(kernel, parts, start, shape)
+    """ValueError unless the elements from `start` to `stop` of every input lie in its domain.
+
+    What lies in it is found in few calls, the longer the part the fewer; what does not is looked
+    for block by block. Of an input of one number `flat` holds a block; it is looked at once.
+    """
+    size = max(x.size for x in flat)
+    long = parts_of(flat, start, stop, size)
+    # legs come first: they read two inputs at a time from memory, which is faster
+    short = [each for each in kernel.required if not _apart(each, long, stop - start)]
+    each = enumerate(zip(kernel.inputs, long, inputs, strict=True))
+    doubted = [
+        place
+        for place, (domain, x, whole) in each
+        if (not start or whole.size > 1) and not _within(domain, x)
+    ]
+    if not doubted and not short:
+        return
+    for begin in range(start, stop, SIZE):
+        parts = parts_of(flat, begin, min(begin + SIZE, stop), size)
+        for place in doubted:
+            domain, whole = kernel.inputs[place], inputs[place]
+            _guard(kernel, domain, parts[place], begin, whole, shape)
+        for required in short:
+            _require(kernel, required, parts, begin, shape)
+
+
+def parts_of(flat: Arrays, start: int, stop: int, size: int) -> list[Array]:
+    """The block of each input; of a constant as much as the block is long."""
+    return [x[start:stop] if x.size == size else x[: stop - start] for x in flat]
+
+
+def _within(domain: Domain, x: Array) -> bool:
+    """Whether a few passes show all elements to lie in the domain; no says nothing. Comparisons
+    with NaN are false.
+    """
+    low, high = domain.single if x.dtype == np.float32 else domain.double
+    if domain.signed and not low and _small(x, high):
+        return True
+    least = -high if domain.signed and not low else low
+    for start in range(0, x.size, SIZE):
+        came = x[start : start + SIZE]
+        if domain.whole and np.any(came != np.floor(came)):
+            return False
+        y = np.abs(came) if domain.signed and low else came
+        if not (np.minimum.reduce(y) >= least and np.maximum.reduce(y) <= high):
+            return False
+    return True
+
+
+def _small(x: Array, high: float) -> bool:
+    """Whether sums of squares, one pass that is as fast as memory, show all magnitudes to be at
+    most `high`; no says nothing.
+    """
+    # half of a square leaves room for the roundings of the sum; squares below 1 might underflow
+    limit = min(high * high / 2, LARGEST[x.dtype == np.float64]) if high >= 1 else -1.0
+    whole = x.size - x.size % ROW
+    if whole:
+        rows = x[:whole].reshape(-1, ROW)
+        if not np.maximum.reduce(np.vecdot(rows, rows)) <= limit:
+            return False
+    rest = x[whole:]
+    return not rest.size or bool(np.vecdot(rest, rest) <= limit)
+
+
+def _apart(required: Required, parts: Arrays, size: int) -> bool:
+    """Whether its leg alone shows what is required; no says nothing."""
+    if required.leg is None:
+        return False
+    kind = parts[0].dtype
+    single = kind == np.float32
+    # a little more, for the roundings of the root
+    least = ENOUGH * (required.single if single else required.double)
+    value: Array = np.empty(min(size, SIZE), kind)
+    for start in range(0, size, SIZE):
+        stop = min(start + SIZE, size)
+        leg = value[: stop - start]
+        required.leg(parts_of(parts, start, stop, size), [leg], (), single)
+        if not np.minimum.reduce(np.absolute(leg, leg)) >= least:
+            return False
+    return True
 
 
 def _guard(
@@ -31,14 +121,7 @@ def _guard(
 ) -> None:
     """ValueError with the first element outside the domain; comparisons with NaN are false."""
     low, high = domain.single if x.dtype == np.float32 else domain.double
-    if domain.signed and not low and _small(x, high):
-        return
-    came, x = x, np.abs(x) if domain.signed and low else x
-    least = -high if domain.signed and not low else low
-    inside = not x.size or bool(np.minimum.reduce(x) >= least and np.maximum.reduce(x) <= high)
-    if inside and not (domain.whole and np.any(x != np.floor(x))):
-        return
-    x = np.abs(x) if domain.signed else x
+    came, x = x, np.abs(x) if domain.signed else x
     fine = (x >= low) & (x <= high)
     if domain.zero:
         fine |= x == 0
@@ -58,40 +141,22 @@ def _guard(
     )
 
 
-def _small(x: Array, high: float) -> bool:
-    """Whether sums of squares, one pass that is as fast as memory, show all magnitudes to be at
-    most `high`; no says nothing.
-    """
-    limit = high * high / 2
-    whole = x.size - x.size % ROW
-    if whole:
-        rows = x[:whole].reshape(-1, ROW)
-        if not np.maximum.reduce(np.vecdot(rows, rows)) <= limit:
-            return False
-    rest = x[whole:]
-    return not rest.size or bool(np.vecdot(rest, rest) <= limit)
-
-
-def _require(kernel: Signature, parts: Arrays, start: int, shape: tuple[int, ...]) -> None:
+def _require(
+    kernel: Signature, required: Required, parts: Arrays, start: int, shape: tuple[int, ...]
+) -> None:
     """ValueError with the first place where inputs together are not what they must be."""
-    for required in kernel.required:
-        kind = parts[0].dtype
-        single = kind == np.float32
-        least = required.single if single else required.double
-        value: Array = np.empty(parts[0].shape, kind)
-        if required.leg is not None and value.size:
-            required.leg(parts, [value], (), single)
-            # a little more, for the roundings of the root
-            if np.minimum.reduce(np.absolute(value, value)) >= ENOUGH * least:
-                continue
-        work: list[Array] = [np.empty_like(value) for _ in range(required.work)]
-        required.block(parts, [value], work, single)
-        fine = value >= least
-        if not fine.all():
-            first = int(np.argmin(fine))
-            place = tuple(int(i) for i in np.unravel_index(start + first, shape))
-            where = f" at index {place[0] if len(place) == 1 else place}" if shape else ""
-            raise ValueError(
-                f"{kernel.name}: {required.name} must be {required.wanted}, "
-                f"got {value[first]!s}{where}"
-            )
+    kind = parts[0].dtype
+    single = kind == np.float32
+    if _apart(required, parts, parts[0].size):
+        return
+    value: Array = np.empty(parts[0].shape, kind)
+    work: list[Array] = [np.empty_like(value) for _ in range(required.work)]
+    required.block(parts, [value], work, single)
+    fine = value >= (required.single if single else required.double)
+    if not fine.all():
+        first = int(np.argmin(fine))
+        place = tuple(int(i) for i in np.unravel_index(start + first, shape))
+        where = f" at index {place[0] if len(place) == 1 else place}" if shape else ""
+        raise ValueError(
+            f"{kernel.name}: {required.name} must be {required.wanted}, got {value[first]!s}{where}"
+        )

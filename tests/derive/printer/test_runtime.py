@@ -14,7 +14,7 @@ from numpy.lib.stride_tricks import as_strided
 
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.shipped._bits import choose, mask_of
-from gainproof.derive.printer.shipped._runtime import SIZE
+from gainproof.derive.printer.shipped._guards import SIZE
 
 
 @cache

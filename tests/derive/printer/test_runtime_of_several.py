@@ -15,7 +15,7 @@ from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
-from gainproof.derive.printer.shipped._runtime import SIZE
+from gainproof.derive.printer.shipped._guards import SIZE
 
 
 @cache

@@ -1,0 +1,122 @@
+"""The quick looks of the guards admit nothing that a look at each number would refuse."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from gainproof.derive.printer.shipped._guards import ROW, SIZE, admit
+from gainproof.derive.printer.shipped._runtime import LONG
+from gainproof.derive.printer.shipped._signature import Domain, Signature
+from gainproof.generated import filter_step, range_doppler
+
+HIGHS = (5e-324, 1e-200, 0.5, 1.0, 3.0, 1e4, 1e30, 1e40, 1e153, 1e160, 1.7e308)
+SINGLE_HIGHS = (1e-45, 1e-30, 0.5, 1.0, 3.0, 1e4, 1e8, 1e18, 1e20, 3e38)
+SIZES = (1, 2, ROW - 1, ROW, ROW + 1, SIZE + 3)
+
+
+def admitted(domain: Domain, x: NDArray[Any]) -> bool:
+    kernel = Signature("kernel", (domain,), (), 0, lambda *_: None)
+    try:
+        with np.errstate(all="ignore"):
+            admit(kernel, [x], 0, x.size, [x], x.shape)
+    except ValueError:
+        return False
+    return True
+
+
+def inside(domain: Domain, x: Any) -> bool:
+    """One number, in words: nothing of arrays."""
+    low, high = domain.single if isinstance(x, np.float32) else domain.double
+    size = abs(float(x)) if domain.signed else float(x)
+    fits = low <= size <= high or (domain.zero and size == 0)
+    return fits and (not domain.whole or size == int(size))
+
+
+def candidates(low: float, high: float, kind: type[Any]) -> list[Any]:
+    ends = [kind(0), kind(low), kind(high), kind(1), kind(np.finfo(kind).max)]
+    up, down = kind(np.inf), -kind(np.inf)
+    beside = [np.nextafter(x, way) for x in ends for way in (up, down)]
+    numbers = [*ends, *beside, up, kind(np.nan), kind(2.5)]
+    return [*numbers, *(-x for x in numbers)]
+
+
+@pytest.mark.parametrize("form", ["plain", "signed", "far", "zero", "whole"])
+@pytest.mark.parametrize("kind", [np.float64, np.float32])
+def test_one_number_among_others(form: str, kind: type[Any]) -> None:
+    highs = HIGHS if kind is np.float64 else SINGLE_HIGHS
+    told: dict[str, Any] = {
+        "plain": {},
+        "signed": {"signed": True, "zero": True},
+        "far": {"signed": True},
+        "zero": {"zero": True},
+        "whole": {"whole": True},
+    }[form]
+    for high in map(float, map(kind, highs)):
+        lows = [0.0] if form == "signed" else [high / 4, high]
+        for low in map(float, map(kind, lows)):
+            domain = Domain("x", "", (low, high), (low, high), **told)
+            with np.errstate(all="ignore"), warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # numbers beyond the ends
+                numbers = candidates(low, high, kind)
+            for size in SIZES[: 6 if high in (1.0, 1e40, 1e8) else 3]:
+                x = np.full(size, high, kind)
+                usual = inside(domain, kind(high))
+                assert admitted(domain, x) == usual
+                for number in numbers:
+                    x[size // 2] = number
+                    assert admitted(domain, x) == (
+                        inside(domain, number) and (usual or size == 1)
+                    ), (domain, number, size)
+
+
+def test_the_first_block_with_a_bad_number_is_told_of() -> None:
+    """Whether all is looked at first, in long parts, or block by block."""
+    count = LONG + 2 * SIZE + 5
+    given = {name: np.ones(count) for name in ("position", "observed")}
+    given["position"][SIZE + 7] = np.nan
+    given["observed"][SIZE - 1] = 1e41
+    out = tuple(np.full(count, -7.0) for _ in range(2))
+
+    def step(**options: Any) -> None:
+        x, z = given["position"], given["observed"]
+        filter_step.step_two_states(x, 1.0, 1.0, z, 0.5, 0.1, **options)
+
+    for options in ({}, {"out": out}):
+        told = rf"observed must be .* got 1e\+41 at index {SIZE - 1}$"
+        with pytest.raises(ValueError, match=told):
+            step(**options)
+        given["observed"][SIZE - 1] = 1.0
+        with pytest.raises(ValueError, match=rf"position must be .* got nan at index {SIZE + 7}$"):
+            step(**options)
+        given["observed"][SIZE - 1] = 1e41
+    given["position"][SIZE + 7] = given["observed"][SIZE - 1] = 1.0
+    given["observed"][LONG + SIZE] = -np.inf
+    with pytest.raises(ValueError, match=rf"observed must be .* got -inf at index {LONG + SIZE}$"):
+        step(out=out)
+    assert all((y == -7).all() for y in out)
+
+
+def test_points_that_meet_are_found_among_many() -> None:
+    """Where a first difference is 0 the distance itself is asked for, block by block."""
+    count = LONG + SIZE + 5
+    place = np.full((2, count), 5.0)
+    place[0, ::5] = 1.0  # along x where the station is, and 4 from it
+    out: Any = tuple(np.full(count, -7.0) for _ in range(6))
+
+    def seen() -> Any:
+        x, y = place
+        return range_doppler.range_doppler_in_plane(x, y, 1.0, 2.0, 1.0, 1.0, 0.0, 0.0, out=out)
+
+    assert seen().slant_range[[0, LONG + 5 - LONG % 5]].tolist() == [4, 4]
+    for y in out:
+        y[:] = -7
+    where = LONG + SIZE
+    place[:, where] = 1.0
+    with pytest.raises(ValueError, match=rf"distance .* got 0.0 at index {where}$"):
+        seen()
+    assert all((y == -7).all() for y in out)
