@@ -17,13 +17,21 @@ if TYPE_CHECKING:
     from gainproof.generated._signature import Arrays, Real
 
 __all__ = [
+    "ClassicalConversion",
     "ClassicalConversionInPlane",
+    "DebiasedConversion",
     "DebiasedConversionInPlane",
+    "ModifiedUnbiasedConversion",
     "ModifiedUnbiasedConversionInPlane",
+    "UnbiasedConversion",
     "UnbiasedConversionInPlane",
+    "classical_conversion",
     "classical_conversion_in_plane",
+    "debiased_conversion",
     "debiased_conversion_in_plane",
+    "modified_unbiased_conversion",
     "modified_unbiased_conversion_in_plane",
+    "unbiased_conversion",
     "unbiased_conversion_in_plane",
 ]
 
@@ -49,6 +57,20 @@ _RANGE_DEVIATION_DOMAIN = Domain(
 )
 _AZIMUTH_DEVIATION_DOMAIN = Domain(
     "azimuth_deviation",
+    "a number at least 1e-15 and at most 2, in float32 at least 1e-6 and at most 2",
+    (1e-15, 2.0),
+    (9.999999974752427e-07, 2.0),
+)
+_ELEVATION_DOMAIN = Domain(
+    "elevation",
+    "0 or of magnitude 1e-20 to 1.5707963267948966, in float32 1e-12 to 1.5707962",
+    (1e-20, 1.5707963267948966),
+    (9.999999960041972e-13, 1.570796251296997),
+    zero=True,
+    signed=True,
+)
+_ELEVATION_DEVIATION_DOMAIN = Domain(
+    "elevation_deviation",
     "a number at least 1e-15 and at most 2, in float32 at least 1e-6 and at most 2",
     (1e-15, 2.0),
     (9.999999974752427e-07, 2.0),
@@ -632,4 +654,978 @@ _MODIFIED_UNBIASED_CONVERSION_IN_PLANE = Signature(
     ),
     9,
     _modified_unbiased_conversion_in_plane_block,
+)
+
+
+class ClassicalConversion(NamedTuple):
+    """Result of `classical_conversion`."""
+
+    x: Real
+    """Converted x, m."""
+    y: Real
+    """Converted y, m."""
+    z: Real
+    """Converted z, m."""
+    covariance_xx: Real
+    """Stated variance of x, m^2."""
+    covariance_xy: Real
+    """Stated covariance of x and y, m^2."""
+    covariance_xz: Real
+    """Stated covariance of x and z, m^2."""
+    covariance_yy: Real
+    """Stated variance of y, m^2."""
+    covariance_yz: Real
+    """Stated covariance of y and z, m^2."""
+    covariance_zz: Real
+    """Stated variance of z, m^2."""
+
+
+def classical_conversion(
+    slant_range: ArrayLike,
+    elevation: ArrayLike,
+    azimuth: ArrayLike,
+    range_deviation: ArrayLike,
+    elevation_deviation: ArrayLike,
+    azimuth_deviation: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> ClassicalConversion:
+    """The measured place, and its covariance to first order, in space.
+
+        x = r cos e cos a, y = r cos e sin a, z = r sin e; the covariance is J D J' with the
+        derivatives J of these and D = diag(sr^2, se^2, sa^2)
+
+    slant_range: measured range, m; a number at least 1e-20 and at most 1e60, in float32 at least
+        1e-3 and at most 1e12.
+    elevation: measured elevation above the plane of x and y, rad; 0 or of magnitude 1e-20 to
+        1.5707963267948966, in float32 1e-12 to 1.5707962.
+    azimuth: measured azimuth from x towards y, rad; 0 or of magnitude 1e-20 to 6.2832, in float32
+        1e-12 to 6.2832.
+    range_deviation: standard deviation of the range, m; a number at least 1e-20 and at most 1e60,
+        in float32 at least 1e-3 and at most 1e12.
+    elevation_deviation: standard deviation of the elevation, rad; a number at least 1e-15 and at
+        most 2, in float32 at least 1e-6 and at most 2.
+    azimuth_deviation: standard deviation of the azimuth, rad; a number at least 1e-15 and at most
+        2, in float32 at least 1e-6 and at most 2.
+
+    x: converted x, m. Relative error at most 9.01 * 2^-52 (float64), 9.01 * 2^-23 (float32), proved
+        for every input, provided np.cos errs by at most 4 units in the last place of the true
+        value.
+    y: converted y, m. Relative error at most 9.01 * 2^-52 (float64), 9.01 * 2^-23 (float32), proved
+        for every input, provided np.sin and np.cos err by at most 4 units in the last place of the
+        true value.
+    z: converted z, m. Relative error at most 4.51 * 2^-52 (float64), 4.51 * 2^-23 (float32), proved
+        for every input, provided np.sin errs by at most 4 units in the last place of the true
+        value.
+    covariance_xx: stated variance of x, m^2. Relative error at most 20.51 * 2^-52 (float64), 20.51
+        * 2^-23 (float32), proved for every input, and 2e-44 (float32) beside it where a product
+        underflows, provided np.sin and np.cos err by at most 4 units in the last place of the true
+        value.
+    covariance_xy: stated covariance of x and y, m^2. Error over the sum of its terms taken positive
+        at most 20.51 * 2^-52 (float64), 20.51 * 2^-23 (float32), proved for every input, and 2e-44
+        (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
+        units in the last place of the true value.
+    covariance_xz: stated covariance of x and z, m^2. Error over the sum of its terms taken positive
+        at most 15.51 * 2^-52 (float64), 15.51 * 2^-23 (float32), proved for every input, and 2e-44
+        (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
+        units in the last place of the true value.
+    covariance_yy: stated variance of y, m^2. Relative error at most 20.51 * 2^-52 (float64), 20.51
+        * 2^-23 (float32), proved for every input, and 3e-44 (float32) beside it where a product
+        underflows, provided np.sin and np.cos err by at most 4 units in the last place of the true
+        value.
+    covariance_yz: stated covariance of y and z, m^2. Error over the sum of its terms taken positive
+        at most 15.51 * 2^-52 (float64), 15.51 * 2^-23 (float32), proved for every input, and 2e-44
+        (float32) beside it where a product underflows, provided np.sin and np.cos err by at most 4
+        units in the last place of the true value.
+    covariance_zz: stated variance of z, m^2. Relative error at most 11.01 * 2^-52 (float64), 11.01
+        * 2^-23 (float32), proved for every input, provided np.sin and np.cos err by at most 4 units
+        in the last place of the true value.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation converted-measurements
+    """
+    return ClassicalConversion(
+        *evaluate(
+            _CLASSICAL_CONVERSION,
+            (
+                slant_range,
+                elevation,
+                azimuth,
+                range_deviation,
+                elevation_deviation,
+                azimuth_deviation,
+            ),
+            out,
+        )
+    )
+
+
+def _classical_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    slant_range, elevation, azimuth, range_deviation, elevation_deviation, azimuth_deviation = given
+    (
+        x,
+        y,
+        z,
+        covariance_xx,
+        covariance_xy,
+        covariance_xz,
+        covariance_yy,
+        covariance_yz,
+        covariance_zz,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14 = work
+    cos_elevation = np.cos(elevation, w0)
+    sin_elevation = np.sin(elevation, w1)
+    cos_azimuth = np.cos(azimuth, w2)
+    sin_azimuth = np.sin(azimuth, w3)
+    t10 = np.square(range_deviation, w4)
+    t11 = np.multiply(slant_range, elevation_deviation, w5)
+    t12 = np.multiply(slant_range, cos_elevation, w6)
+    t13 = np.multiply(t12, azimuth_deviation, w7)
+    t14 = np.square(t11, w5)
+    t15 = np.square(cos_elevation, w8)
+    t16 = np.square(sin_elevation, w9)
+    t17 = np.multiply(t15, t10, w10)
+    t18 = np.multiply(t16, t14, w11)
+    t19 = np.add(t17, t18, w10)
+    t20 = np.multiply(t16, t10, w9)
+    t21 = np.multiply(t15, t14, w8)
+    t23 = np.multiply(cos_elevation, sin_elevation, w0)
+    t24 = np.subtract(t10, t14, w4)
+    t25 = np.multiply(t23, t24, w0)
+    t26 = np.square(t13, w7)
+    t30 = np.square(cos_azimuth, w4)
+    t31 = np.square(sin_azimuth, w5)
+    t32 = np.multiply(t30, t19, w11)
+    t33 = np.multiply(t31, t26, w12)
+    t35 = np.multiply(sin_azimuth, cos_azimuth, w13)
+    t36 = np.subtract(t19, t26, w14)
+    t39 = np.multiply(t31, t19, w5)
+    t40 = np.multiply(t30, t26, w4)
+    np.add(t20, t21, covariance_zz)
+    np.multiply(slant_range, sin_elevation, z)
+    np.multiply(t12, cos_azimuth, x)
+    np.multiply(t12, sin_azimuth, y)
+    np.add(t32, t33, covariance_xx)
+    np.multiply(t35, t36, covariance_xy)
+    np.multiply(cos_azimuth, t25, covariance_xz)
+    np.add(t39, t40, covariance_yy)
+    np.multiply(sin_azimuth, t25, covariance_yz)
+
+
+_CLASSICAL_CONVERSION = Signature(
+    "classical_conversion",
+    (
+        _SLANT_RANGE_DOMAIN,
+        _ELEVATION_DOMAIN,
+        _AZIMUTH_DOMAIN,
+        _RANGE_DEVIATION_DOMAIN,
+        _ELEVATION_DEVIATION_DOMAIN,
+        _AZIMUTH_DEVIATION_DOMAIN,
+    ),
+    (
+        "x",
+        "y",
+        "z",
+        "covariance_xx",
+        "covariance_xy",
+        "covariance_xz",
+        "covariance_yy",
+        "covariance_yz",
+        "covariance_zz",
+    ),
+    15,
+    _classical_conversion_block,
+)
+
+
+class DebiasedConversion(NamedTuple):
+    """Result of `debiased_conversion`."""
+
+    x: Real
+    """Converted x, m."""
+    y: Real
+    """Converted y, m."""
+    z: Real
+    """Converted z, m."""
+    covariance_xx: Real
+    """Stated variance of x, m^2."""
+    covariance_xy: Real
+    """Stated covariance of x and y, m^2."""
+    covariance_xz: Real
+    """Stated covariance of x and z, m^2."""
+    covariance_yy: Real
+    """Stated variance of y, m^2."""
+    covariance_yz: Real
+    """Stated covariance of y and z, m^2."""
+    covariance_zz: Real
+    """Stated variance of z, m^2."""
+
+
+def debiased_conversion(
+    slant_range: ArrayLike,
+    elevation: ArrayLike,
+    azimuth: ArrayLike,
+    range_deviation: ArrayLike,
+    elevation_deviation: ArrayLike,
+    azimuth_deviation: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> DebiasedConversion:
+    """The measured place less its mean bias, and its mean covariance, in space.
+
+        With ke = exp(-se^2/2), k = ke exp(-sa^2/2): x = (1 + k - k^2) r cos e cos a, y likewise,
+        z = (1 + ke - ke^2) r sin e; the covariance is the mean, given the measurement, of that
+        of the raw conversion given the truth
+
+    slant_range: measured range, m; a number at least 1e-20 and at most 1e60, in float32 at least
+        1e-3 and at most 1e12.
+    elevation: measured elevation above the plane of x and y, rad; 0 or of magnitude 1e-20 to
+        1.5707963267948966, in float32 1e-12 to 1.5707962.
+    azimuth: measured azimuth from x towards y, rad; 0 or of magnitude 1e-20 to 6.2832, in float32
+        1e-12 to 6.2832.
+    range_deviation: standard deviation of the range, m; a number at least 1e-20 and at most 1e60,
+        in float32 at least 1e-3 and at most 1e12.
+    elevation_deviation: standard deviation of the elevation, rad; a number at least 1e-15 and at
+        most 2, in float32 at least 1e-6 and at most 2.
+    azimuth_deviation: standard deviation of the azimuth, rad; a number at least 1e-15 and at most
+        2, in float32 at least 1e-6 and at most 2.
+
+    x: converted x, m. Relative error at most 48.51 * 2^-52 (float64), 48.51 * 2^-23 (float32),
+        proved for every input, provided np.cos, np.exp and np.expm1 err by at most 4 units in the
+        last place of the true value.
+    y: converted y, m. Relative error at most 48.51 * 2^-52 (float64), 48.51 * 2^-23 (float32),
+        proved for every input, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units
+        in the last place of the true value.
+    z: converted z, m. Relative error at most 21.51 * 2^-52 (float64), 21.51 * 2^-23 (float32),
+        proved for every input, provided np.sin, np.exp and np.expm1 err by at most 4 units in the
+        last place of the true value.
+    covariance_xx: stated variance of x, m^2. Relative error at most 104.52 * 2^-52 (float64),
+        104.52 * 2^-23 (float32), proved for every input, and 6e-44 (float32) beside it where a
+        product underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in
+        the last place of the true value.
+    covariance_xy: stated covariance of x and y, m^2. Error over the sum of its terms taken positive
+        at most 104.52 * 2^-52 (float64), 104.52 * 2^-23 (float32), proved for every input, and
+        5e-44 (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and
+        np.expm1 err by at most 4 units in the last place of the true value.
+    covariance_xz: stated covariance of x and z, m^2. Error over the sum of its terms taken positive
+        at most 70.51 * 2^-52 (float64), 70.52 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_yy: stated variance of y, m^2. Relative error at most 104.52 * 2^-52 (float64),
+        104.52 * 2^-23 (float32), proved for every input, and 6e-44 (float32) beside it where a
+        product underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in
+        the last place of the true value.
+    covariance_yz: stated covariance of y and z, m^2. Error over the sum of its terms taken positive
+        at most 70.51 * 2^-52 (float64), 70.52 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_zz: stated variance of z, m^2. Relative error at most 55.01 * 2^-52 (float64), 55.01
+        * 2^-23 (float32), proved for every input, provided np.sin, np.cos, np.exp and np.expm1 err
+        by at most 4 units in the last place of the true value.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation converted-measurements
+    """
+    return DebiasedConversion(
+        *evaluate(
+            _DEBIASED_CONVERSION,
+            (
+                slant_range,
+                elevation,
+                azimuth,
+                range_deviation,
+                elevation_deviation,
+                azimuth_deviation,
+            ),
+            out,
+        )
+    )
+
+
+def _debiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    slant_range, elevation, azimuth, range_deviation, elevation_deviation, azimuth_deviation = given
+    (
+        x,
+        y,
+        z,
+        covariance_xx,
+        covariance_xy,
+        covariance_xz,
+        covariance_yy,
+        covariance_yz,
+        covariance_zz,
+    ) = out
+    (
+        w0,
+        w1,
+        w2,
+        w3,
+        w4,
+        w5,
+        w6,
+        w7,
+        w8,
+        w9,
+        w10,
+        w11,
+        w12,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        w18,
+        w19,
+        w20,
+        w21,
+    ) = work
+    cos_elevation = np.cos(elevation, w0)
+    sin_elevation = np.sin(elevation, w1)
+    cos_azimuth = np.cos(azimuth, w2)
+    sin_azimuth = np.sin(azimuth, w3)
+    t10 = np.square(elevation_deviation, w4)
+    t11 = np.negative(t10, w4)
+    t13 = np.multiply(t11, 0.5, w5)
+    kept_elevation = np.exp(t13, w5)
+    change_elevation = np.expm1(t11, w4)
+    t16 = np.square(kept_elevation, w6)
+    t17 = np.negative(change_elevation, w7)
+    t18 = np.square(azimuth_deviation, w8)
+    t19 = np.negative(t18, w8)
+    t20 = np.multiply(t19, 0.5, w9)
+    kept_azimuth = np.exp(t20, w9)
+    change_azimuth = np.expm1(t19, w8)
+    t23 = np.square(kept_azimuth, w10)
+    t24 = np.negative(change_azimuth, w11)
+    t25 = np.square(range_deviation, w12)
+    t26 = np.multiply(kept_azimuth, kept_elevation, w13)
+    t27 = np.multiply(slant_range, cos_elevation, w14)
+    t28 = np.multiply(t23, t17, w15)
+    t29 = np.subtract(t28, change_azimuth, w15)
+    t30 = np.multiply(t26, t29, w15)
+    t32 = np.add(1.0, t26, w13)
+    t33 = np.divide(t30, t32, z)
+    t34 = np.add(1.0, t33, z)
+    t35 = np.multiply(t27, t34, w14)
+    t36 = np.multiply(slant_range, sin_elevation, w8)
+    t37 = np.multiply(kept_elevation, t17, w13)
+    t38 = np.add(1.0, kept_elevation, w5)
+    t39 = np.divide(t37, t38, covariance_zz)
+    t40 = np.add(1.0, t39, covariance_zz)
+    t42 = np.square(t16, w5)
+    t43 = np.add(1.0, t16, w13)
+    t44 = np.multiply(t17, t43, w15)
+    t45 = np.add(1.0, t42, z)
+    t46 = np.multiply(t44, t45, w15)
+    t47 = np.square(slant_range, z)
+    t48 = np.add(t47, t25, w16)
+    t49 = np.add(t48, t25, w17)
+    t50 = np.square(t42, w18)
+    t51 = np.square(cos_elevation, w19)
+    t52 = np.add(1.0, t50, w18)
+    t53 = np.multiply(t51, t52, w20)
+    t54 = np.square(sin_elevation, w21)
+    t55 = np.multiply(t54, t46, w15)
+    t56 = np.add(t53, t55, w20)
+    t57 = np.multiply(t56, 0.5, w20)
+    t58 = np.multiply(t49, t57, w17)
+    t59 = np.square(t17, w15)
+    t60 = np.add(t43, t42, w20)
+    t61 = np.multiply(t59, t60, w15)
+    t62 = np.multiply(t48, t61, w16)
+    t63 = np.multiply(t25, t52, w18)
+    t64 = np.add(t62, t63, w16)
+    t65 = np.subtract(1.0, change_elevation, w4)
+    t66 = np.multiply(t42, 2.0, w15)
+    t67 = np.add(t65, t66, w4)
+    t68 = np.multiply(t43, t67, w13)
+    t69 = np.multiply(t25, t68, w12)
+    t70 = np.multiply(t42, t16, w5)
+    t71 = np.add(1.0, t70, w5)
+    t72 = np.multiply(t47, t71, z)
+    t73 = np.add(t72, t69, z)
+    t74 = np.multiply(t17, t73, w7)
+    t75 = np.multiply(t64, 0.5, w16)
+    t76 = np.multiply(t74, 0.5, w7)
+    t77 = np.multiply(t51, t75, w4)
+    t78 = np.multiply(t54, t76, w5)
+    t79 = np.add(t77, t78, w4)
+    t80 = np.multiply(t54, t75, w21)
+    t81 = np.multiply(t51, t76, w19)
+    t83 = np.multiply(cos_elevation, sin_elevation, w0)
+    t84 = np.subtract(t75, t76, w16)
+    t85 = np.multiply(t83, t84, w0)
+    t86 = np.multiply(t23, t79, w4)
+    t87 = np.square(t24, w1)
+    t88 = np.multiply(t87, t58, w1)
+    t89 = np.multiply(t88, 0.5, w1)
+    t90 = np.add(t86, t89, w4)
+    t91 = np.add(1.0, t23, w1)
+    t92 = np.multiply(t24, t91, w11)
+    t93 = np.multiply(t58, t92, w17)
+    t94 = np.multiply(t93, 0.5, w17)
+    t95 = np.multiply(kept_azimuth, t85, w0)
+    t96 = np.square(t23, w10)
+    t97 = np.add(1.0, t96, w10)
+    t98 = np.multiply(t90, t97, w1)
+    t99 = np.multiply(t94, t92, w5)
+    t100 = np.add(t98, t99, w1)
+    t101 = np.multiply(t100, 0.5, w1)
+    t102 = np.multiply(t90, t92, w4)
+    t103 = np.multiply(t94, t97, w17)
+    t104 = np.add(t102, t103, w4)
+    t105 = np.multiply(t104, 0.5, w4)
+    t106 = np.multiply(kept_azimuth, t95, w9)
+    t109 = np.square(cos_azimuth, w0)
+    t110 = np.square(sin_azimuth, w5)
+    t111 = np.multiply(t109, t101, w6)
+    t112 = np.multiply(t110, t105, w7)
+    t114 = np.multiply(sin_azimuth, cos_azimuth, w10)
+    t115 = np.subtract(t101, t105, w11)
+    t118 = np.multiply(t110, t101, w5)
+    t119 = np.multiply(t109, t105, w0)
+    np.multiply(t36, t40, z)
+    np.add(t80, t81, covariance_zz)
+    np.multiply(t35, cos_azimuth, x)
+    np.multiply(t35, sin_azimuth, y)
+    np.add(t111, t112, covariance_xx)
+    np.multiply(t114, t115, covariance_xy)
+    np.multiply(cos_azimuth, t106, covariance_xz)
+    np.add(t118, t119, covariance_yy)
+    np.multiply(sin_azimuth, t106, covariance_yz)
+
+
+_DEBIASED_CONVERSION = Signature(
+    "debiased_conversion",
+    (
+        _SLANT_RANGE_DOMAIN,
+        _ELEVATION_DOMAIN,
+        _AZIMUTH_DOMAIN,
+        _RANGE_DEVIATION_DOMAIN,
+        _ELEVATION_DEVIATION_DOMAIN,
+        _AZIMUTH_DEVIATION_DOMAIN,
+    ),
+    (
+        "x",
+        "y",
+        "z",
+        "covariance_xx",
+        "covariance_xy",
+        "covariance_xz",
+        "covariance_yy",
+        "covariance_yz",
+        "covariance_zz",
+    ),
+    22,
+    _debiased_conversion_block,
+)
+
+
+class UnbiasedConversion(NamedTuple):
+    """Result of `unbiased_conversion`."""
+
+    x: Real
+    """Converted x, m."""
+    y: Real
+    """Converted y, m."""
+    z: Real
+    """Converted z, m."""
+    covariance_xx: Real
+    """Stated variance of x, m^2."""
+    covariance_xy: Real
+    """Stated covariance of x and y, m^2."""
+    covariance_xz: Real
+    """Stated covariance of x and z, m^2."""
+    covariance_yy: Real
+    """Stated variance of y, m^2."""
+    covariance_yz: Real
+    """Stated covariance of y and z, m^2."""
+    covariance_zz: Real
+    """Stated variance of z, m^2."""
+
+
+def unbiased_conversion(
+    slant_range: ArrayLike,
+    elevation: ArrayLike,
+    azimuth: ArrayLike,
+    range_deviation: ArrayLike,
+    elevation_deviation: ArrayLike,
+    azimuth_deviation: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> UnbiasedConversion:
+    """The conversion without bias given the truth, and its mean square error, in space.
+
+        With ke = exp(-se^2/2), k = ke exp(-sa^2/2): x = r cos e cos a/k, y likewise,
+        z = r sin e/ke: given the truth the mean is the truth. The covariance is the mean square
+        error given the measurement
+
+    slant_range: measured range, m; a number at least 1e-20 and at most 1e60, in float32 at least
+        1e-3 and at most 1e12.
+    elevation: measured elevation above the plane of x and y, rad; 0 or of magnitude 1e-20 to
+        1.5707963267948966, in float32 1e-12 to 1.5707962.
+    azimuth: measured azimuth from x towards y, rad; 0 or of magnitude 1e-20 to 6.2832, in float32
+        1e-12 to 6.2832.
+    range_deviation: standard deviation of the range, m; a number at least 1e-20 and at most 1e60,
+        in float32 at least 1e-3 and at most 1e12.
+    elevation_deviation: standard deviation of the elevation, rad; a number at least 1e-15 and at
+        most 2, in float32 at least 1e-6 and at most 2.
+    azimuth_deviation: standard deviation of the azimuth, rad; a number at least 1e-15 and at most
+        2, in float32 at least 1e-6 and at most 2.
+
+    x: converted x, m. Relative error at most 20.01 * 2^-52 (float64), 20.01 * 2^-23 (float32),
+        proved for every input, provided np.cos and np.exp err by at most 4 units in the last place
+        of the true value.
+    y: converted y, m. Relative error at most 20.01 * 2^-52 (float64), 20.01 * 2^-23 (float32),
+        proved for every input, provided np.sin, np.cos and np.exp err by at most 4 units in the
+        last place of the true value.
+    z: converted z, m. Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32),
+        proved for every input, provided np.sin and np.exp err by at most 4 units in the last place
+        of the true value.
+    covariance_xx: stated variance of x, m^2. Relative error at most 74.51 * 2^-52 (float64), 74.51
+        * 2^-23 (float32), proved for every input, and 4e-44 (float32) beside it where a product
+        underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in the last
+        place of the true value.
+    covariance_xy: stated covariance of x and y, m^2. Error over the sum of its terms taken positive
+        at most 74.51 * 2^-52 (float64), 74.51 * 2^-23 (float32), proved for every input, and 4e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_xz: stated covariance of x and z, m^2. Error over the sum of its terms taken positive
+        at most 52.51 * 2^-52 (float64), 52.51 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_yy: stated variance of y, m^2. Relative error at most 74.51 * 2^-52 (float64), 74.51
+        * 2^-23 (float32), proved for every input, and 4e-44 (float32) beside it where a product
+        underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in the last
+        place of the true value.
+    covariance_yz: stated covariance of y and z, m^2. Error over the sum of its terms taken positive
+        at most 52.51 * 2^-52 (float64), 52.51 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_zz: stated variance of z, m^2. Relative error at most 33.51 * 2^-52 (float64), 33.51
+        * 2^-23 (float32), proved for every input, and 8e-45 (float32) beside it where a product
+        underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in the last
+        place of the true value.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation converted-measurements
+    """
+    return UnbiasedConversion(
+        *evaluate(
+            _UNBIASED_CONVERSION,
+            (
+                slant_range,
+                elevation,
+                azimuth,
+                range_deviation,
+                elevation_deviation,
+                azimuth_deviation,
+            ),
+            out,
+        )
+    )
+
+
+def _unbiased_conversion_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+    slant_range, elevation, azimuth, range_deviation, elevation_deviation, azimuth_deviation = given
+    (
+        x,
+        y,
+        z,
+        covariance_xx,
+        covariance_xy,
+        covariance_xz,
+        covariance_yy,
+        covariance_yz,
+        covariance_zz,
+    ) = out
+    (
+        w0,
+        w1,
+        w2,
+        w3,
+        w4,
+        w5,
+        w6,
+        w7,
+        w8,
+        w9,
+        w10,
+        w11,
+        w12,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        w18,
+        w19,
+        w20,
+    ) = work
+    cos_elevation = np.cos(elevation, w0)
+    sin_elevation = np.sin(elevation, w1)
+    cos_azimuth = np.cos(azimuth, w2)
+    sin_azimuth = np.sin(azimuth, w3)
+    t10 = np.square(elevation_deviation, w4)
+    t11 = np.negative(t10, w4)
+    t13 = np.multiply(t11, 0.5, w5)
+    kept_elevation = np.exp(t13, w5)
+    change_elevation = np.expm1(t11, w4)
+    t16 = np.square(kept_elevation, w6)
+    t17 = np.negative(change_elevation, w4)
+    t18 = np.square(azimuth_deviation, w7)
+    t19 = np.negative(t18, w7)
+    t20 = np.multiply(t19, 0.5, w8)
+    kept_azimuth = np.exp(t20, w8)
+    change_azimuth = np.expm1(t19, w7)
+    t23 = np.square(kept_azimuth, w9)
+    t24 = np.negative(change_azimuth, w10)
+    t25 = np.square(range_deviation, w11)
+    t26 = np.multiply(slant_range, cos_elevation, w12)
+    t27 = np.multiply(kept_azimuth, kept_elevation, w13)
+    t28 = np.divide(t26, t27, y)
+    t29 = np.multiply(slant_range, sin_elevation, w14)
+    t31 = np.square(t16, w15)
+    t32 = np.square(slant_range, w16)
+    t33 = np.add(t32, t25, w16)
+    t35 = np.add(1.0, t16, w6)
+    t36 = np.multiply(t17, t35, w6)
+    t37 = np.square(cos_elevation, w17)
+    t38 = np.add(1.0, t31, w15)
+    t39 = np.multiply(t37, t38, w18)
+    t40 = np.square(sin_elevation, w19)
+    t41 = np.multiply(t40, t36, w20)
+    t42 = np.add(t39, t41, w18)
+    t43 = np.multiply(t42, 0.5, w18)
+    t44 = np.multiply(t33, t43, w18)
+    t45 = np.multiply(slant_range, t17, w20)
+    t46 = np.square(t45, w20)
+    t47 = np.multiply(t25, t38, w11)
+    t48 = np.add(t46, t47, w20)
+    t49 = np.multiply(t48, 0.5, w20)
+    t50 = np.multiply(t33, t36, w16)
+    t51 = np.multiply(t50, 0.5, w16)
+    t52 = np.multiply(t37, t49, w6)
+    t53 = np.multiply(t40, t51, w11)
+    t54 = np.add(t52, t53, w6)
+    t55 = np.multiply(t40, t49, w19)
+    t56 = np.multiply(t37, t51, w17)
+    t57 = np.add(t55, t56, w19)
+    t58 = np.multiply(cos_elevation, sin_elevation, w0)
+    t59 = np.subtract(t49, t51, w20)
+    t60 = np.multiply(t58, t59, w0)
+    t61 = np.multiply(t23, t54, w6)
+    t62 = np.square(t24, w1)
+    t63 = np.multiply(t62, t44, w1)
+    t64 = np.multiply(t63, 0.5, w1)
+    t65 = np.add(t61, t64, w6)
+    t66 = np.add(1.0, t23, w1)
+    t67 = np.multiply(t24, t66, w10)
+    t68 = np.multiply(t44, t67, w18)
+    t69 = np.multiply(t68, 0.5, w18)
+    t70 = np.multiply(kept_azimuth, t60, w8)
+    t71 = np.multiply(t23, t17, w9)
+    t72 = np.subtract(t71, change_azimuth, w9)
+    t73 = np.multiply(t26, t72, w12)
+    t74 = np.divide(t73, t27, z)
+    t75 = np.multiply(t29, t17, w4)
+    t76 = np.divide(t75, kept_elevation, covariance_zz)
+    t77 = np.square(t74, w0)
+    t78 = np.add(t65, t77, w6)
+    t79 = np.square(t76, w0)
+    t81 = np.multiply(t74, t76, z)
+    t82 = np.add(t70, t81, w8)
+    t85 = np.square(cos_azimuth, w1)
+    t86 = np.square(sin_azimuth, w4)
+    t87 = np.multiply(t85, t78, w7)
+    t88 = np.multiply(t86, t69, w9)
+    t90 = np.multiply(sin_azimuth, cos_azimuth, w10)
+    t91 = np.subtract(t78, t69, w11)
+    t94 = np.multiply(t86, t78, w4)
+    t95 = np.multiply(t85, t69, w1)
+    np.divide(t29, kept_elevation, z)
+    np.add(t57, t79, covariance_zz)
+    np.multiply(t28, cos_azimuth, x)
+    np.multiply(t28, sin_azimuth, y)
+    np.add(t87, t88, covariance_xx)
+    np.multiply(t90, t91, covariance_xy)
+    np.multiply(cos_azimuth, t82, covariance_xz)
+    np.add(t94, t95, covariance_yy)
+    np.multiply(sin_azimuth, t82, covariance_yz)
+
+
+_UNBIASED_CONVERSION = Signature(
+    "unbiased_conversion",
+    (
+        _SLANT_RANGE_DOMAIN,
+        _ELEVATION_DOMAIN,
+        _AZIMUTH_DOMAIN,
+        _RANGE_DEVIATION_DOMAIN,
+        _ELEVATION_DEVIATION_DOMAIN,
+        _AZIMUTH_DEVIATION_DOMAIN,
+    ),
+    (
+        "x",
+        "y",
+        "z",
+        "covariance_xx",
+        "covariance_xy",
+        "covariance_xz",
+        "covariance_yy",
+        "covariance_yz",
+        "covariance_zz",
+    ),
+    21,
+    _unbiased_conversion_block,
+)
+
+
+class ModifiedUnbiasedConversion(NamedTuple):
+    """Result of `modified_unbiased_conversion`."""
+
+    x: Real
+    """Converted x, m."""
+    y: Real
+    """Converted y, m."""
+    z: Real
+    """Converted z, m."""
+    covariance_xx: Real
+    """Stated variance of x, m^2."""
+    covariance_xy: Real
+    """Stated covariance of x and y, m^2."""
+    covariance_xz: Real
+    """Stated covariance of x and z, m^2."""
+    covariance_yy: Real
+    """Stated variance of y, m^2."""
+    covariance_yz: Real
+    """Stated covariance of y and z, m^2."""
+    covariance_zz: Real
+    """Stated variance of z, m^2."""
+
+
+def modified_unbiased_conversion(
+    slant_range: ArrayLike,
+    elevation: ArrayLike,
+    azimuth: ArrayLike,
+    range_deviation: ArrayLike,
+    elevation_deviation: ArrayLike,
+    azimuth_deviation: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+) -> ModifiedUnbiasedConversion:
+    """Mean and covariance of the true place given the measurement, in space.
+
+        With ke = exp(-se^2/2), k = ke exp(-sa^2/2): x = k r cos e cos a, y likewise,
+        z = ke r sin e, with their covariance: both exact, given the measurement, where nothing
+        was known of the truth before
+
+    slant_range: measured range, m; a number at least 1e-20 and at most 1e60, in float32 at least
+        1e-3 and at most 1e12.
+    elevation: measured elevation above the plane of x and y, rad; 0 or of magnitude 1e-20 to
+        1.5707963267948966, in float32 1e-12 to 1.5707962.
+    azimuth: measured azimuth from x towards y, rad; 0 or of magnitude 1e-20 to 6.2832, in float32
+        1e-12 to 6.2832.
+    range_deviation: standard deviation of the range, m; a number at least 1e-20 and at most 1e60,
+        in float32 at least 1e-3 and at most 1e12.
+    elevation_deviation: standard deviation of the elevation, rad; a number at least 1e-15 and at
+        most 2, in float32 at least 1e-6 and at most 2.
+    azimuth_deviation: standard deviation of the azimuth, rad; a number at least 1e-15 and at most
+        2, in float32 at least 1e-6 and at most 2.
+
+    x: converted x, m. Relative error at most 20.01 * 2^-52 (float64), 20.01 * 2^-23 (float32),
+        proved for every input, provided np.cos and np.exp err by at most 4 units in the last place
+        of the true value.
+    y: converted y, m. Relative error at most 20.01 * 2^-52 (float64), 20.01 * 2^-23 (float32),
+        proved for every input, provided np.sin, np.cos and np.exp err by at most 4 units in the
+        last place of the true value.
+    z: converted z, m. Relative error at most 10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32),
+        proved for every input, provided np.sin and np.exp err by at most 4 units in the last place
+        of the true value.
+    covariance_xx: stated variance of x, m^2. Relative error at most 59.01 * 2^-52 (float64), 59.01
+        * 2^-23 (float32), proved for every input, and 4e-44 (float32) beside it where a product
+        underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in the last
+        place of the true value.
+    covariance_xy: stated covariance of x and y, m^2. Error over the sum of its terms taken positive
+        at most 59.01 * 2^-52 (float64), 59.01 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_xz: stated covariance of x and z, m^2. Error over the sum of its terms taken positive
+        at most 43.01 * 2^-52 (float64), 43.01 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_yy: stated variance of y, m^2. Relative error at most 59.01 * 2^-52 (float64), 59.01
+        * 2^-23 (float32), proved for every input, and 4e-44 (float32) beside it where a product
+        underflows, provided np.sin, np.cos, np.exp and np.expm1 err by at most 4 units in the last
+        place of the true value.
+    covariance_yz: stated covariance of y and z, m^2. Error over the sum of its terms taken positive
+        at most 43.01 * 2^-52 (float64), 43.01 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_zz: stated variance of z, m^2. Relative error at most 33.01 * 2^-52 (float64), 33.01
+        * 2^-23 (float32), proved for every input, provided np.sin, np.cos, np.exp and np.expm1 err
+        by at most 4 units in the last place of the true value.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation converted-measurements
+    """
+    return ModifiedUnbiasedConversion(
+        *evaluate(
+            _MODIFIED_UNBIASED_CONVERSION,
+            (
+                slant_range,
+                elevation,
+                azimuth,
+                range_deviation,
+                elevation_deviation,
+                azimuth_deviation,
+            ),
+            out,
+        )
+    )
+
+
+def _modified_unbiased_conversion_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    slant_range, elevation, azimuth, range_deviation, elevation_deviation, azimuth_deviation = given
+    (
+        x,
+        y,
+        z,
+        covariance_xx,
+        covariance_xy,
+        covariance_xz,
+        covariance_yy,
+        covariance_yz,
+        covariance_zz,
+    ) = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16, w17, w18 = work
+    cos_elevation = np.cos(elevation, w0)
+    sin_elevation = np.sin(elevation, w1)
+    cos_azimuth = np.cos(azimuth, w2)
+    sin_azimuth = np.sin(azimuth, w3)
+    t10 = np.square(elevation_deviation, w4)
+    t11 = np.negative(t10, w4)
+    t13 = np.multiply(t11, 0.5, w5)
+    kept_elevation = np.exp(t13, w5)
+    change_elevation = np.expm1(t11, w4)
+    t16 = np.square(kept_elevation, w6)
+    t17 = np.negative(change_elevation, w4)
+    t18 = np.square(azimuth_deviation, w7)
+    t19 = np.negative(t18, w7)
+    t20 = np.multiply(t19, 0.5, w8)
+    kept_azimuth = np.exp(t20, w8)
+    change_azimuth = np.expm1(t19, w7)
+    t23 = np.square(kept_azimuth, w9)
+    t24 = np.negative(change_azimuth, w7)
+    t25 = np.square(range_deviation, w10)
+    t26 = np.multiply(slant_range, cos_elevation, w11)
+    t27 = np.multiply(kept_azimuth, kept_elevation, w12)
+    t28 = np.multiply(t26, t27, w11)
+    t29 = np.multiply(slant_range, sin_elevation, w12)
+    t31 = np.square(t16, w13)
+    t32 = np.square(slant_range, w14)
+    t33 = np.add(t32, t25, w14)
+    t35 = np.add(1.0, t16, w6)
+    t36 = np.multiply(t17, t35, w6)
+    t37 = np.square(cos_elevation, w15)
+    t38 = np.add(1.0, t31, w13)
+    t39 = np.multiply(t37, t38, w16)
+    t40 = np.square(sin_elevation, w17)
+    t41 = np.multiply(t40, t36, w18)
+    t42 = np.add(t39, t41, w16)
+    t43 = np.multiply(t42, 0.5, w16)
+    t44 = np.multiply(t33, t43, w16)
+    t45 = np.multiply(slant_range, t17, w4)
+    t46 = np.square(t45, w4)
+    t47 = np.multiply(t25, t38, w10)
+    t48 = np.add(t46, t47, w4)
+    t49 = np.multiply(t48, 0.5, w4)
+    t50 = np.multiply(t33, t36, w14)
+    t51 = np.multiply(t50, 0.5, w14)
+    t52 = np.multiply(t37, t49, w6)
+    t53 = np.multiply(t40, t51, w10)
+    t54 = np.add(t52, t53, w6)
+    t55 = np.multiply(t40, t49, w17)
+    t56 = np.multiply(t37, t51, w15)
+    t58 = np.multiply(cos_elevation, sin_elevation, w0)
+    t59 = np.subtract(t49, t51, w4)
+    t60 = np.multiply(t58, t59, w0)
+    t61 = np.multiply(t23, t54, w6)
+    t62 = np.square(t24, w1)
+    t63 = np.multiply(t62, t44, w1)
+    t64 = np.multiply(t63, 0.5, w1)
+    t65 = np.add(t61, t64, w6)
+    t66 = np.add(1.0, t23, w9)
+    t67 = np.multiply(t24, t66, w7)
+    t68 = np.multiply(t44, t67, w16)
+    t69 = np.multiply(t68, 0.5, w16)
+    t70 = np.multiply(kept_azimuth, t60, w8)
+    t73 = np.square(cos_azimuth, w0)
+    t74 = np.square(sin_azimuth, w1)
+    t75 = np.multiply(t73, t65, w4)
+    t76 = np.multiply(t74, t69, w7)
+    t78 = np.multiply(sin_azimuth, cos_azimuth, w9)
+    t79 = np.subtract(t65, t69, w10)
+    t82 = np.multiply(t74, t65, w1)
+    t83 = np.multiply(t73, t69, w0)
+    np.multiply(t29, kept_elevation, z)
+    np.add(t55, t56, covariance_zz)
+    np.multiply(t28, cos_azimuth, x)
+    np.multiply(t28, sin_azimuth, y)
+    np.add(t75, t76, covariance_xx)
+    np.multiply(t78, t79, covariance_xy)
+    np.multiply(cos_azimuth, t70, covariance_xz)
+    np.add(t82, t83, covariance_yy)
+    np.multiply(sin_azimuth, t70, covariance_yz)
+
+
+_MODIFIED_UNBIASED_CONVERSION = Signature(
+    "modified_unbiased_conversion",
+    (
+        _SLANT_RANGE_DOMAIN,
+        _ELEVATION_DOMAIN,
+        _AZIMUTH_DOMAIN,
+        _RANGE_DEVIATION_DOMAIN,
+        _ELEVATION_DEVIATION_DOMAIN,
+        _AZIMUTH_DEVIATION_DOMAIN,
+    ),
+    (
+        "x",
+        "y",
+        "z",
+        "covariance_xx",
+        "covariance_xy",
+        "covariance_xz",
+        "covariance_yy",
+        "covariance_yz",
+        "covariance_zz",
+    ),
+    19,
+    _modified_unbiased_conversion_block,
 )

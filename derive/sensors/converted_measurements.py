@@ -8,6 +8,13 @@ from gainproof.derive.sensors.algebraic import algebraic
 from gainproof.derive.sensors.converted_graphs import graphs
 from gainproof.derive.sensors.converted_module import kernel_module
 from gainproof.derive.sensors.converted_names import LATEX
+from gainproof.derive.sensors.converted_space_graphs import graphs as space_graphs
+from gainproof.derive.sensors.converted_space_kernels import space_kernel_steps
+from gainproof.derive.sensors.converted_space_names import LATEX as IN_SPACE
+from gainproof.derive.sensors.converted_space_steps import space_steps
+from gainproof.derive.sensors.converted_space_steps_conversions import space_conversion_steps
+from gainproof.derive.sensors.converted_space_steps_growth import space_growth_steps
+from gainproof.derive.sensors.converted_space_towers import signs_tower, space_tower, turned_tower
 from gainproof.derive.sensors.converted_steps_conversions import conversion_steps
 from gainproof.derive.sensors.converted_steps_kernels import kernel_steps
 from gainproof.derive.sensors.converted_steps_noise import (
@@ -38,7 +45,7 @@ OPENING = (
 
 def build() -> Subject:
     """Derive the moments, the four conversions, what they are exact for, and their growth."""
-    made = graphs()
+    made = graphs() | space_graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
     steps = (
         *turn_steps(),
@@ -47,15 +54,22 @@ def build() -> Subject:
         *conversion_steps(),
         *table_steps(),
         *range_steps(),
+        *space_steps(),
+        *space_conversion_steps(),
+        *space_growth_steps(),
         *kernel_steps(plain),
+        *space_kernel_steps(plain),
     )
     sources = (DEBIASED, UNBIASED, MODIFIED, TRACKER_LIBRARY, PROBABILITY, ELEMENTARY)
+    towers = (main_tower(), plane_tower(), space_tower(), signs_tower(), turned_tower())
     return Subject(
         name=NAME,
         title=TITLE,
         model=None,
-        derivation=Derivation(OPENING, steps, tuple(each.key for each in sources), LATEX),
-        towers={tower.name: tower for tower in (main_tower(), plane_tower())},
+        derivation=Derivation(
+            OPENING, steps, tuple(each.key for each in sources), LATEX | IN_SPACE
+        ),
+        towers={tower.name: tower for tower in towers},
         programs={
             name: Program({entry: entry for entry in _symbols(graph)}, graph)
             for name, graph in plain.items()

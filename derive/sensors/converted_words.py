@@ -27,9 +27,29 @@ _IN_PLANE = {
     "error.",
     "modified_unbiased_conversion": "Mean and covariance of the true place given the measurement.",
 }
-SUMMARIES = {f"{name}{PLANE}": text for name, text in _IN_PLANE.items()}
+_IN_SPACE = {name: f"{text.removesuffix('.')}, in space." for name, text in _IN_PLANE.items()}
+SUMMARIES = {**_IN_SPACE, **{f"{name}{PLANE}": text for name, text in _IN_PLANE.items()}}
 
 EQUATIONS: dict[str, tuple[str, ...]] = {
+    "classical_conversion": (
+        "x = r cos e cos a, y = r cos e sin a, z = r sin e; the covariance is J D J' with the",
+        "derivatives J of these and D = diag(sr^2, se^2, sa^2)",
+    ),
+    "debiased_conversion": (
+        "With ke = exp(-se^2/2), k = ke exp(-sa^2/2): x = (1 + k - k^2) r cos e cos a, y likewise,",
+        "z = (1 + ke - ke^2) r sin e; the covariance is the mean, given the measurement, of that",
+        "of the raw conversion given the truth",
+    ),
+    "unbiased_conversion": (
+        "With ke = exp(-se^2/2), k = ke exp(-sa^2/2): x = r cos e cos a/k, y likewise,",
+        "z = r sin e/ke: given the truth the mean is the truth. The covariance is the mean square",
+        "error given the measurement",
+    ),
+    "modified_unbiased_conversion": (
+        "With ke = exp(-se^2/2), k = ke exp(-sa^2/2): x = k r cos e cos a, y likewise,",
+        "z = ke r sin e, with their covariance: both exact, given the measurement, where nothing",
+        "was known of the truth before",
+    ),
     "classical_conversion_in_plane": (
         "x = r cos a, y = r sin a; along the line of sight the variance sr^2, across it (r sa)^2.",
         "Biased given the truth by exp(-sa^2/2) - 1 times the range; a covariance to first order",
