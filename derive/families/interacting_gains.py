@@ -7,11 +7,13 @@ from gainproof.derive.fixed_gain import (
     interacting_setting,
     interacting_steps_best,
     interacting_steps_none,
+    interacting_steps_rows,
     interacting_steps_scalar,
     interacting_steps_sharing,
 )
 from gainproof.derive.fixed_gain.interacting_module import kernel_module
 from gainproof.derive.fixed_gain.interacting_steps_covariance import covariance_steps
+from gainproof.derive.fixed_gain.interacting_steps_existence import existence_steps
 from gainproof.derive.fixed_gain.interacting_steps_filter import filter_steps
 from gainproof.derive.fixed_gain.interacting_steps_fixed import fixed_steps
 from gainproof.derive.fixed_gain.interacting_steps_lag import lag_steps
@@ -43,14 +45,20 @@ def build() -> Subject:
         *fixed_steps(),
         *interacting_steps_scalar.scalar_steps(made),
         *stationary_steps(),
+        *existence_steps(),
         *interacting_steps_sharing.sharing_steps(),
         *interacting_steps_none.none_steps(),
     )
-    settings = (interacting_setting.SETTING, interacting_steps_best.UPDATE)
+    settings = (
+        interacting_setting.SETTING,
+        interacting_steps_best.UPDATE,
+        interacting_steps_rows.SETTING,
+    )
     latex = {
         **interacting_steps_scalar.LATEX,
         **interacting_steps_none.LATEX,
         **interacting_steps_best.LATEX,
+        **interacting_steps_rows.LATEX,
         **interacting_setting.LATEX,
     }
     return Subject(

@@ -33,6 +33,8 @@ NEAR, NEAR_GAIN = symbols("near_update near_gain")
 OWN_GAIN, FOLLOWED_GAIN = symbols("smoothed_gain followed_gain")
 SQUARE_ROOT, ROOT, SHIFTED = symbols("square_root root shifted")
 CHANGED, PENCIL, COLUMNS, REST = symbols("changed pencil columns rest")
+LIMIT, LIMIT22 = symbols("limit limit22")
+STATE = symbol("state")
 
 
 def gain(position: Expression) -> Expression:
@@ -72,9 +74,9 @@ SETTING = Setting(
         **dict.fromkeys(("followed", "change", "pencil", "scale", "scaled"), "d d"),
         **dict.fromkeys(("Phi", "F", "W", "P", "other", "weight", "adjoint", "rest"), "s s"),
         **dict.fromkeys(("update", "smoothed_update", "followed_update"), "s s"),
-        **dict.fromkeys(("near_update", "everywhere"), "s s"),
+        **dict.fromkeys(("near_update", "everywhere", "limit"), "s s"),
         **dict.fromkeys(("smoothed_gain", "followed_gain", "near_gain", "scaled_gain"), "s d"),
-        **dict.fromkeys(("square_root", "shifted"), "d d"),
+        **dict.fromkeys(("square_root", "shifted", "limit22"), "d d"),
         **dict.fromkeys(("K", "best", "misfit", "changed", "columns"), "s d"),
         "H": "d s",
         **dict.fromkeys(("truth", "next_truth", "predicted", "updated"), "s 1"),
@@ -118,6 +120,7 @@ SETTING = Setting(
         "columns": T * E1 + E2 @ ((Z - 1) * UNIT + K1 + T * K2),
         "rest": J - F,
         "shifted": UNIT + SQUARE_ROOT,
+        "limit22": E2.T @ LIMIT @ E2,
     },
     inverses=("S", "K2", "rest", "shifted"),
 )
@@ -150,6 +153,8 @@ LATEX = {
     "noise": "v",
     "second_noise": r"B_2",
     "state": "y",
+    "limit": "Y",
+    "limit22": "Y_{22}",
     "truth": "x",
     "next_truth": r"x_{+}",
     "observed": "z_o",

@@ -18,7 +18,6 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     W11,
     WEIGHT,
     B,
-    F,
     H,
     K,
     T,
@@ -28,15 +27,13 @@ from gainproof.derive.fixed_gain.interacting_setting import (
     updated_covariance,
 )
 from gainproof.derive.fixed_gain.interacting_steps_filter import meaning
-from gainproof.derive.words.expression import ZERO, symbol, unit
+from gainproof.derive.words.expression import unit
 from gainproof.derive.words.hypotheses import equation, symmetric
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import Statement, prove_equal
 from gainproof.derive.words.traces import prove_traces_equal
 
 LOOP = closed(CHANGED)
-STATE = symbol("state")
-UNHEARD = equation(STATE.T @ PHI @ K, ZERO)
 OTHER_STEADY = equation(OTHER, noisy(CHANGED, OTHER))
 ADJOINT_STEADY = equation(ADJOINT, LOOP.T @ ADJOINT @ LOOP + WEIGHT)
 BACK = E1 - T * E2
@@ -121,20 +118,5 @@ def stationary_steps() -> list[Step]:
             "whose trace is stationary obeys the equation of size `d`",
             "The trace of `D' M` vanishes for every `D` only if `M = E1' Lambda N` is zero: `E1' "
             "Lambda Phi (K (W11 + B) - W E1) = 0` with `Lambda = F' Lambda F + C`.",
-        ),
-        prove_equal(
-            "unheard",
-            Search(SETTING, [UNHEARD]),
-            STATE.T @ F,
-            STATE.T @ PHI,
-        ).step(
-            "And there is a best gain of every trace with a positive definite weight of the "
-            "predicted position if `B > 0`, `K2` is invertible and some `K1` is stable. Along a "
-            "sequence towards the infimum `W11` is bounded, hence `K1` (step @position-floor) "
-            "and, by step @steady-21 and `W >= 0`, all of `W`: so there is a limit. It is stable, "
-            "since a left eigenvector `y'` of `F` with `|z| >= 1` would have `y' Phi K B K' Phi' "
-            "y = 0`, so `y' Phi K = 0`, and",
-            "`y' Phi K H = 0`. Thus `y'` is a left eigenvector of `Phi`, that is `z = 1` and `y' "
-            "= y2' E2'`, and `y' Phi K = y2' K2`, which is not 0.",
         ),
     ]

@@ -13,7 +13,10 @@ from numpy.typing import NDArray
 from scipy.linalg import solve_discrete_lyapunov, sqrtm
 
 Matrix = NDArray[np.float64]
-KINDS = ("any", "diagonal", "own", "followed", "root", "smoothing", "quiet", "scaled", "filter")
+KINDS = (
+    *("any", "diagonal", "own", "followed", "root", "smoothing", "quiet", "scaled", "filter"),
+    "grown",
+)
 
 
 def matrices(kind: str, seed: int, size: int = 2) -> dict[str, Any]:
@@ -22,7 +25,8 @@ def matrices(kind: str, seed: int, size: int = 2) -> dict[str, Any]:
     "any": full gains; "diagonal": diagonal ones with a row u'; "own", "followed": K1 is the gain of
     the position that is Kalman's, or that of the predicted position; "root", "smoothing": K1 from
     the square root of T K2, best for the predicted or updated position; "quiet": a left vector that
-    hears no noise; "scaled": A commutes with K2; "filter": truth and estimates of one step.
+    hears no noise; "scaled": A commutes with K2; "filter": truth and estimates of one step;
+    "grown": on the border, where a covariance goes on without noise.
     """
     rng = np.random.default_rng([seed, KINDS.index(kind), size])
     unit, zero = np.eye(size), np.zeros((size, size))
@@ -50,6 +54,11 @@ def matrices(kind: str, seed: int, size: int = 2) -> dict[str, Any]:
     if kind == "smoothing":
         square_root = np.real(sqrtm(t * k2))
         k1 = (square_root + square_root @ square_root / 2) @ np.linalg.inv(unit + square_root)
+    grown = np.zeros((2 * size, 2 * size))
+    if kind == "grown":
+        k1, k2 = unit, 2 * unit / t
+        on = t * first + second
+        grown = on @ _definite(rng, size) @ on.T
     scale = np.diag(rng.uniform(0.5, 2, size))
     changed = k1 + 0.02 * rng.standard_normal((size, size))
     phi = np.block([[unit, t * unit], [zero, unit]])
@@ -103,6 +112,7 @@ def matrices(kind: str, seed: int, size: int = 2) -> dict[str, Any]:
         "scale": scale,
         "scaled": scale @ k1 @ np.linalg.inv(scale),
         "square_root": square_root,
+        "limit": grown,
     }
 
 
@@ -115,6 +125,32 @@ def update_matrices(seed: int, best: bool) -> dict[str, Any]:
     if best:
         gain = np.linalg.solve(seen @ prior @ seen.T + noise, seen @ prior).T
     return {"P": prior, "R": noise, "H": seen, "K": gain, "transition": transition, "Q": added}
+
+
+def row_matrices(seed: int, chained: bool) -> dict[str, Any]:
+    """One set for the setting "rows": four states, an eigenvalue c + i s; `chained`: the rows are
+    those after an eigenvector's.
+    """
+    rng = np.random.default_rng([seed, chained, 4])
+    rows, loop = rng.standard_normal((4, 4)), rng.standard_normal((4, 4))
+    real, imaginary = rng.standard_normal(2)
+    loop[:2] = [[real, -imaginary, chained, 0], [imaginary, real, 0, chained]]
+    matrix = np.linalg.solve(rows, loop @ rows)
+    tails = chained * rows[2:]
+    free = np.eye(4) - np.linalg.pinv(tails) @ tails
+    carried = free @ _definite(rng, 4) @ free
+    carried = (carried + carried.T) / 2
+    return {
+        "loop_matrix": matrix,
+        "carried": carried,
+        "brought": carried - matrix @ carried @ matrix.T,
+        "first_row": rows[:1].T,
+        "second_row": rows[1:2].T,
+        "first_tail": tails[:1].T,
+        "second_tail": tails[1:].T,
+        "real_part": float(real),
+        "imaginary_part": float(imaginary),
+    }
 
 
 def _definite(rng: np.random.Generator, size: int) -> Matrix:

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from interacting_values import KINDS, matrices, update_matrices
+from interacting_values import KINDS, matrices, row_matrices, update_matrices
 from word_values import completed, holds, true
 
 import gainproof.generated
@@ -42,6 +42,8 @@ def instances(tower: str) -> tuple[Mapping[str, Any], ...]:
     setting = certificate()["towers"][tower]
     if tower == "update":
         drawn = [update_matrices(seed, best) for seed in range(2) for best in (False, True)]
+    elif tower == "rows":
+        drawn = [row_matrices(seed, chained) for seed in range(2) for chained in (False, True)]
     else:
         drawn = [matrices(kind, 0, size) for kind in KINDS for size in SIZES]
     return tuple(completed(setting, values) for values in drawn)
@@ -134,3 +136,29 @@ def test_the_example_beats_every_diagonal_gain() -> None:
     grid = min(first(np.diag([alpha, 0.5])) for alpha in np.linspace(0.05, 1.45, 57))
     assert abs(example - 133 / 45) < 1e-9
     assert grid >= 3 - 1e-9
+
+
+def test_what_may_grow_is_no_zero_matrix() -> None:
+    """At T K2 = 2 I the updated position stays known while the covariance does not fade."""
+    setting = certificate()["towers"]["blocks"]
+    (statement,) = (s for s in statements() if s["id"] == "grown-turns")
+    values = completed(setting, matrices("grown", 0, 2))
+    assert all(holds(setting, entry, values) for entry in statement["claim"]["given"])
+    assert np.linalg.norm(np.asarray(values["limit22"])) > 0.1
+
+
+@pytest.mark.parametrize(("kappa", "attained"), [(0.5, True), (1.9, True), (2.0, False)])
+def test_the_trace_of_the_update_is_least_inside_or_at_the_border(
+    kappa: float, attained: bool
+) -> None:
+    """One coordinate, over the stable gains of the position."""
+    from scipy.linalg import solve_discrete_lyapunov
+
+    def variance(alpha: float) -> float:
+        loop = np.array([[1 - alpha, 1 - alpha], [-kappa, 1 - kappa]])
+        gain = np.array([[alpha], [kappa]])
+        return float(solve_discrete_lyapunov(loop, gain @ gain.T)[0, 0])
+
+    end = 2 - kappa / 2
+    values = [variance(alpha) for alpha in end * np.linspace(0.002, 0.998, 250)]
+    assert (int(np.argmin(values)) < 249) is attained
