@@ -26,6 +26,7 @@ from gainproof.derive.filter_step import subject as filter_step
 from gainproof.derive.recursion import three_states, two_states
 from gainproof.derive.sensors import converted_measurements, polar_coordinates, range_doppler
 from gainproof.derive.subject import Subject
+from gainproof.derive.updated_gains import subject as updated_gains
 
 
 @dataclass(frozen=True)
@@ -82,4 +83,5 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(range_doppler.NAME, range_doppler.TITLE, range_doppler.build),
     Entry(multipath_location.NAME, multipath_location.TITLE, multipath_location.build),
     Entry(filter_step.NAME, filter_step.TITLE, filter_step.build),
+    Entry(updated_gains.NAME, updated_gains.TITLE, updated_gains.build),
 )

@@ -99,6 +99,13 @@ MATRICES = Source(
     "Academic Press, 1985",
     "the linear equation of a covariance has one solution if the filter is stable",
 )
+UPDATED = Source(
+    "patent-4869403",
+    "JP4869403B2, US7986262B2",
+    "Radar tracking apparatus and method",
+    "Patents, Japan 2012, United States 2011",
+    "gains updated by the derivatives of both by the tracking index",
+)
 
 DEBIASED = Source(
     "lerro-bar-shalom-1993",
@@ -146,4 +153,5 @@ SOURCES: tuple[Source, ...] = (
     UNBIASED,
     MODIFIED,
     TRACKER_LIBRARY,
+    UPDATED,
 )

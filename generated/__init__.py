@@ -31,6 +31,7 @@
 - `recursion_three_states`: Kalman recursion of position, velocity and acceleration, any
   intervals.
 - `recursion_two_states`: Kalman recursion of position and velocity, any intervals.
+- `updated_gains`: Gains that follow the tracking index to first order.
 - `wiener_acceleration`: Discrete Wiener process acceleration: steady state with measured
   position.
 """
