@@ -39,7 +39,7 @@ THREE_STATES = (
     "random_jerk",
     "continuous_white_jerk",
 )
-SLOWLY_KNOWN = {"alpha_beta", "recursion_two_states"}
+SLOWLY_KNOWN = {"alpha_beta", "recursion_two_states", "updated_gains"}
 """Whose truth takes a hundredth of a second at each place."""
 SPECIAL = [
     x for y in (4.0, 24**0.5, 8.0, 12.0) for x in (y, np.nextafter(y, 0), np.nextafter(y, 99))

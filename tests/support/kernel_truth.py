@@ -18,6 +18,7 @@ from estimated_bias import BiasDeviationTruth
 from fixed_gain_triples import AlphaBetaGammaTruth
 from fixed_gain_truth import AlphaBetaTruth
 from shared_variances import PositionGainTruth
+from updated_gains_truth import UpdateLimitsTruth
 
 from gainproof.verify.oracles.truth import FitTruth, SteadyStateTruth, Truth, steady_state_truth
 
@@ -106,7 +107,13 @@ class HandOverTruth:
         return 1 / n + (k / 2) ** 2 / (n * (n * n - 1) / 12)
 
 
-FixedGainTruth = AlphaBetaTruth | AlphaBetaGammaTruth | PositionGainTruth | BiasDeviationTruth
+FixedGainTruth = (
+    AlphaBetaTruth
+    | AlphaBetaGammaTruth
+    | PositionGainTruth
+    | BiasDeviationTruth
+    | UpdateLimitsTruth
+)
 
 
 @cache
@@ -132,6 +139,8 @@ def truth_of(
         return PositionGainTruth()
     if family == "multipath_location":
         return BiasDeviationTruth()
+    if family == "updated_gains":
+        return UpdateLimitsTruth()
     raise LookupError(f"no oracle knows the family {family}: add its model to kernel_truth")
 
 
