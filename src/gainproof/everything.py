@@ -21,7 +21,12 @@ from gainproof.report import Findings
 from gainproof.workers import Job
 from gainproof.workshop import Workshop
 
-DONE = {"everything": "derived and printed", "recheck": "certificate checked", "judge": "judged"}
+DONE = {
+    "everything": "derived and printed",
+    "recheck": "certificate checked",
+    "judge": "judged",
+    "recheck_proofs": "proofs checked",
+}
 """What people are told of the jobs."""
 
 
@@ -35,6 +40,7 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     reports = derivations.recheck(pairs, shop)
     judged = judgements.judge(claim_files, shop)
+    proofs = judgements.recheck_proofs(judged, shop)
     changes = {
         file.name: tuple(verdicts.changes(judgement, file))
         for file, judgement in zip(claim_files, judged, strict=True)
@@ -49,6 +55,7 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
         differences=tuple(drift.compare(files, folder)),
         certificates=tuple(reports),
         judgements=tuple(judged),
+        proofs=tuple(proofs),
         words=tuple(claim_words(judgements.read(file)) for file in claim_files),
         changes=changes,
         accepted=accept,
@@ -60,7 +67,7 @@ def following(
 ) -> Callable[[Job], list[Job]]:
     """What can be done once a job is known: after the catalogue every subject, after a subject the
     check of its committed certificate, and after the last one the claim files, since these need all
-    models.
+    models, and then the check of their proofs.
     """
     missing: set[str] = set()
 
@@ -71,6 +78,10 @@ def following(
             # the longest first, so that the last to end is a short one
             names.sort(key=lambda name: _size(_path(folder, name)), reverse=True)
             return [derivations.everything_job(name) for name in names]
+        if job.task == "judge":
+            judged = shop.answered(job)
+            checking = None if judged is None else judgements.proofs_job(judged)
+            return [] if checking is None else [checking]
         if job.task != "everything":
             return []
         name = job.arguments["name"]

@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from gainproof import witness_text
+from gainproof.claim_proofs import parts as words_of
 from gainproof.page import WIDTH, filled
+from gainproof.proof_text import proof_lines
 from gainproof.verdict_reason import is_of_slope, reason, repair_of, solutions
 from gainproof.verify.judge.explain import sections
 
@@ -14,9 +16,10 @@ Claim = Mapping[str, Any]
 _LABEL = 12
 
 
-def explanation(claim: Claim, columns: int = WIDTH, words: str = "") -> str:
+def explanation(claim: Claim, columns: int = WIDTH, words: str = "", checked: str = "") -> str:
     """Text for a claim in the form of `check --json`: what was shown, on what ground, and where it
-    fails; nothing twice. `words` are those of a claim without a formula.
+    fails; nothing twice. `words` are those of a claim without a formula, `checked` says what came
+    of its certificate when it was gone through again.
     """
     certificate: Mapping[str, Any] = claim["evidence"]["certificate"] or {}
     lines = [f"{claim['id']}: {claim['verdict']}"]
@@ -24,7 +27,7 @@ def explanation(claim: Claim, columns: int = WIDTH, words: str = "") -> str:
         " ".join((claim["latex"] or words or claim["kind"]).split()), "  ", "    ", columns
     )
     lines.append("")
-    for label, value in _facts(claim):
+    for label, value in _facts(claim, checked):
         lines += filled(value, f"{label + ':':<{_LABEL}}", " " * _LABEL, columns)
     witness = claim["evidence"]["witness"]
     parts = [
@@ -32,6 +35,7 @@ def explanation(claim: Claim, columns: int = WIDTH, words: str = "") -> str:
         ("Nearest true formula", _repairs(claim)),
     ]
     parts += [(section.title, list(section.lines)) for section in sections(certificate)]
+    parts += _in_words(certificate)
     others = certificate.get("against other conventions", {})
     parts.append(("Fails under other conventions", _others(others, witness)))
     for title, inner in parts:
@@ -43,7 +47,18 @@ def explanation(claim: Claim, columns: int = WIDTH, words: str = "") -> str:
     return "\n".join(lines) + "\n"
 
 
-def _facts(claim: Claim) -> list[tuple[str, str]]:
+def _in_words(certificate: Mapping[str, Any]) -> list[tuple[str, list[str]]]:
+    """The proofs on matrices of every size: lemmas, and what was to be proved."""
+    found = []
+    for name, proofs in words_of(certificate):
+        way = f"direction {name}: " if name else ""
+        for number, proof in enumerate(proofs, 1):
+            title = "proof" if number == len(proofs) else f"lemma {number}"
+            found.append((f"{way}{title}, for matrices of every size", proof_lines(proof)))
+    return found
+
+
+def _facts(claim: Claim, checked: str) -> list[tuple[str, str]]:
     """Short facts; the result is left out where a section below says it."""
     shown_below = isinstance(claim["evidence"]["witness"], Mapping)
     result = "" if shown_below else (reason(claim) or str(claim["reason"] or ""))
@@ -54,6 +69,7 @@ def _facts(claim: Claim) -> list[tuple[str, str]]:
         ("reading", claim["reading"]),
         ("domain", domain),
         ("method", claim["evidence"]["method"]),
+        ("checked", checked),
         ("result", result),
         *(("undefined", text) for text in solutions(claim)),
     )

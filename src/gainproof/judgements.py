@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from gainproof import derivations, places, workers
+from gainproof import claim_proofs, derivations, places, workers
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.commands.time_limit import DEFAULT
 from gainproof.workshop import Workshop
@@ -59,6 +59,20 @@ def jobs(
         )
         for file in sorted(files, key=lambda file: len(texts[file]), reverse=True)
     }
+
+
+def proofs_job(judgement: dict[str, Any]) -> workers.Job | None:
+    """The check of the proofs on matrices in it, by the checker alone; None without any."""
+    asked = claim_proofs.to_recheck(judgement)
+    if asked is None:
+        return None
+    return workers.Job(asked["source"]["key"], "recheck_proofs", {"judgement": asked})
+
+
+def recheck_proofs(judged: Sequence[dict[str, Any]], shop: Workshop) -> list[dict[str, Any]]:
+    """Reports on the proofs on matrices of every size in judged claim files that have some."""
+    found = [job for job in map(proofs_job, judged) if job is not None]
+    return shop.results("proofs checked", found)
 
 
 def read(file: Path) -> str:

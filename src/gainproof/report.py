@@ -21,9 +21,9 @@ Plain = Mapping[str, Any]
 class Findings:
     """Everything that one run looked at.
 
-    `certificates`: reports of `rechecking.recheck`; `words`: those of claims without a formula, for
-    each judgement; `changes`: differences from the snapshot of
-    each claim file, by name; `accepted`: they have been taken over.
+    `certificates`: reports of `rechecking.recheck`; `proofs`: those of `claim_proofs.recheck`;
+    `words`: those of claims without a formula, for each judgement; `changes`: differences from the
+    snapshot of each claim file, by name; `accepted`: they have been taken over.
     """
 
     versions: Mapping[str, str]
@@ -31,6 +31,7 @@ class Findings:
     differences: tuple[Difference, ...]
     certificates: tuple[Plain, ...]
     judgements: tuple[Judgement, ...]
+    proofs: tuple[Plain, ...]
     words: tuple[Words, ...]
     changes: Mapping[str, tuple[str, ...]]
     accepted: bool
@@ -42,9 +43,10 @@ class Findings:
 
     @property
     def good(self) -> bool:
-        """No drift, no rejected certificate, no verdict changed."""
+        """No drift, no rejected certificate or proof, no verdict changed."""
         changed = any(self.changes.values()) and not self.accepted
-        return not (self.differences or self.rejected or changed)
+        unproved = any(report["rejected"] for report in self.proofs)
+        return not (self.differences or self.rejected or unproved or changed)
 
 
 def write(findings: Findings, folder: Path) -> None:
@@ -64,6 +66,7 @@ def as_json(findings: Findings) -> str:
         },
         "certificates": list(findings.certificates),
         "claims": list(findings.judgements),
+        "proofs": list(findings.proofs),
         "snapshot": {
             "accepted": findings.accepted,
             "changes": {name: list(lines) for name, lines in findings.changes.items()},
@@ -92,10 +95,28 @@ def summary(findings: Findings) -> str:
         _line("certificates", _certificates(findings)),
         *(f"{'':18}{report['subject']}: {report['reason']}" for report in findings.rejected),
         _line("claims", verdict_text.counts(list(findings.judgements))),
+        *_proofs(findings),
         _line("snapshot", _snapshot(findings)),
         *_changes(findings),
     ]
     return "\n".join(lines) + "\n"
+
+
+def _proofs(findings: Findings) -> list[str]:
+    """What the checker says of proofs on matrices of every size, where there are some."""
+    if not findings.proofs:
+        return []
+    wrong = [(report["source"], each) for report in findings.proofs for each in report["rejected"]]
+    claims = sum(report["claims"] for report in findings.proofs)
+    statements = sum(report["statements"] for report in findings.proofs)
+    return [
+        _line(
+            "matrix proofs",
+            f"{claims - len(wrong)} of {claims} accepted again by the checker; "
+            f"{statements} statements",
+        ),
+        *(f"{'':18}{key}, {each['id']}: {each['reason']}" for key, each in wrong),
+    ]
 
 
 def _changes(findings: Findings) -> list[str]:

@@ -76,6 +76,13 @@ def recheck(_: Desk, certificate: Any, expected: Plain) -> Plain:
     return decide(certificate, expected)
 
 
+def recheck_proofs(_: Desk, judgement: Plain) -> Plain:
+    """Check the proofs on matrices of every size of a judged claim file once more."""
+    from gainproof.claim_proofs import recheck as decide
+
+    return decide(judgement)
+
+
 def judge(
     desk: Desk,
     path: str,
@@ -113,6 +120,7 @@ TASKS: Mapping[str, Callable[..., Any]] = {
     "print_one": print_one,
     "print_file": print_file,
     "recheck": recheck,
+    "recheck_proofs": recheck_proofs,
     "judge": judge,
 }
 DERIVING = frozenset(

@@ -9,7 +9,9 @@ from gainproof.commands import time_limit
 HELP = "print the whole proof or witness of one claim"
 DESCRIPTION = """\
 Prints all that is known about one claim of a claim file: what was decided, by which method, with
-the certificate of a proof or the exact point where a formula fails."""
+the certificate of a proof or the exact point where a formula fails. The certificate is gone through
+again: proofs on matrices of every size by the checker of certificates, which knows nothing of the
+judge, the others by the judge's own code. Exit status 1 if it leads elsewhere."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -20,8 +22,11 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """0, or 2 for a claim that the file does not have."""
+    """0; 1 where the certificate does not lead to the verdict again; 2 for a claim that the file
+    does not have.
+    """
     from gainproof import judgements, page
+    from gainproof.claim_proofs import checked
     from gainproof.claim_words import claim_words
     from gainproof.explanation import explanation
     from gainproof.workshop import open_workshop
@@ -30,5 +35,6 @@ def run(options: argparse.Namespace) -> int:
     shop = open_workshop(fresh=options.fresh, quiet=True)
     claim = judgements.judge_claim(file, options.claim, shop, options.seconds)
     words = claim_words(judgements.read(file)).get(options.claim, "")
-    print(explanation(claim, page.width(), words), end="")
-    return 0
+    good, said = checked(claim)
+    print(explanation(claim, page.width(), words, said), end="")
+    return 0 if good else 1

@@ -3,39 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
-from gainproof.verify.certificate.rejection import Meter, RejectedError
-from gainproof.verify.certificate.words import prove, read_setting
+from gainproof.verify.certificate.words.proof import rejected
 from gainproof.verify.judge.matrices.book import Book
 
-
-@dataclass(frozen=True)
-class _Statement:
-    id: str
-    kind: str
-    claim: Any
-    evidence: Any
+__all__ = ["rejected", "written"]
 
 
 def written(book: Book) -> dict[str, Any]:
     """Setting and statements as plain data."""
     return {"setting": _setting(book), "statements": list(book.statements)}
-
-
-def rejected(certificate: Mapping[str, Any]) -> str | None:
-    """Why the checker does not accept a statement; None if it accepts all. Never raises."""
-    try:
-        setting = read_setting(certificate["setting"], Meter(), "setting")
-        statements = [_Statement(**entry) for entry in certificate["statements"]]
-        for number, statement in enumerate(statements):
-            prove(setting, statement, statements[:number])
-    except RejectedError as rejection:
-        return str(rejection)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        return f"malformed: {type(error).__name__}"
-    return None if certificate["statements"] else "nothing is stated"
 
 
 def _setting(book: Book) -> dict[str, Any]:

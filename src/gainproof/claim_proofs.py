@@ -1,0 +1,95 @@
+"""Proofs of claims, gone through again from their certificates alone.
+
+Proofs on matrices of every size are decided by the checker of certificates, which shares nothing
+with the judge that found them. That the statements are those of the claim, and that a lemma is what
+a later part supposes, is the judge's own reading. Other proofs and refutations are replayed by the
+judge's code.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from gainproof.verify.certificate.words.proof import rejected
+
+Plain = Mapping[str, Any]
+WORDS = "words"
+
+
+def parts(certificate: Plain | None) -> Iterator[tuple[str, list[Plain]]]:
+    """The proofs in words of one claim, each a list of lemmas and then what was to be proved; under
+    the names of its directions where it has several.
+    """
+    found = certificate or {}
+    if WORDS in found:
+        yield "", list(found[WORDS])
+        return
+    for name, part in found.items():
+        if isinstance(part, Mapping) and WORDS in part:
+            yield name, list(part[WORDS])
+
+
+def _proofs(claim: Plain) -> list[Plain]:
+    return [proof for _, each in parts(claim["evidence"]["certificate"]) for proof in each]
+
+
+def to_recheck(judgement: Plain) -> dict[str, Any] | None:
+    """What `recheck` asks of a judged claim file; None for one without proofs in words."""
+    claims = [
+        {"id": claim["id"], "evidence": {"method": method, "certificate": certificate}}
+        for claim in judgement["claims"]
+        for method in [claim["evidence"]["method"]]
+        for certificate in [claim["evidence"]["certificate"]]
+        if method == WORDS or any(parts(certificate))
+    ]
+    return {"source": {"key": judgement["source"]["key"]}, "claims": claims} if claims else None
+
+
+def recheck(judgement: Plain) -> dict[str, Any]:
+    """{"source", "claims", "statements", "rejected": [{"id", "reason"}], "seconds"}: the proofs in
+    words of a judged claim file, each decided again.
+    """
+    start = time.process_time()
+    claims = statements = 0
+    wrong: list[dict[str, str]] = []
+    for claim in judgement["claims"]:
+        proofs = _proofs(claim)
+        found = [rejected(proof) for proof in proofs]
+        reasons = [reason for reason in found if reason is not None]
+        claims += bool(proofs)
+        if not reasons:
+            statements += sum(len(proof["statements"]) for proof in proofs)
+        if not proofs and claim["evidence"]["method"] == WORDS:
+            reasons.append("there is no proof")
+        wrong += [{"id": claim["id"], "reason": reason} for reason in reasons[:1]]
+    return {
+        "source": judgement["source"]["key"],
+        "claims": claims,
+        "statements": statements,
+        "rejected": wrong,
+        "seconds": time.process_time() - start,
+    }
+
+
+def checked(claim: Plain) -> tuple[bool, str]:
+    """Whether the certificate of a claim of `check --json` leads to its verdict again, and a
+    sentence on it; none where there is nothing to go through.
+    """
+    proofs = _proofs(claim)
+    if proofs:
+        reasons = [reason for reason in map(rejected, proofs) if reason is not None]
+        if reasons:
+            return False, f"REJECTED by the checker of certificates: {reasons[0]}"
+        count = sum(len(proof["statements"]) for proof in proofs)
+        said = f"{count} statement{'' if count == 1 else 's'}"
+        return True, f"again by the checker of certificates: {said} accepted"
+    if "statement" not in (claim["evidence"]["certificate"] or {}):
+        return True, ""
+    from gainproof.verify.judge.replay import replay_json
+
+    reason = replay_json(claim)
+    if reason is not None:
+        return False, f"REJECTED when replayed: {reason}"
+    return True, "replayed from its certificate: the same verdict"
