@@ -1,0 +1,96 @@
+"""What the kernels of converted measurements should return, by the oracle; and their sums of terms.
+
+In the plane the elevation and its noise are 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import Any
+
+import flint
+from polar_points import signature
+from signed_graphs import with_terms
+
+from gainproof.derive.sensors import converted_graphs, converted_space_graphs
+from gainproof.generated import converted_measurements
+from gainproof.verify.oracles import converted
+from gainproof.verify.oracles.converted import BITS, Moments
+
+Values = Mapping[str, flint.arb]
+Vector = list[flint.arb]
+PLANE = "_in_plane"
+NAMES = ("classical", "debiased", "unbiased", "modified_unbiased")
+KERNELS = [f"{name}_conversion{where}" for name in NAMES for where in ("", PLANE)]
+PAIRS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+
+
+def arguments(kernel: str) -> list[str]:
+    """The names of a kernel's arguments in order."""
+    return [domain.name for domain in signature(getattr(converted_measurements, kernel)).inputs]
+
+
+def conversion(name: str, polar: Vector, deviations: Vector) -> Moments:
+    """Place and covariance that a conversion should state for a measurement."""
+    if name == "classical":
+        return converted.first_order(polar, deviations)
+    with flint.ctx.workprec(BITS):
+        given = converted.given_measurement(polar, deviations)
+        if name == "modified_unbiased":
+            return given
+        measured = converted.place_of(polar)
+        if name == "debiased":
+            found = converted.averaged(polar, deviations)
+            place = [a - b for a, b in zip(measured, found.mean, strict=True)]
+            return Moments(place, found.covariance)
+        # what noise leaves of any place ahead and of its height
+        at = [flint.arb(1), flint.arb(1), flint.arb(0)]
+        (ahead, _, up), mean = converted.place_of(at), converted.given_truth(at, deviations).mean
+        shares = mean[0] / ahead, mean[0] / ahead, mean[2] / up
+        place = [value / share for value, share in zip(measured, shares, strict=True)]
+        bias = [a - b for a, b in zip(place, given.mean, strict=True)]
+        return Moments(
+            place,
+            [[given.covariance[i][j] + bias[i] * bias[j] for j in range(3)] for i in range(3)],
+        )
+
+
+def truth(kernel: str) -> Callable[..., Values]:
+    """The outputs of a kernel, from its arguments."""
+    name, plane = kernel.removesuffix(PLANE).removesuffix("_conversion"), kernel.endswith(PLANE)
+
+    def found(*given: float) -> Values:
+        values = {
+            entry: flint.arb(value) for entry, value in zip(arguments(kernel), given, strict=True)
+        }
+        zero = flint.arb(0)
+        polar = [values.get(entry, zero) for entry in ("slant_range", "elevation", "azimuth")]
+        noise = ("range_deviation", "elevation_deviation", "azimuth_deviation")
+        deviations = [values.get(entry, zero) for entry in noise]
+        here = conversion(name, polar, deviations)
+        outputs = dict(zip("xyz", here.mean, strict=True))
+        outputs |= {f"covariance_{'xyz'[i]}{'xyz'[j]}": here.covariance[i][j] for i, j in PAIRS}
+        if plane:
+            ahead = conversion(name, [polar[0], zero, zero], deviations).covariance
+            outputs |= {"radial_variance": ahead[0][0], "cross_variance": ahead[1][1]}
+        return outputs
+
+    return found
+
+
+def terms(kernel: str) -> Callable[..., Values]:
+    """The sums of terms taken positive: every sum in the graph over the magnitudes of its terms."""
+    graph = graph_of(kernel)
+
+    def found(*given: float) -> Values:
+        point = dict(zip(arguments(kernel), given, strict=True))
+        return {name: total for name, (_, total) in with_terms(graph, point).items()}
+
+    return found
+
+
+@cache
+def graph_of(kernel: str) -> Any:
+    """The graph from which a kernel is printed."""
+    return (converted_graphs.graphs() | converted_space_graphs.graphs())[kernel]
