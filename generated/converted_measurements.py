@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 __all__ = [
     "ClassicalConversion",
     "ClassicalConversionInPlane",
+    "CorrelatedModifiedUnbiasedConversionInPlane",
+    "CorrelatedUnbiasedConversionInPlane",
     "DebiasedConversion",
     "DebiasedConversionInPlane",
     "ModifiedUnbiasedConversion",
@@ -27,6 +29,8 @@ __all__ = [
     "UnbiasedConversionInPlane",
     "classical_conversion",
     "classical_conversion_in_plane",
+    "correlated_modified_unbiased_conversion_in_plane",
+    "correlated_unbiased_conversion_in_plane",
     "debiased_conversion",
     "debiased_conversion_in_plane",
     "modified_unbiased_conversion",
@@ -74,6 +78,14 @@ _ELEVATION_DEVIATION_DOMAIN = Domain(
     "a number at least 1e-15 and at most 2, in float32 at least 1e-6 and at most 2",
     (1e-15, 2.0),
     (9.999999974752427e-07, 2.0),
+)
+_CORRELATION_DOMAIN = Domain(
+    "correlation",
+    "0 or of magnitude 1e-20 to 1, in float32 1e-6 to 1",
+    (1e-20, 1.0),
+    (9.999999974752427e-07, 1.0),
+    zero=True,
+    signed=True,
 )
 
 
@@ -1628,4 +1640,342 @@ _MODIFIED_UNBIASED_CONVERSION = Signature(
     ),
     19,
     _modified_unbiased_conversion_block,
+)
+
+
+class CorrelatedUnbiasedConversionInPlane(NamedTuple):
+    """Result of `correlated_unbiased_conversion_in_plane`."""
+
+    x: Real
+    """Converted x, m."""
+    y: Real
+    """Converted y, m."""
+    covariance_xx: Real
+    """Stated variance of x, m^2."""
+    covariance_xy: Real
+    """Stated covariance of x and y, m^2."""
+    covariance_yy: Real
+    """Stated variance of y, m^2."""
+
+
+def correlated_unbiased_conversion_in_plane(
+    slant_range: ArrayLike,
+    azimuth: ArrayLike,
+    range_deviation: ArrayLike,
+    azimuth_deviation: ArrayLike,
+    correlation: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real] | None = None,
+) -> CorrelatedUnbiasedConversionInPlane:
+    """The conversion without bias given the truth, noises correlated.
+
+        With k = exp(-sa^2/2), c = correlation sr sa: (r/k, -c/k) along and across the measured
+        line of sight; the covariance is the mean square error given the measurement
+
+    slant_range: measured range, m; a number at least 1e-20 and at most 1e60, in float32 at least
+        1e-3 and at most 1e12.
+    azimuth: measured azimuth from x towards y, rad; 0 or of magnitude 1e-20 to 6.2832, in float32
+        1e-12 to 6.2832.
+    range_deviation: standard deviation of the range, m; a number at least 1e-20 and at most 1e60,
+        in float32 at least 1e-3 and at most 1e12.
+    azimuth_deviation: standard deviation of the azimuth, rad; a number at least 1e-15 and at most
+        2, in float32 at least 1e-6 and at most 2.
+    correlation: correlation of the noises of range and azimuth; 0 or of magnitude 1e-20 to 1, in
+        float32 1e-6 to 1.
+
+    x: converted x, m. Error over the sum of its terms taken positive at most 11.51 * 2^-52
+        (float64), 11.51 * 2^-23 (float32), proved for every input, provided np.sin, np.cos and
+        np.exp err by at most 4 units in the last place of the true value.
+    y: converted y, m. Error over the sum of its terms taken positive at most 11.51 * 2^-52
+        (float64), 11.51 * 2^-23 (float32), proved for every input, provided np.sin, np.cos and
+        np.exp err by at most 4 units in the last place of the true value.
+    covariance_xx: stated variance of x, m^2. Error over the sum of its terms taken positive at most
+        47.01 * 2^-52 (float64), 47.01 * 2^-23 (float32), proved for every input, and 5e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_xy: stated covariance of x and y, m^2. Error over the sum of its terms taken positive
+        at most 47.01 * 2^-52 (float64), 47.01 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_yy: stated variance of y, m^2. Error over the sum of its terms taken positive at most
+        47.01 * 2^-52 (float64), 47.01 * 2^-23 (float32), proved for every input, and 5e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation converted-measurements
+    """
+    return CorrelatedUnbiasedConversionInPlane(
+        *evaluate(
+            _CORRELATED_UNBIASED_CONVERSION_IN_PLANE,
+            (slant_range, azimuth, range_deviation, azimuth_deviation, correlation),
+            out,
+        )
+    )
+
+
+def _correlated_unbiased_conversion_in_plane_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    slant_range, azimuth, range_deviation, azimuth_deviation, correlation = given
+    x, y, covariance_xx, covariance_xy, covariance_yy = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11 = work
+    cos_azimuth = np.cos(azimuth, w0)
+    sin_azimuth = np.sin(azimuth, w1)
+    t7 = np.square(azimuth_deviation, w2)
+    t8 = np.negative(t7, w2)
+    t10 = np.multiply(t8, 0.5, w3)
+    kept_azimuth = np.exp(t10, w3)
+    change_azimuth = np.expm1(t8, w2)
+    t13 = np.square(range_deviation, w4)
+    t14 = np.square(kept_azimuth, w5)
+    t15 = np.negative(change_azimuth, w2)
+    t16 = np.multiply(range_deviation, azimuth_deviation, w6)
+    t17 = np.multiply(t16, correlation, w6)
+    t18 = np.square(t14, w7)
+    t19 = np.multiply(t14, 2.0, w8)
+    t21 = np.subtract(1.0, t19, w8)
+    t22 = np.multiply(slant_range, t15, w9)
+    t23 = np.square(t22, w10)
+    t24 = np.add(1.0, t18, w11)
+    t25 = np.multiply(t13, t24, w11)
+    t26 = np.add(t23, t25, w10)
+    t27 = np.multiply(t26, 0.5, w10)
+    t28 = np.square(t17, w11)
+    t29 = np.multiply(t18, t28, w7)
+    t30 = np.multiply(t29, 2.0, w7)
+    t31 = np.subtract(t27, t30, w10)
+    t32 = np.square(slant_range, w7)
+    t33 = np.add(t32, t13, w7)
+    t34 = np.add(1.0, t14, w4)
+    t35 = np.multiply(t15, t34, w2)
+    t36 = np.multiply(t33, t35, w7)
+    t37 = np.multiply(t36, 0.5, w7)
+    t38 = np.multiply(t14, t28, w11)
+    t39 = np.multiply(t38, t21, w11)
+    t40 = np.subtract(t37, t39, w7)
+    t41 = np.multiply(slant_range, t17, w2)
+    t42 = np.multiply(t14, t41, w5)
+    t43 = np.multiply(t42, t21, w5)
+    t44 = np.divide(slant_range, kept_azimuth, x)
+    t45 = np.divide(t17, kept_azimuth, y)
+    t46 = np.negative(t45, y)
+    t47 = np.divide(t22, kept_azimuth, covariance_xx)
+    t48 = np.multiply(t17, t34, w6)
+    t49 = np.divide(t48, kept_azimuth, covariance_xy)
+    t50 = np.negative(t49, covariance_xy)
+    t51 = np.square(t47, w2)
+    t52 = np.add(t31, t51, w10)
+    t53 = np.square(t50, w2)
+    t54 = np.add(t40, t53, w7)
+    t55 = np.multiply(t47, t50, covariance_xx)
+    t56 = np.subtract(t55, t43, covariance_xx)
+    t57 = np.square(cos_azimuth, w2)
+    t58 = np.square(sin_azimuth, w3)
+    t59 = np.multiply(sin_azimuth, cos_azimuth, w4)
+    t60 = np.multiply(t44, cos_azimuth, w5)
+    t61 = np.multiply(t46, sin_azimuth, w6)
+    t63 = np.multiply(t44, sin_azimuth, w1)
+    t64 = np.multiply(t46, cos_azimuth, y)
+    t66 = np.multiply(t57, t52, w0)
+    t67 = np.multiply(t58, t54, w8)
+    t68 = np.add(t66, t67, w0)
+    t69 = np.multiply(t59, t56, w8)
+    t70 = np.multiply(t69, 2.0, w8)
+    t72 = np.subtract(t52, t54, w9)
+    t73 = np.multiply(t59, t72, w4)
+    t74 = np.subtract(t57, t58, w9)
+    t75 = np.multiply(t74, t56, w9)
+    t77 = np.multiply(t58, t52, w3)
+    t78 = np.multiply(t57, t54, w2)
+    t79 = np.add(t77, t78, w3)
+    np.subtract(t60, t61, x)
+    np.add(t63, t64, y)
+    np.subtract(t68, t70, covariance_xx)
+    np.add(t73, t75, covariance_xy)
+    np.add(t79, t70, covariance_yy)
+
+
+_CORRELATED_UNBIASED_CONVERSION_IN_PLANE = Signature(
+    "correlated_unbiased_conversion_in_plane",
+    (
+        _SLANT_RANGE_DOMAIN,
+        _AZIMUTH_DOMAIN,
+        _RANGE_DEVIATION_DOMAIN,
+        _AZIMUTH_DEVIATION_DOMAIN,
+        _CORRELATION_DOMAIN,
+    ),
+    ("x", "y", "covariance_xx", "covariance_xy", "covariance_yy"),
+    12,
+    _correlated_unbiased_conversion_in_plane_block,
+)
+
+
+class CorrelatedModifiedUnbiasedConversionInPlane(NamedTuple):
+    """Result of `correlated_modified_unbiased_conversion_in_plane`."""
+
+    x: Real
+    """Converted x, m."""
+    y: Real
+    """Converted y, m."""
+    covariance_xx: Real
+    """Stated variance of x, m^2."""
+    covariance_xy: Real
+    """Stated covariance of x and y, m^2."""
+    covariance_yy: Real
+    """Stated variance of y, m^2."""
+
+
+def correlated_modified_unbiased_conversion_in_plane(
+    slant_range: ArrayLike,
+    azimuth: ArrayLike,
+    range_deviation: ArrayLike,
+    azimuth_deviation: ArrayLike,
+    correlation: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real] | None = None,
+) -> CorrelatedModifiedUnbiasedConversionInPlane:
+    """Mean and covariance of the true place given the measurement, noises correlated.
+
+        With k = exp(-sa^2/2), c = correlation sr sa: (k r, k c) along and across the measured
+        line of sight, with the covariance of the true place: both exact, given the measurement
+
+    slant_range: measured range, m; a number at least 1e-20 and at most 1e60, in float32 at least
+        1e-3 and at most 1e12.
+    azimuth: measured azimuth from x towards y, rad; 0 or of magnitude 1e-20 to 6.2832, in float32
+        1e-12 to 6.2832.
+    range_deviation: standard deviation of the range, m; a number at least 1e-20 and at most 1e60,
+        in float32 at least 1e-3 and at most 1e12.
+    azimuth_deviation: standard deviation of the azimuth, rad; a number at least 1e-15 and at most
+        2, in float32 at least 1e-6 and at most 2.
+    correlation: correlation of the noises of range and azimuth; 0 or of magnitude 1e-20 to 1, in
+        float32 1e-6 to 1.
+
+    x: converted x, m. Error over the sum of its terms taken positive at most 11.51 * 2^-52
+        (float64), 11.51 * 2^-23 (float32), proved for every input, provided np.sin, np.cos and
+        np.exp err by at most 4 units in the last place of the true value.
+    y: converted y, m. Error over the sum of its terms taken positive at most 11.51 * 2^-52
+        (float64), 11.51 * 2^-23 (float32), proved for every input, provided np.sin, np.cos and
+        np.exp err by at most 4 units in the last place of the true value.
+    covariance_xx: stated variance of x, m^2. Error over the sum of its terms taken positive at most
+        35.51 * 2^-52 (float64), 35.51 * 2^-23 (float32), proved for every input, and 5e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_xy: stated covariance of x and y, m^2. Error over the sum of its terms taken positive
+        at most 35.51 * 2^-52 (float64), 35.51 * 2^-23 (float32), proved for every input, and 3e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+    covariance_yy: stated variance of y, m^2. Error over the sum of its terms taken positive at most
+        35.51 * 2^-52 (float64), 35.51 * 2^-23 (float32), proved for every input, and 5e-44
+        (float32) beside it where a product underflows, provided np.sin, np.cos, np.exp and np.expm1
+        err by at most 4 units in the last place of the true value.
+
+    Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
+    so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
+    to fill.
+
+    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
+    input that is no real number of these types.
+
+    Source: derivation converted-measurements
+    """
+    return CorrelatedModifiedUnbiasedConversionInPlane(
+        *evaluate(
+            _CORRELATED_MODIFIED_UNBIASED_CONVERSION_IN_PLANE,
+            (slant_range, azimuth, range_deviation, azimuth_deviation, correlation),
+            out,
+        )
+    )
+
+
+def _correlated_modified_unbiased_conversion_in_plane_block(
+    given: Arrays, out: Arrays, work: Arrays, _single: bool
+) -> None:
+    slant_range, azimuth, range_deviation, azimuth_deviation, correlation = given
+    x, y, covariance_xx, covariance_xy, covariance_yy = out
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11, w12 = work
+    cos_azimuth = np.cos(azimuth, w0)
+    sin_azimuth = np.sin(azimuth, w1)
+    t7 = np.square(azimuth_deviation, w2)
+    t8 = np.negative(t7, w2)
+    t10 = np.multiply(t8, 0.5, w3)
+    kept_azimuth = np.exp(t10, w3)
+    change_azimuth = np.expm1(t8, w2)
+    t13 = np.square(range_deviation, w4)
+    t14 = np.square(kept_azimuth, w5)
+    t15 = np.negative(change_azimuth, w2)
+    t16 = np.multiply(range_deviation, azimuth_deviation, w6)
+    t17 = np.multiply(t16, correlation, w6)
+    t18 = np.square(t14, w7)
+    t19 = np.multiply(t14, 2.0, w8)
+    t21 = np.subtract(1.0, t19, w8)
+    t22 = np.multiply(slant_range, t15, w9)
+    t23 = np.square(t22, w9)
+    t24 = np.add(1.0, t18, w10)
+    t25 = np.multiply(t13, t24, w10)
+    t26 = np.add(t23, t25, w9)
+    t27 = np.multiply(t26, 0.5, w9)
+    t28 = np.square(t17, w10)
+    t29 = np.multiply(t18, t28, w7)
+    t30 = np.multiply(t29, 2.0, w7)
+    t31 = np.subtract(t27, t30, w9)
+    t32 = np.square(slant_range, w7)
+    t33 = np.add(t32, t13, w7)
+    t34 = np.add(1.0, t14, w4)
+    t35 = np.multiply(t15, t34, w2)
+    t36 = np.multiply(t33, t35, w7)
+    t37 = np.multiply(t36, 0.5, w7)
+    t38 = np.multiply(t14, t28, w10)
+    t39 = np.multiply(t38, t21, w10)
+    t40 = np.subtract(t37, t39, w7)
+    t41 = np.multiply(slant_range, t17, w2)
+    t42 = np.multiply(t14, t41, w5)
+    t43 = np.multiply(t42, t21, w5)
+    t44 = np.negative(t43, w5)
+    t45 = np.multiply(slant_range, kept_azimuth, w2)
+    t46 = np.multiply(t17, kept_azimuth, w6)
+    t47 = np.square(cos_azimuth, w3)
+    t48 = np.square(sin_azimuth, w4)
+    t49 = np.multiply(sin_azimuth, cos_azimuth, w8)
+    t50 = np.multiply(t45, cos_azimuth, w10)
+    t51 = np.multiply(t46, sin_azimuth, w11)
+    t53 = np.multiply(t45, sin_azimuth, w2)
+    t54 = np.multiply(t46, cos_azimuth, w6)
+    t56 = np.multiply(t47, t31, w0)
+    t57 = np.multiply(t48, t40, w1)
+    t58 = np.add(t56, t57, w0)
+    t59 = np.multiply(t49, t44, w1)
+    t60 = np.multiply(t59, 2.0, w1)
+    t62 = np.subtract(t31, t40, w12)
+    t63 = np.multiply(t49, t62, w8)
+    t64 = np.subtract(t47, t48, w12)
+    t65 = np.multiply(t64, t44, w12)
+    t67 = np.multiply(t48, t31, w4)
+    t68 = np.multiply(t47, t40, w3)
+    t69 = np.add(t67, t68, w4)
+    np.subtract(t50, t51, x)
+    np.add(t53, t54, y)
+    np.subtract(t58, t60, covariance_xx)
+    np.add(t63, t65, covariance_xy)
+    np.add(t69, t60, covariance_yy)
+
+
+_CORRELATED_MODIFIED_UNBIASED_CONVERSION_IN_PLANE = Signature(
+    "correlated_modified_unbiased_conversion_in_plane",
+    (
+        _SLANT_RANGE_DOMAIN,
+        _AZIMUTH_DOMAIN,
+        _RANGE_DEVIATION_DOMAIN,
+        _AZIMUTH_DEVIATION_DOMAIN,
+        _CORRELATION_DOMAIN,
+    ),
+    ("x", "y", "covariance_xx", "covariance_xy", "covariance_yy"),
+    13,
+    _correlated_modified_unbiased_conversion_in_plane_block,
 )

@@ -5,6 +5,16 @@ from __future__ import annotations
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.algebraic import algebraic
+from gainproof.derive.sensors.converted_correlated_graphs import (
+    correlated_kernel_steps,
+)
+from gainproof.derive.sensors.converted_correlated_graphs import graphs as correlated_graphs
+from gainproof.derive.sensors.converted_correlated_steps import correlated_steps
+from gainproof.derive.sensors.converted_correlated_tower import LATEX as CORRELATED
+from gainproof.derive.sensors.converted_correlated_tower import (
+    correlated_tower,
+    turned_correlated_tower,
+)
 from gainproof.derive.sensors.converted_graphs import graphs
 from gainproof.derive.sensors.converted_module import kernel_module
 from gainproof.derive.sensors.converted_names import LATEX
@@ -45,7 +55,7 @@ OPENING = (
 
 def build() -> Subject:
     """Derive the moments, the four conversions, what they are exact for, and their growth."""
-    made = graphs() | space_graphs()
+    made = graphs() | space_graphs() | correlated_graphs()
     plain = {name: algebraic(graph) for name, graph in made.items()}
     steps = (
         *turn_steps(),
@@ -54,20 +64,30 @@ def build() -> Subject:
         *conversion_steps(),
         *table_steps(),
         *range_steps(),
+        *correlated_steps(),
         *space_steps(),
         *space_conversion_steps(),
         *space_growth_steps(),
         *kernel_steps(plain),
         *space_kernel_steps(plain),
+        *correlated_kernel_steps(plain),
     )
     sources = (DEBIASED, UNBIASED, MODIFIED, TRACKER_LIBRARY, PROBABILITY, ELEMENTARY)
-    towers = (main_tower(), plane_tower(), space_tower(), signs_tower(), turned_tower())
+    towers = (
+        main_tower(),
+        correlated_tower(),
+        space_tower(),
+        signs_tower(),
+        plane_tower(),
+        turned_tower(),
+        turned_correlated_tower(),
+    )
     return Subject(
         name=NAME,
         title=TITLE,
         model=None,
         derivation=Derivation(
-            OPENING, steps, tuple(each.key for each in sources), LATEX | IN_SPACE
+            OPENING, steps, tuple(each.key for each in sources), LATEX | CORRELATED | IN_SPACE
         ),
         towers={tower.name: tower for tower in towers},
         programs={

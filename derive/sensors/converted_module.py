@@ -30,6 +30,9 @@ DOMAINS: dict[str, Input] = {
         )
         for angle in ("elevation", "azimuth")
     },
+    "correlation": signed(
+        "correlation", "correlation of the noises of range and azimuth", "1e-20", "1", ("1e-6", "1")
+    ),
 }
 """The arguments in their order."""
 
@@ -54,7 +57,8 @@ def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
         equations=EQUATIONS[kernel],
         inputs=tuple(DOMAINS[entry] for entry in DOMAINS if entry in used),
         outputs=tuple(
-            Output(entry, MEANINGS[entry], by_terms=entry in CANCELS) for entry in graph["outputs"]
+            Output(entry, MEANINGS[entry], by_terms=_cancels(kernel, entry))
+            for entry in graph["outputs"]
         ),
         graph=graph,
         source=f"derivation {name}",
@@ -63,3 +67,7 @@ def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
 
 CANCELS = ("covariance_xy", "covariance_xz", "covariance_yz")
 """Outputs that change their sign: differences of the variances along the axes."""
+
+
+def _cancels(kernel: str, entry: str) -> bool:
+    return entry in CANCELS or kernel.startswith("correlated")

@@ -49,9 +49,6 @@ LATEX = {
     "true_spread_cross": r"V_\kappa(r)",
     "spread_radial": r"V_\rho",
     "spread_cross": r"V_\kappa",
-    "noise_scale": "s",
-    "turns": "k",
-    "noise_covariance": "c",
     **{f"factor_{name}": f"f_{name[0]}" for name in CONVERSIONS},
     **{
         f"{name}_{axis}": rf"{letter}_\{greek}"

@@ -28,9 +28,27 @@ _IN_PLANE = {
     "modified_unbiased_conversion": "Mean and covariance of the true place given the measurement.",
 }
 _IN_SPACE = {name: f"{text.removesuffix('.')}, in space." for name, text in _IN_PLANE.items()}
-SUMMARIES = {**_IN_SPACE, **{f"{name}{PLANE}": text for name, text in _IN_PLANE.items()}}
+_CORRELATED = {
+    "correlated_unbiased_conversion_in_plane": "The conversion without bias given the truth, "
+    "noises correlated.",
+    "correlated_modified_unbiased_conversion_in_plane": "Mean and covariance of the true place "
+    "given the measurement, noises correlated.",
+}
+SUMMARIES = {
+    **_CORRELATED,
+    **_IN_SPACE,
+    **{f"{name}{PLANE}": text for name, text in _IN_PLANE.items()},
+}
 
 EQUATIONS: dict[str, tuple[str, ...]] = {
+    "correlated_unbiased_conversion_in_plane": (
+        "With k = exp(-sa^2/2), c = correlation sr sa: (r/k, -c/k) along and across the measured",
+        "line of sight; the covariance is the mean square error given the measurement",
+    ),
+    "correlated_modified_unbiased_conversion_in_plane": (
+        "With k = exp(-sa^2/2), c = correlation sr sa: (k r, k c) along and across the measured",
+        "line of sight, with the covariance of the true place: both exact, given the measurement",
+    ),
     "classical_conversion": (
         "x = r cos e cos a, y = r cos e sin a, z = r sin e; the covariance is J D J' with the",
         "derivatives J of these and D = diag(sr^2, se^2, sa^2)",

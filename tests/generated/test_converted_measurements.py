@@ -9,7 +9,7 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
-from converted_truth import KERNELS, arguments, graph_of, terms, truth
+from converted_truth import CORRELATED, KERNELS, arguments, correlated, graph_of, terms, truth
 from polar_points import EPSILON, misses, points, promises
 from signed_graphs import with_terms
 
@@ -67,6 +67,38 @@ def test_thirty_digits(kernel: Callable[..., Any]) -> None:
         with flint.ctx.workprec(400):
             for entry, (value, scale) in found.items():
                 assert abs(value - true[entry]) < abs(scale) * flint.arb(10) ** -30, entry
+
+
+@pytest.mark.parametrize("name", CORRELATED)
+@pytest.mark.parametrize("correlation", [0.6, pytest.param(-0.9, marks=pytest.mark.thorough)])
+def test_correlated_noises(name: str, correlation: float) -> None:
+    """To 30 digits, and the kernel within what it promises."""
+    kernel = getattr(converted_measurements, name)
+    given = {
+        "slant_range": 1e4,
+        "azimuth": 2.5,
+        "range_deviation": 300.0,
+        "azimuth_deviation": 0.25,
+    }
+    point = given | {"correlation": correlation}
+    assert arguments(name) == list(point)
+    true = correlated(name)(*point.values())
+    found = with_terms(graph_of(name), point)
+    with flint.ctx.workprec(400):
+        for entry, (value, scale) in found.items():
+            assert abs(value - true[entry]) < abs(scale) * flint.arb(10) ** -30, entry
+    for dtype in EPSILON:
+        numbers = np.array(list(point.values()), dtype)[:, None]
+        exact = true if dtype == "float64" else correlated(name)(*map(float, numbers[:, 0]))
+        assert misses(kernel, numbers, lambda *_, exact=exact: exact, terms(name)) == []
+
+
+@pytest.mark.parametrize(("name", "plain"), list(zip(CORRELATED, KERNELS[5::2], strict=True)))
+def test_without_correlation_as_without_it(name: str, plain: str) -> None:
+    given = (1e4, 2.5, 300.0, 0.25)
+    one = getattr(converted_measurements, name)(*given, 0.0)
+    two = getattr(converted_measurements, plain)(*given)
+    assert np.allclose(one, two[:5], rtol=1e-13)
 
 
 @EACH

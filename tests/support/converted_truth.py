@@ -13,7 +13,11 @@ import flint
 from polar_points import signature
 from signed_graphs import with_terms
 
-from gainproof.derive.sensors import converted_graphs, converted_space_graphs
+from gainproof.derive.sensors import (
+    converted_correlated_graphs,
+    converted_graphs,
+    converted_space_graphs,
+)
 from gainproof.generated import converted_measurements
 from gainproof.verify.oracles import converted
 from gainproof.verify.oracles.converted import BITS, Moments
@@ -23,6 +27,7 @@ Vector = list[flint.arb]
 PLANE = "_in_plane"
 NAMES = ("classical", "debiased", "unbiased", "modified_unbiased")
 KERNELS = [f"{name}_conversion{where}" for name in NAMES for where in ("", PLANE)]
+CORRELATED = [f"correlated_{name}_conversion_in_plane" for name in NAMES[2:]]
 PAIRS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 
 
@@ -79,6 +84,36 @@ def truth(kernel: str) -> Callable[..., Values]:
     return found
 
 
+def correlated(kernel: str) -> Callable[..., Values]:
+    """The same of a kernel of correlated noises, which are to be of at most half a radian."""
+
+    def found(*given: float) -> Values:
+        r, a, sr, sa, rho = (flint.arb(value) for value in given)
+        count = 30
+        here = converted.correlated((r, a), (sr, sa), rho, -1, count)
+        if kernel.startswith("correlated_modified"):
+            place, off = here.mean, [flint.arb(0), flint.arb(0)]
+        else:
+            # at azimuth 0 the mean of the measured place should be moved to the true one
+            with flint.ctx.workprec(BITS):
+                there = converted.correlated((r, 0), (sr, sa), rho, 1, count).mean
+                kept, beside = there[0] / r, there[1]
+                turn = flint.acb(0, a).exp() * flint.acb(r, -beside / kept) / kept
+                place = [turn.real, turn.imag]
+                off = [p - m for p, m in zip(place, here.mean, strict=True)]
+        (xx, xy), (_, yy) = here.covariance
+        with flint.ctx.workprec(BITS):
+            return {
+                "x": place[0],
+                "y": place[1],
+                "covariance_xx": xx + off[0] ** 2,
+                "covariance_xy": xy + off[0] * off[1],
+                "covariance_yy": yy + off[1] ** 2,
+            }
+
+    return found
+
+
 def terms(kernel: str) -> Callable[..., Values]:
     """The sums of terms taken positive: every sum in the graph over the magnitudes of its terms."""
     graph = graph_of(kernel)
@@ -93,4 +128,5 @@ def terms(kernel: str) -> Callable[..., Values]:
 @cache
 def graph_of(kernel: str) -> Any:
     """The graph from which a kernel is printed."""
-    return (converted_graphs.graphs() | converted_space_graphs.graphs())[kernel]
+    made = converted_graphs.graphs() | converted_space_graphs.graphs()
+    return (made | converted_correlated_graphs.graphs())[kernel]

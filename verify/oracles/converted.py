@@ -3,7 +3,7 @@
 Independent because no characteristic function is written down: a place is a range times cosines and
 sines of angles, noise is added to each, and every mean is a sum over nodes of a normal variable.
 Where noises are independent the mean of a product of a function of each is the product of means;
-`mean` sums over all noises at once and takes correlated ones. What is known given the measurement
+`correlated` sums over both noises at once. What is known given the measurement
 has the noise taken off instead of added. Means over places that are themselves means are sums
 within sums.
 
@@ -14,7 +14,7 @@ squares at most, for which 3 nodes are exact.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import flint
@@ -110,31 +110,31 @@ def first_order(measured: Sequence[Number], deviations: Sequence[Number]) -> Mom
         return Moments(_plain(*at), covariance)
 
 
-def mean(
-    value: Callable[[Vector], Ball],
+def correlated(
     at: Sequence[Number],
     deviations: Sequence[Number],
-    correlation: Number = 0.0,
-    sign: int = 1,
+    correlation: Number,
+    sign: int,
     count: int = NODES,
-) -> Ball:
-    """The mean of a function of range, elevation and azimuth, each with its noise added (`sign` 1)
-    or taken off (-1); `correlation` is that of the noises of range and azimuth.
-
-    A sum over all nodes of all noises; the range may enter up to its fifth power.
+) -> Moments:
+    """Of x and y at this range and azimuth with noise of both added (`sign` 1) or taken off (-1);
+    `correlation` is that of the two noises. A sum over all nodes of both.
     """
     with flint.ctx.workprec(BITS):
-        centre, (sr, se, sa) = balls(at), balls(deviations)
-        rho = balls([correlation])[0]
+        r, a, sr, sa, rho = balls([*at, *deviations, correlation])
         left = (1 - rho * rho).sqrt()
-        total = ZERO
-        for n, w in polar.nodes(count):  # correlated with the azimuth it is no polynomial alone
-            for m, v in polar.nodes(count if se != 0 else 1):
-                for k, u in polar.nodes(count):
-                    noise = [sr * n, se * m, sa * (rho * n + left * k)]
-                    place = [c + sign * d for c, d in zip(centre, noise, strict=True)]
-                    total += w * v * u * value(place)
-        return total
+        means, squares = [ZERO] * 2, [ZERO] * 3
+        for n, w in polar.nodes(count):
+            distance = r + sign * sr * n
+            for m, v in polar.nodes(count):
+                around = direction_of(a + sign * sa * (rho * n + left * m))
+                x, y = distance * around.real, distance * around.imag
+                weight = w * v
+                means = [t + weight * q for t, q in zip(means, (x, y), strict=True)]
+                pairs = (x * x, x * y, y * y)
+                squares = [t + weight * q for t, q in zip(squares, pairs, strict=True)]
+        (x, y), (xx, xy, yy) = means, squares
+        return Moments(means, [[xx - x * x, xy - x * y], [xy - x * y, yy - y * y]])
 
 
 def _moments(r: Ball, e: flint.acb, a: flint.acb, noises: list[Noise], sign: int) -> Moments:
