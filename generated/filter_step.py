@@ -362,15 +362,15 @@ def step_two_states(
 def _step_two_states_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     position, velocity, interval, observed, alpha, beta = given
     updated_position, updated_velocity = out
-    w0, w1, w2 = work
+    w0, w1 = work
     t6 = np.multiply(interval, velocity, w0)
     t7 = np.add(position, t6, w0)
     t8 = np.subtract(observed, t7, w1)
-    t9 = np.multiply(alpha, t8, w2)
-    t11 = np.divide(t8, interval, updated_position)
-    t12 = np.multiply(beta, t11, w1)
-    np.add(t7, t9, updated_position)
-    np.add(velocity, t12, updated_velocity)
+    t9 = np.divide(t8, interval, updated_velocity)
+    t10 = np.multiply(alpha, t8, w1)
+    t11 = np.multiply(beta, t9, updated_velocity)
+    np.add(t7, t10, updated_position)
+    np.add(velocity, t11, updated_velocity)
 
 
 _STEP_TWO_STATES = Signature(
@@ -384,7 +384,7 @@ _STEP_TWO_STATES = Signature(
         _BETA_DOMAIN,
     ),
     ("updated_position", "updated_velocity"),
-    3,
+    2,
     _step_two_states_block,
 )
 
@@ -462,7 +462,7 @@ def step_three_states(
 def _step_three_states_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     position, velocity, acceleration, interval, observed, alpha, beta, gamma = given
     updated_position, updated_velocity, updated_acceleration = out
-    w0, w1, w2, w3, w4 = work
+    w0, w1, w2 = work
     t9 = np.multiply(interval, 0.5, w0)
     t10 = np.multiply(t9, acceleration, w0)
     t11 = np.add(velocity, t10, w1)
@@ -470,14 +470,14 @@ def _step_three_states_block(given: Arrays, out: Arrays, work: Arrays, _single: 
     t13 = np.add(position, t12, w2)
     t14 = np.add(t11, t10, w1)
     t15 = np.subtract(observed, t13, w0)
-    t16 = np.multiply(alpha, t15, w3)
-    t18 = np.divide(t15, interval, updated_position)
-    t19 = np.multiply(beta, t18, w0)
-    t21 = np.divide(t18, interval, updated_velocity)
-    t22 = np.multiply(gamma, t21, w4)
-    np.add(t13, t16, updated_position)
+    t16 = np.divide(t15, interval, updated_velocity)
+    t17 = np.divide(t16, interval, updated_acceleration)
+    t18 = np.multiply(alpha, t15, w0)
+    t19 = np.multiply(beta, t16, updated_velocity)
+    t20 = np.multiply(gamma, t17, updated_acceleration)
+    np.add(t13, t18, updated_position)
     np.add(t14, t19, updated_velocity)
-    np.add(acceleration, t22, updated_acceleration)
+    np.add(acceleration, t20, updated_acceleration)
 
 
 _STEP_THREE_STATES = Signature(
@@ -493,7 +493,7 @@ _STEP_THREE_STATES = Signature(
         _GAMMA_DOMAIN,
     ),
     ("updated_position", "updated_velocity", "updated_acceleration"),
-    5,
+    3,
     _step_three_states_block,
 )
 

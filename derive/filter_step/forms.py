@@ -36,14 +36,16 @@ def predicted(state: Sequence[Any], interval: Any) -> list[Any]:
 
 
 def stepped(state: Sequence[Any], interval: Any, observed: Any, gains: Sequence[Any]) -> list[Any]:
-    """The state after the update: each gain takes the innovation over the interval once more."""
+    """The state after the update: each gain takes the innovation over the interval once more.
+
+    The gains come after all quotients, so that their products may take the quotients' places.
+    """
     ahead = predicted(state, interval)
-    rate = observed - ahead[0]
-    found = [ahead[0] + gains[0] * rate]
-    for gain, value in zip(gains[1:], ahead[1:], strict=True):
-        rate = rate / interval
-        found.append(value + gain * rate)
-    return found
+    rates = [observed - ahead[0]]
+    for _ in gains[1:]:
+        rates.append(rates[-1] / interval)
+    corrections = [gain * rate for gain, rate in zip(gains, rates, strict=True)]
+    return [value + each for value, each in zip(ahead, corrections, strict=True)]
 
 
 def interacting(given: Interacting, interval: Any) -> tuple[list[Any], list[Any]]:

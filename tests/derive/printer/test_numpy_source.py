@@ -116,6 +116,20 @@ def test_output_arrays_are_first_written_by_slow_operations() -> None:
         assert steps.steps[first].operation in ("div", "sqrt")
 
 
+def test_a_quotient_waits_in_the_array_to_which_it_leads() -> None:
+    """A step of a filter: the products with the gains take the places of the quotients."""
+    b = GraphBuilder()
+    ahead, speed, rest, t, alpha, beta = map(b.symbol, "pvrtab")
+    rate = rest / t
+    first, second = alpha * rest, beta * rate
+    graph = b.graph({"position": ahead + first, "velocity": speed + second})
+    steps = program(graph)
+    chosen = plan(steps, [steps.outputs[name] for name in ("position", "velocity")])
+    assert chosen.work == 1
+    quotient, *_ = (n for n in chosen.order if steps.steps[n].operation == "div")
+    assert chosen.register[quotient] == 1
+
+
 def test_a_product_with_itself_is_a_square() -> None:
     b = GraphBuilder()
     x = b.symbol("x")
