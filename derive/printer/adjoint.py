@@ -98,7 +98,7 @@ class Adjoint:
             most = interval.magnitude(weight.share) * value.rounding
             # an empty interval would be a fault of the bounds themselves: proves nothing
             ordered = weight.share[0] <= weight.share[1]
-            if not ordered.all():
+            if not interval.everywhere(ordered):
                 most = np.where(ordered, most, np.inf)
             least = interval.mignitude(weight.share) * value.rounding
             self.upper[place] += weight.used(most)

@@ -12,7 +12,7 @@ from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.library import NUMPY
 from gainproof.derive.printer.plain import plain
-from gainproof.derive.printer.program import Step, program
+from gainproof.derive.printer.program import Step
 from gainproof.derive.printer.registers import plan
 from gainproof.derive.printer.threshold import threshold
 
@@ -37,7 +37,7 @@ class Arithmetic:
 
     def __init__(self, kernel: Kernel) -> None:
         self.kernel = kernel
-        self.program = plain(program(kernel.graph))
+        self.program = plain(kernel.program)
         ends = [self.program.outputs[output.name] for output in kernel.outputs]
         self.plan = plan(self.program, ends)
         self.taken = {"np", "given", "out", "work", "single", "choose", "mask_of", "near_cbrt"}

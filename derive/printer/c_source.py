@@ -14,7 +14,7 @@ from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.near_cbrt import added_bits
 from gainproof.derive.printer.plain import plain
-from gainproof.derive.printer.program import FUNCTIONS, Program, Step, program
+from gainproof.derive.printer.program import FUNCTIONS, Program, Step
 from gainproof.derive.printer.registers import plan
 from gainproof.derive.printer.threshold import threshold
 
@@ -26,7 +26,7 @@ def c_source(kernel: Kernel) -> str:
 
     Arrays hold n numbers each and must not overlap; inputs come first, in the kernel's order.
     """
-    steps = plain(program(kernel.graph))
+    steps = plain(kernel.program)
     ends = [steps.outputs[output.name] for output in kernel.outputs]
     arguments = [f"const double *restrict {given.name}_in" for given in kernel.inputs]
     arguments += [f"double *restrict {output.name}_out" for output in kernel.outputs]

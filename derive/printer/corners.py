@@ -41,7 +41,7 @@ def extremes(size: Interval, slope: Interval, width: Array | None = None) -> Int
     least, most = (end[1:].reshape((2,) * axes + (count,)) for end in size)
     rising = slope[0] >= 0
     unsure = ~(rising | (slope[1] <= 0))
-    some = unsure.any()
+    some = interval.somewhere(unsure)
     for axis, rises in enumerate(rising):
         lows, highs = least, most
         least, most = np.where(rises, lows[0], lows[1]), np.where(rises, highs[1], highs[0])
@@ -74,7 +74,7 @@ def _at_corners(size: Interval, slope: Interval) -> Interval:
     boxes = np.arange(len(settled))
     below, above = size
     low, high = below[1 + least, boxes], above[len(above) - 1 - least, boxes]
-    if settled.all():
+    if interval.everywhere(settled):
         return low, high
     return (
         np.where(settled, low, np.fmax(below[0], 0.0)),
@@ -86,7 +86,7 @@ def _at_ends(size: Interval, rises: NDArray[np.bool_], settled: NDArray[np.bool_
     """The same of one input, whose corners are two ends."""
     below, above = size
     least, most = np.where(rises, below[1], below[2]), np.where(rises, above[2], above[1])
-    if settled.all():
+    if interval.everywhere(settled):
         return least, most
     return (
         np.where(settled, least, np.fmax(below[0], 0.0)),

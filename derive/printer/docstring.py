@@ -13,7 +13,6 @@ from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64, Format
 from gainproof.derive.printer.kernel import Input, Kernel, Limit, Requirement
 from gainproof.derive.printer.library import ULP, functions_of
-from gainproof.derive.printer.program import program
 from gainproof.derive.printer.signed_inputs import has_signs
 
 WIDTH = 96  # of the text, inside an indentation of four
@@ -156,7 +155,7 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
 
 def _assumption(kernel: Kernel, output: str) -> str:
     """On which functions' errors the bound of an output rests."""
-    used = program(kernel.graph)
+    used = kernel.program
     names = functions_of(used, [used.outputs[output]])
     if not names:
         return ""

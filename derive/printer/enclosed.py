@@ -130,4 +130,4 @@ def _same(before: Value, after: Value) -> bool:
     near = (lower <= low * (1.0 + NO_GAIN)) & (high <= higher * (1.0 + NO_GAIN))
     near |= (low == lower) & (high == higher)
     moved = (np.abs(x - y) for x, y in zip(before.slope, after.slope, strict=True))
-    return bool(near.all()) and all(bool(np.all(each <= NO_GAIN)) for each in moved)
+    return interval.everywhere(near) and all(interval.everywhere(each <= NO_GAIN) for each in moved)

@@ -44,22 +44,27 @@ class Format:
 
     def nearest(self, value: Fraction) -> float:
         """The number nearest to `value`, ties to even; OverflowError beyond the largest."""
-        magnitude = abs(value)
-        if magnitude == 0:
+        # in whole numbers, which take a tenth of the time of fractions
+        above, below = abs(value.numerator), value.denominator
+        if above == 0:
             return 0.0
-        exponent = magnitude.numerator.bit_length() - magnitude.denominator.bit_length()
-        if magnitude < Fraction(2) ** exponent:
+        exponent = above.bit_length() - below.bit_length()
+        if above << max(-exponent, 0) < below << max(exponent, 0):
             exponent -= 1
-        quantum = Fraction(2) ** (max(exponent, self.least_exponent) - self.digits + 1)
-        rounded = round(value / quantum) * quantum
-        if abs(rounded) > self.largest:
+        place = max(exponent, self.least_exponent) - self.digits + 1  # of the last digit
+        below <<= max(place, 0)
+        units, rest = divmod(above << max(-place, 0), below)
+        units += 2 * rest > below or (2 * rest == below and units % 2 == 1)
+        if units.bit_length() + place > self.greatest_exponent + 1:
             raise OverflowError(f"{float(value)!r} is beyond the largest {self.name}")
-        return float(rounded)
+        return math.ldexp(float(units if value.numerator > 0 else -units), place)
 
     def at_least(self, value: Fraction) -> float:
         """The least number that is not below `value`."""
         nearest = self.nearest(value)
-        return nearest if nearest >= value else self.after(nearest)
+        over, under = nearest.as_integer_ratio()
+        is_above = over * value.denominator >= value.numerator * under
+        return nearest if is_above else self.after(nearest)
 
     def at_most(self, value: Fraction) -> float:
         """The greatest number that is not above `value`."""

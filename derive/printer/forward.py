@@ -115,10 +115,11 @@ class Forward:
         if value.stray is not None:
             high = high + value.stray
         within = high <= self.largest
-        if not within.all():
+        if not interval.everywhere(within):
             value.over = ~within
         ordered = value.size[0][0] <= value.size[1][0]
-        if not ordered.all():  # would be a fault of the ranges themselves: proves nothing
+        # what is not would be a fault of the ranges themselves: proves nothing
+        if not interval.everywhere(ordered):
             empty = ~ordered
             value.invalid = empty if value.invalid is None else empty | value.invalid
         if value.drift > GREATEST_DRIFT and number not in self.cycles.rough:
@@ -126,7 +127,9 @@ class Forward:
         if step.operation in ("mul", "div", "sqrt") and (step.scale is None or step.scale < 1):
             low = value.size[0][0] / (1.0 + value.drift) - none_as_zero(value.stray)
             tiny = low < self.least_normal
-            if tiny.any() and (tiny := tiny & (value.size[1][0] > 0)).any():
+            if interval.somewhere(tiny) and interval.somewhere(
+                tiny := tiny & (value.size[1][0] > 0)
+            ):
                 # an error of half the least number, or of the value itself where that is smaller
                 value.tiny = np.where(tiny, np.minimum(self.least, 2.0 * value.size[1][0]), 0.0)
                 value.stray = value.tiny if value.stray is None else value.stray + value.tiny
@@ -136,7 +139,7 @@ class Forward:
         a, b = parts
         turned = -b.sign if step.operation == "sub" else b.sign
         opposite = a.sign * turned < 0
-        loose = a.loose or b.loose or bool(opposite.any())
+        loose = a.loose or b.loose or interval.somewhere(opposite)
         if loose and step.label not in self.cancellations:
             raise PrintingError(
                 f"{self._name(number)}: a subtraction of computed values loses digits. Write it as "

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 
 from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.program import Program, program
 
 Limit = int | Fraction | str | Graph
 """A number of a domain: rational, its text, or a graph without symbols and one output "value"."""
@@ -111,6 +113,11 @@ class Kernel:
     source: str
     cancellations: Mapping[str, str] = field(default_factory=dict)
     requirements: tuple[Requirement, ...] = ()
+
+    @cached_property
+    def program(self) -> Program:
+        """The steps of the graph; ValueError names a node that the printer does not know."""
+        return program(self.graph)
 
 
 @dataclass(frozen=True)

@@ -64,5 +64,5 @@ def affine_value(affine: AffineSum, grid: Grid, axis: int, unit: float) -> Value
         np.where(falling, -least, most),
     )
     value = Value(size, slope, sign, unit * affine.parts, unit * affine.parts)
-    value.invalid = crossing if crossing.any() else None
+    value.invalid = crossing if interval.somewhere(crossing) else None
     return value

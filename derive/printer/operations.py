@@ -49,7 +49,7 @@ def root(part: Value, unit: float) -> Value:
     wrong = part.sign < 0
     if part.stray is not None:
         wrong = wrong | (part.stray > 0)
-    value.invalid = wrong if wrong.any() else None
+    value.invalid = wrong if interval.somewhere(wrong) else None
     return value
 
 
@@ -71,5 +71,5 @@ def with_stray(value: Value, strays: list[Array | None], unit: float) -> Value:
         total = sum(present[1:], present[0])
         absorbed = total <= ABSORBED * unit * value.size[0][0]
         value.drift = sum_of(value.drift, 2.0 * ABSORBED * unit)
-        value.stray = None if absorbed.all() else np.where(absorbed, 0.0, total)
+        value.stray = None if interval.everywhere(absorbed) else np.where(absorbed, 0.0, total)
     return value

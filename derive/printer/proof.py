@@ -15,7 +15,6 @@ from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.forward import Forward
 from gainproof.derive.printer.interval import Array
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.program import program
 from gainproof.derive.printer.refusal import reason
 from gainproof.derive.printer.value import LEAST_NORMAL, Box, Grid, Mask, PrintingError, true_size
 
@@ -42,7 +41,7 @@ class Proof:
     def __init__(self, kernel: Kernel, form: Format, inputs: Box) -> None:
         self.kernel, self.form, self.inputs = kernel, form, inputs
         names = tuple(given.name for given in kernel.inputs)
-        used = program(kernel.graph)
+        used = kernel.program
         if not set(used.inputs) <= set(names):
             raise PrintingError(f"the graph has inputs {used.inputs}, the kernel has {names}")
         self.program = replace(used, inputs=names)

@@ -10,7 +10,7 @@ from gainproof.derive.printer.domain import product
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.interval import SLACK
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.program import FUNCTIONS, program
+from gainproof.derive.printer.program import FUNCTIONS
 from gainproof.derive.printer.proof import Settled
 from gainproof.derive.printer.reference import Reference
 from gainproof.derive.printer.reference_steps import References
@@ -30,7 +30,7 @@ def by_reference(kernel: Kernel, form: Format) -> Settled:
     an output whose terms may cancel and that is not said to be measured by them.
     """
     names = tuple(given.name for given in kernel.inputs)
-    used = program(kernel.graph)
+    used = kernel.program
     if not set(used.inputs) <= set(names):
         raise PrintingError(f"the graph has inputs {used.inputs}, the kernel has {names}")
     box = product(kernel.inputs, form)

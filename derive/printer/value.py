@@ -122,7 +122,7 @@ def mean_slope(own: Interval, a: Interval, b: Interval) -> Interval:
     room *= 2.0**-48
     low = np.minimum(first * a[0] + others[0] * b[0], last * a[0] + others[1] * b[0]) - room
     high = np.maximum(first * a[1] + others[0] * b[1], last * a[1] + others[1] * b[1]) + room
-    if (low <= high).all():  # there is no NaN
+    if interval.everywhere(low <= high):  # there is no NaN
         return low, high
     return np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
 
