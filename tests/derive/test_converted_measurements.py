@@ -1,0 +1,143 @@
+"""The derivation of converted measurements, altered: what is false is refused."""
+
+from __future__ import annotations
+
+import copy
+import json
+from dataclasses import replace
+from typing import Any
+
+import pytest
+import sympy as sp
+from catalogue_subjects import certificate, subject
+
+from gainproof.derive.algebra.positive import NoPlainSign
+from gainproof.derive.derivation import Step
+from gainproof.derive.relation import Relation, equal, monotone, positive, same_sign
+from gainproof.derive.sensors.converted_graphs import graphs
+from gainproof.derive.sensors.converted_names import (
+    COS2,
+    FACTOR,
+    KEPT,
+    SIGMA_A,
+    SIGMA_R,
+    SIN2,
+    SPREAD,
+    STATED,
+    L,
+    R,
+)
+from gainproof.derive.sensors.converted_space_graphs import graphs as space_graphs
+from gainproof.derive.sensors.converted_steps_table import ESTIMATE
+from gainproof.derive.subject import Subject
+from gainproof.verify.certificate import check, check_statement
+
+Plain = dict[str, Any]
+NAME = "converted-measurements"
+WHOLE = R**2 + SIGMA_R**2
+RADIAL, CROSS = SPREAD
+
+
+@pytest.fixture(scope="module")
+def original() -> Plain:
+    found: Plain = json.loads(json.dumps(certificate(NAME)))
+    return found
+
+
+def test_as_derived_everything_is_decided(original: Plain) -> None:
+    report = check(original)
+    assert report.accepted
+    found = [result.status for result in report.statements]
+    assert found.count("proved") >= 105
+    assert set(found) == {"proved", "cited", "definition"}
+    assert found.count("cited") == 3
+
+
+KERNELS = sorted(graphs() | space_graphs())
+
+
+@pytest.mark.parametrize("step", [29, pytest.param(1, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("name", KERNELS)
+def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: Plain) -> None:
+    """Each sum turned into a product, each product into a sum, quotients turned round, signs
+    dropped: one at a time.
+    """
+    statement = f"kernel-{name.replace('_', '-')}"
+    assert check_statement(original, statement).status == "proved"
+    nodes = original["programs"][name]["graph"]["nodes"]
+    for at, node in list(enumerate(nodes))[len(name) % step :: step]:
+        changed = list(node)
+        if node[0] in ("add", "mul"):
+            changed[0] = "mul" if node[0] == "add" else "add"
+        elif node[0] == "neg":
+            changed = ["add", node[1], node[1]]
+        elif node[0] == "div":
+            changed[1:] = reversed(node[1:])
+        else:
+            continue
+        program = copy.deepcopy(original["programs"][name])
+        program["graph"]["nodes"][at] = changed
+        data = {**original, "programs": {**original["programs"], name: program}}
+        assert check_statement(data, statement).status == "rejected", (name, at, node)
+
+
+def status(relation: Relation, hint: Plain | None = None) -> str:
+    """What becomes of one more statement in the main tower; a sign that is not shown is none."""
+    made: Subject = subject(NAME)
+    step = Step("claimed", "", relation, "", hint=hint or {})
+    alone = replace(
+        made, derivation=replace(made.derivation, steps=(step,)), programs={}, settings={}
+    )
+    try:
+        data = json.loads(json.dumps(alone.certificate()))
+    except NoPlainSign:
+        return "rejected"
+    (result,) = check(data, claims=alone.claims()).statements
+    return result.status
+
+
+def test_a_true_statement_passes() -> None:
+    assert status(equal(RADIAL, WHOLE * COS2 - (KEPT * R) ** 2)) == "proved"
+    assert status(positive(STATED["average"][0])) == "proved"
+    crossing = R**2 * (1 - L) - SIGMA_R**2 * L
+    assert status(same_sign(CROSS - RADIAL, crossing), {"form": L}) == "proved"
+    assert status(monotone(RADIAL, "increasing", "slant_range")) == "proved"
+
+
+FALSE = {
+    "printed with lambda^2 for lambda^4": equal(RADIAL, WHOLE * (1 + KEPT**2) / 2 - KEPT**2 * R**2),
+    "without the noise of the range": equal(RADIAL, R**2 * (1 + KEPT**4) / 2 - KEPT**2 * R**2),
+    "lambda once": equal(RADIAL, WHOLE * COS2 - KEPT * R**2),
+    "unbiased states its covariance given the measurement": equal(STATED["unbiased"][0], RADIAL),
+    "unbiased states its covariance given the truth": equal(STATED["unbiased"][0], RADIAL / L),
+    "the other sign of 2": equal(
+        STATED["unbiased"][0], (1 / L + 2) * R**2 + WHOLE * (1 + L**2) / 2
+    ),
+    "both transcriptions are one": equal(STATED["unbiased"][0], STATED["average"][0]),
+    "debiased is unbiased given the truth": equal(FACTOR["debiased"] * KEPT, sp.Integer(1)),
+    "debiased is unbiased given the measurement": equal(FACTOR["debiased"], KEPT),
+    "classical across is exact": equal(CROSS, R**2 * SIGMA_A**2),
+    "(13a) with cosh of twice the noise once": equal(
+        STATED["debiased"][0],
+        L**2
+        * (
+            R**2 * ((L**2 + L**-2) / 2 - (L + 1 / L) / 2)
+            + SIGMA_R**2 * ((L**2 + L**-2) / 2 - (L + 1 / L) / 2)
+        ),
+    ),
+    "cosine and sine of the noise exchanged": equal(RADIAL, WHOLE * SIN2 - (KEPT * R) ** 2),
+    "the estimate is always a variance": positive(ESTIMATE[0]),
+    "classical is too large": positive(STATED["classical"][0] - RADIAL),
+    "across is always larger": positive(CROSS - RADIAL),
+    "the modified place is beyond the measured": positive(KEPT - 1),
+    "less with the range": monotone(RADIAL, "decreasing", "slant_range"),
+    "less noise with more noise": monotone(CROSS, "increasing", "kept_azimuth"),
+    "the classical along grows": monotone(STATED["classical"][0], "increasing", "slant_range"),
+    "they cross at the classical range": same_sign(CROSS - RADIAL, R**2 * SIGMA_A**2 - SIGMA_R**2),
+    "they cross without the noise": same_sign(CROSS - RADIAL, R - SIGMA_R),
+}
+
+
+@pytest.mark.parametrize("name", FALSE)
+def test_a_false_statement_is_refused(name: str) -> None:
+    assert status(FALSE[name]) == "rejected"
