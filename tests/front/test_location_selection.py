@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy import stats
@@ -81,3 +83,12 @@ def test_white_is_white() -> None:
 def test_a_covariance_that_is_none_is_named(noise: list[list[float]], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         whitening(noise)
+
+
+def test_a_probability_that_no_number_holds_is_not_told_as_none() -> None:
+    """Deviations a thousand times too small: the cost is beyond what any noise gives."""
+    observed = example_observations()
+    sure = replace(observed, covariance=observed.covariance * 1e-6)
+    found = locate(example_stations(), sure, "range-doppler")
+    (told,) = [each for each in found.warnings if "larger than their noise" in each]
+    assert " in less than 2e-308 of all cases" in told

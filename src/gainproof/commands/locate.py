@@ -14,7 +14,8 @@ again with biases only where the test found one.
 OBSERVATIONS and STATIONS are CSV files whose first line names columns with units, as range [km]:
 station, range, range_rate, sigma_range, sigma_range_rate, correlation; and station, x, y, z, vx,
 vy, vz (without z: in the plane; without velocities: standing still). An empty cell is no
-observation.
+observation. For range_rate, doppler and sigma_doppler in Hz, kHz or MHz will do, with a carrier: a
+column, or --carrier. The shift is of one way and below 0 where the target goes away.
 
 Methods: unknown-reduction, bias-detection, doppler-only, range-doppler (no bias), common-bias,
 range-only. What the observations cannot tell is named before anything is estimated; another place
@@ -34,6 +35,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
         "--covariance",
         metavar="FILE",
         help="covariance of all ranges, then all range rates, in m and m/s: CSV without header",
+    )
+    parser.add_argument(
+        "--carrier", metavar="F", help='of the column doppler, as "9.4 GHz"; or a column carrier'
     )
     parser.add_argument(
         "--near", metavar="X,Y", help="m; of places that explain the observations, the closest"

@@ -11,6 +11,7 @@ from typing import Any
 
 from gainproof import places
 from gainproof.bad_input import BadInputError
+from gainproof.location.doppler import carrier_of
 from gainproof.location.errors import LocationError
 from gainproof.location.estimate import DEFAULT, FALSE_ALARM, locate
 from gainproof.location.example import FILES, write_example
@@ -43,6 +44,7 @@ def answered(options: argparse.Namespace) -> int:
         Path(options.observations),
         Path(options.stations),
         None if options.covariance is None else Path(options.covariance),
+        None if options.carrier is None else carrier_of(options.carrier),
     )
     near = None if options.near is None else _near(options.near, given.dimension)
     try:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gainproof.tables.kind import LENGTHS, PURE, SPEEDS, Kind
+from gainproof.tables.kind import FREQUENCIES, LENGTHS, PURE, SPEEDS, Kind
 
 STATION_COLUMNS = {
     "station": Kind(None, needed=True),
@@ -19,5 +19,8 @@ OBSERVATION_COLUMNS = {
     "sigma_range": Kind(LENGTHS, above_zero=True, deviation=True, blank=True),
     "range_rate": Kind(SPEEDS, blank=True),
     "sigma_range_rate": Kind(SPEEDS, above_zero=True, deviation=True, blank=True),
+    "doppler": Kind(FREQUENCIES, blank=True),
+    "sigma_doppler": Kind(FREQUENCIES, above_zero=True, blank=True),
+    "carrier": Kind(FREQUENCIES, above_zero=True, blank=True),
     "correlation": Kind(PURE, blank=True),
 }

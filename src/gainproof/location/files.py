@@ -10,6 +10,7 @@ from gainproof import places
 from gainproof.bad_input import BadInputError, nearest
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.columns import OBSERVATION_COLUMNS, STATION_COLUMNS
+from gainproof.location.doppler import with_rates
 from gainproof.location.noise import whitening
 from gainproof.location.stations import Observations, Stations, observations, stations
 from gainproof.tables.cell_text import decimal
@@ -21,13 +22,18 @@ PAIRS = (("range", "sigma_range"), ("range_rate", "sigma_range_rate"))
 
 
 def read_files(
-    observed: Path, standing: Path, covariance: Path | None = None
+    observed: Path,
+    standing: Path,
+    covariance: Path | None = None,
+    carrier: float | None = None,
 ) -> tuple[Stations, Observations]:
-    """The stations that observed anything, in the order of the observations, and these.
+    """The stations that observed anything, in the order of the observations, and these; Doppler
+    shifts as range rates, of this carrier in Hz where the observations have none.
 
     Raises BadInputError with file, line and column.
     """
     seen, places_of = read(observed, OBSERVATION_COLUMNS), read(standing, STATION_COLUMNS)
+    seen = with_rates(seen, carrier, own_covariance=covariance is not None)
     rows = _station_rows(seen, places_of)
     given = _stations(places_of, rows)
     if len(_told(seen)) > MOST_OBSERVATIONS:

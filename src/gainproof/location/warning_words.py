@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 
 import numpy as np
@@ -51,8 +52,8 @@ def warnings(
     elif exceeded(best.cost, freedom) < UNLIKELY:
         found.append(
             f"the residuals are larger than their noise: noise alone gives a cost beyond "
-            f"{best.cost:.4g} in {exceeded(best.cost, freedom):.1g} of all cases; a bias that is "
-            "not in the model, or deviations that are too small"
+            f"{best.cost:.4g} in {_share(exceeded(best.cost, freedom))} of all cases; a bias that "
+            "is not in the model, or deviations that are too small"
         )
     return tuple(found)
 
@@ -98,6 +99,12 @@ def _other(asked: Problem, best: Candidate, other: Candidate) -> str:
     if mirror:
         return f"{AMBIGUOUS}: {where}, {mirror}, explains the observations as well ({costs})"
     return f"{AMBIGUOUS}: {where} explains the observations as well ({costs})"
+
+
+def _share(probability: float) -> str:
+    """To one digit; one that is no normal number is below the least there is."""
+    least = sys.float_info.min
+    return f"{probability:.1g}" if probability >= least else f"less than {least:.1g}"
 
 
 def _cost(cost: float) -> str:
