@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 
 from gainproof.verify.judge.matrices.instance import Unsupported
 from gainproof.verify.judge.matrices.letter import (
@@ -13,10 +12,9 @@ from gainproof.verify.judge.matrices.letter import (
     SYMMETRIC,
     MatrixSetting,
 )
-from gainproof.verify.judge.matrices.polynomial import Polynomial, Word
+from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word
 from gainproof.verify.judge.matrices.size import ZERO, Shape, Size
 
-ONE = Fraction(1)
 SYMMETRIC_FACTS = frozenset((SYMMETRIC, DEFINITE, SEMIDEFINITE))
 
 
@@ -78,11 +76,11 @@ class Alphabet:
 
     def letter(self, number: int) -> Polynomial:
         """The letter as a polynomial."""
-        return Polynomial({(2 * number,): ONE}, self.shapes[number])
+        return Polynomial({(2 * number,): 1}, self.shapes[number])
 
     def unit(self, size: Size) -> Polynomial:
         """The unit matrix."""
-        return Polynomial({(): ONE}, (size, size))
+        return Polynomial({(): 1}, (size, size))
 
     def short_for(self, value: Polynomial) -> int:
         """The letter that is short for a polynomial, in normal form."""
@@ -196,11 +194,11 @@ class Alphabet:
 
     def reduced(self, value: Polynomial) -> Polynomial:
         """All words in normal form."""
-        terms: dict[Word, Fraction] = {}
+        terms: dict[Word, Number] = {}
         for word, factor in value.terms.items():
             short = self.normal(word)
             if short is not None:
-                total = terms.pop(short, Fraction(0)) + factor
+                total = terms.pop(short, 0) + factor
                 if total:
                     terms[short] = total
         return Polynomial(terms, value.shape)

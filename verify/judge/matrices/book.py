@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from gainproof.verify.judge.matrices.alphabet import ONE
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, UnprovedError, products_for
 from gainproof.verify.judge.matrices.normal_form import NormalForm
@@ -87,7 +86,7 @@ class Book(NormalForm):
         for factor, (before, number, after) in found:
             equation = equations[number]
             left = Polynomial({before: factor}, (value.shape[0], equation.value.shape[0]))
-            right = Polynomial({after: ONE}, (equation.value.shape[1], value.shape[1]))
+            right = Polynomial({after: 1}, (equation.value.shape[1], value.shape[1]))
             cofactors += [c.inside(left, right) for c in equation.proof]
             rest = rest - left @ equation.value @ right
         left_over, trace = self.traced(rest)

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from gainproof.verify.judge.matrices.alphabet import ONE
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation
 from gainproof.verify.judge.matrices.explicit import (
@@ -94,7 +93,7 @@ def multiples(book: Book, residual: Polynomial) -> list[Equation]:
                 piece = word[start : at + 1]
                 rows = alphabet.shapes[piece[0] // 2][piece[0] % 2]
                 columns = alphabet.shapes[letter // 2][1]
-                ends[piece] = Polynomial({piece: ONE}, (rows, columns))
+                ends[piece] = Polynomial({piece: 1}, (rows, columns))
     found: list[Equation] = []
     for equation in book.equations:
         for end in list(ends.values())[:MOST_MULTIPLIERS]:

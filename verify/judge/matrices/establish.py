@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from fractions import Fraction
 
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation
@@ -15,7 +14,7 @@ from gainproof.verify.judge.matrices.inverse_facts import (
     state_symmetric_inverse,
 )
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.polynomial import Polynomial
+from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, reciprocal
 from gainproof.verify.judge.matrices.suppose import add_equation
 
 Definite = Callable[[Book, int], tuple[object, ...]]
@@ -104,7 +103,7 @@ def _left_inverse(book: Book, number: int, candidates: Sequence[Polynomial]) -> 
     if value is not None and len(value.terms) == 1:
         ((word, factor),) = value.terms.items()
         if all(each // 2 in book.invertible or each // 2 in alphabet.base for each in word):
-            total = alphabet.unit(value.shape[0]).times(1 / factor)
+            total = alphabet.unit(value.shape[0]).times(reciprocal(factor))
             for each in reversed(word):
                 other = alphabet.letter(alphabet.inverse_of(each // 2))
                 total = total @ (other.T if each % 2 else other)
@@ -135,7 +134,7 @@ def shown(book: Book, number: int) -> str:
     return words.removeprefix(" + ").removeprefix(" ") + more
 
 
-def _term(word: str, factor: Fraction) -> str:
+def _term(word: str, factor: Number) -> str:
     """With its sign before it."""
     size = abs(factor)
     number = "" if size == 1 and word else f"{size} " if word else str(size)

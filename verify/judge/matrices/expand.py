@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from fractions import Fraction
 
-from gainproof.verify.judge.matrices.alphabet import ONE, Alphabet
+from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.instance import NoValueError, Unsupported, is_number
-from gainproof.verify.judge.matrices.polynomial import Polynomial, Word
+from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word, reciprocal
 from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.size import ONE as SINGLE
 from gainproof.verify.judge.matrices.size import ZERO
@@ -68,7 +67,8 @@ class Expander:
         return self._names[name]
 
     def _product(self, node: Node) -> Polynomial:
-        factor, total = ONE, None
+        factor: Number = 1
+        total = None
         for part in node.parts:
             if is_number(part):
                 factor *= _value(part)
@@ -84,10 +84,10 @@ class Expander:
         if len(inner.terms) == 1:
             ((word, factor),) = inner.terms.items()
             if not word:
-                return inner.times(1 / factor**2)
+                return inner.times(reciprocal(factor**2))
             if len(word) == 1:
                 other = self.alphabet.inverse_of(word[0] // 2)
-                found = self.alphabet.letter(other).times(1 / factor)
+                found = self.alphabet.letter(other).times(reciprocal(factor))
                 return found.T if word[0] % 2 else found
         if not inner.terms:
             raise NoValueError("the inverse of zero")
@@ -140,7 +140,7 @@ class Expander:
         return total
 
     def _variance_of(
-        self, word: Word, at: list[int], factor: Fraction, value: Polynomial
+        self, word: Word, at: list[int], factor: Number, value: Polynomial
     ) -> Polynomial | None:
         alphabet = self.alphabet
         first, second = word[at[0]], word[at[1]]
@@ -153,7 +153,7 @@ class Expander:
         assert variance is not None
         size = alphabet.shapes[first // 2][0]
         before = Polynomial({word[: at[0]]: factor}, (value.shape[0], size))
-        after = Polynomial({word[at[1] + 1 :]: ONE}, (size, value.shape[1]))
+        after = Polynomial({word[at[1] + 1 :]: 1}, (size, value.shape[1]))
         return before @ self.of(variance) @ after
 
     def _require_not_random(self, number: int, random: set[int]) -> None:
@@ -173,23 +173,24 @@ class Expander:
                 waiting += [each // 2 for word in words for each in word]
 
 
-def _value(node: Node) -> Fraction:
+def _value(node: Node) -> Number:
     parts = [_value(part) for part in node.parts]
     match node.kind:
         case "number":
-            return node.number
+            number = node.number
+            return number.numerator if number.denominator == 1 else number
         case "negative":
             return -parts[0]
         case "sum":
-            return sum(parts, Fraction(0))
+            return sum(parts)
         case "inverse":
             if parts[0] == 0:
                 raise NoValueError("division by zero")
-            return 1 / parts[0]
+            return reciprocal(parts[0])
         case "transpose":
             return parts[0]
         case _:
-            total = ONE
+            total: Number = 1
             for part in parts:
                 total *= part
             return total

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.gram import decomposed
-from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
+from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError, reciprocal
 from gainproof.verify.judge.matrices.size import ZERO
 
 
@@ -35,7 +35,7 @@ def _of_letters(book: Book, factor: Polynomial) -> Iterator[Polynomial]:
     alphabet = book.alphabet
     if len(factor.terms) == 1:
         ((word, value),) = factor.terms.items()
-        total = alphabet.unit(factor.shape[1]).times(1 / value)
+        total = alphabet.unit(factor.shape[1]).times(reciprocal(value))
         for letter in reversed(word):
             number = letter // 2
             if number in alphabet.base:

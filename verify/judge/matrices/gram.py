@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Known
-from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError, Word, turned
+from gainproof.verify.judge.matrices.polynomial import (
+    Number,
+    Polynomial,
+    TooLongError,
+    Word,
+    reciprocal,
+    turned,
+)
 
-ONE = Fraction(1)
 Basis = tuple[Known, Word]
 
 
 def decomposed(
     book: Book, value: Polynomial, known: Sequence[Known]
-) -> list[tuple[Polynomial, Known, Fraction]] | None:
+) -> list[tuple[Polynomial, Known, Number]] | None:
     """The value as a sum of weight F' D F, each D a letter or a unit matrix: the words y' D y
     give the vectors y, all others the rest of a matrix of numbers that must be positive.
     """
@@ -28,7 +33,7 @@ def decomposed(
                 word = book.alphabet.normal((*turned(left), *middle, *right))
                 if word is not None:
                     places.setdefault(word, (i, j))
-    gram = [[Fraction(0)] * len(basis) for _ in basis]
+    gram: list[list[Number]] = [[0] * len(basis) for _ in basis]
     for word, factor in value.terms.items():
         if word not in places:
             return None
@@ -70,7 +75,7 @@ def _split(book: Book, word: Word, value: Polynomial, known: Sequence[Known]) ->
     return None
 
 
-def _factored(gram: list[list[Fraction]]) -> list[tuple[Fraction, list[Fraction]]] | None:
+def _factored(gram: list[list[Number]]) -> list[tuple[Number, list[Number]]] | None:
     """A symmetric matrix of numbers as a sum of weight * row' row with weights > 0, or None."""
     size = len(gram)
     rest = [list(row) for row in gram]
@@ -83,7 +88,7 @@ def _factored(gram: list[list[Fraction]]) -> list[tuple[Fraction, list[Fraction]
             return None
         if weight == 0:
             continue
-        row = [entry / weight for entry in rest[i]]
+        row = [entry * reciprocal(weight) for entry in rest[i]]
         found.append((weight, row))
         for j in range(size):
             for k in range(size):
@@ -111,13 +116,13 @@ def signed_squares(
         middle = next(iter(one.value.terms))
         if middle and middle[0] in compressed:
             one, column = compressed[middle[0]]
-            own = column @ Polynomial({middle: ONE}, (size, size)) @ own
+            own = column @ Polynomial({middle: 1}, (size, size)) @ own
         elif middle and middle[0] // 2 in book.alphabet.base:
             # Y = Y D Y for the inverse of D
             base = (2 * book.alphabet.base[middle[0] // 2],)
             whole = next((k for k in letters if base in k.value.terms), None)
             if whole is not None:
-                one, own = whole, Polynomial({middle: ONE}, (size, size)) @ own
+                one, own = whole, Polynomial({middle: 1}, (size, size)) @ own
         elif not middle and behind and behind[0] % 2 and behind[0] // 2 in book.alphabet.place:
             rows = book.alphabet.shapes[behind[0] // 2][0]
             one = next(k for k in letters if k.reference == ("unit", rows))

@@ -14,9 +14,15 @@ from fractions import Fraction
 from typing import TypeVar
 
 from gainproof.verify.judge.matrices.alphabet import Alphabet
-from gainproof.verify.judge.matrices.polynomial import MOST_LETTERS, Polynomial, Word
+from gainproof.verify.judge.matrices.polynomial import (
+    MOST_LETTERS,
+    PRIME,
+    Number,
+    Polynomial,
+    Word,
+    modulo,
+)
 
-PRIME = 2**61 - 1
 MOST_PRODUCTS = 1200
 MOST_ROUNDS = 7
 EFFORT = 500
@@ -107,13 +113,13 @@ def products_for(
     alphabet: Alphabet,
     most: int,
     budget: Budget,
-) -> list[tuple[Fraction, Product]] | None:
+) -> list[tuple[Number, Product]] | None:
     """Products of equations whose sum is the residual, in the normal form in which no last block
     meets its transpose. None if none are found among `most` products.
     """
     if not residual.terms:
         return []
-    goal = {word: _modulo(value) for word, value in residual.terms.items()}
+    goal = {word: modulo(value) for word, value in residual.terms.items()}
     by_first: dict[int, list[tuple[Word, int]]] = {}
     for number, equation in enumerate(equations):
         for word in equation.terms:
@@ -159,7 +165,7 @@ def _row(product: Product, equation: Polynomial, alphabet: Alphabet) -> Row:
         short = alphabet.normal(before + word + after)
         if short is not None:
             for other, times in alphabet.contracted(short).items():
-                _add(row, other, times * _modulo(value))
+                _add(row, other, times * modulo(value))
     return row
 
 
@@ -173,14 +179,11 @@ def _order(word: Word) -> tuple[int, Word]:
     return len(word), word
 
 
-def _modulo(value: Fraction) -> int:
-    return value.numerator * pow(value.denominator, -1, PRIME) % PRIME
-
-
-def _fraction(value: int) -> Fraction:
+def _fraction(value: int) -> Number:
     """The small fraction that this is modulo the prime; a wrong one is seen by the checker."""
     low, high, p, q = PRIME, value % PRIME, 0, 1
     while high > LARGEST:
         factor = low // high
         low, high, p, q = high, low - factor * high, q, p - factor * q
-    return Fraction(high, q) if q else Fraction(0)
+    found = Fraction(high, q) if q else Fraction(0)
+    return found.numerator if found.denominator == 1 else found

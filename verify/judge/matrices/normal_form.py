@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 
-from gainproof.verify.judge.matrices.alphabet import ONE
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Source
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.polynomial import Polynomial, Word
+from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word
 from gainproof.verify.judge.matrices.writing import Writing
 
 
@@ -48,7 +46,7 @@ class NormalForm(Writing):
         return total, trace
 
     def _traced(
-        self, word: Word, factor: Fraction, value: Polynomial, trace: list[Cofactor]
+        self, word: Word, factor: Number, value: Polynomial, trace: list[Cofactor]
     ) -> Word | None:
         alphabet = self.alphabet
         at = 0
@@ -95,14 +93,14 @@ class NormalForm(Writing):
         end: int,
         source: Source,
         flipped: bool,
-        factor: Fraction,
+        factor: Number,
         value: Polynomial,
     ) -> Cofactor:
         """The equation in the place of a part of a word."""
         raw = self.raw(source)
         rows, columns = raw.shape[::-1] if flipped else raw.shape
         left = Polynomial({word[:start]: factor}, (value.shape[0], rows))
-        right = Polynomial({word[end:]: ONE}, (columns, value.shape[1]))
+        right = Polynomial({word[end:]: 1}, (columns, value.shape[1]))
         return Cofactor(source, flipped, left, right)
 
     def without_elements(self, value: Polynomial) -> tuple[Polynomial, list[Cofactor]]:
@@ -132,13 +130,13 @@ class NormalForm(Writing):
     def contracted(self, value: Polynomial) -> tuple[Polynomial, list[Cofactor]]:
         """A polynomial in normal form without last blocks that meet their transposes."""
         alphabet, cofactors = self.alphabet, list[Cofactor]()
-        done: dict[Word, Fraction] = {}
+        done: dict[Word, Number] = {}
         waiting = dict(value.terms)
         while waiting:
             word, factor = waiting.popitem()
             at = alphabet.last_pair(word)
             if at is None:
-                total = done.pop(word, Fraction(0)) + factor
+                total = done.pop(word, 0) + factor
                 if total:
                     done[word] = total
                 continue
@@ -148,7 +146,7 @@ class NormalForm(Writing):
             rest, trace = self.traced(whole - one.left @ self.raw(one.source) @ one.right)
             cofactors += [one, *trace]
             for other, part in rest.terms.items():
-                total = waiting.pop(other, Fraction(0)) + part
+                total = waiting.pop(other, 0) + part
                 if total:
                     waiting[other] = total
         return Polynomial(done, value.shape), cofactors
@@ -164,10 +162,10 @@ class NormalForm(Writing):
 
     def short(self, value: Polynomial) -> Polynomial:
         """`contracted` without cofactors."""
-        terms: dict[Word, Fraction] = {}
+        terms: dict[Word, Number] = {}
         for word, factor in value.terms.items():
             for other, times in self.alphabet.contracted(word).items():
-                total = terms.pop(other, Fraction(0)) + factor * times
+                total = terms.pop(other, 0) + factor * times
                 if total:
                     terms[other] = total
         self.budget.charge(sum(map(len, value.terms)) + sum(map(len, terms)))

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from itertools import combinations
 from typing import Any
 
 from gainproof.verify.judge.matrices.book import Book
@@ -13,11 +11,11 @@ from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.explicit import inverses_of, meanings
 from gainproof.verify.judge.matrices.full_rank import left_inverses
 from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
+from gainproof.verify.judge.matrices.groups import groups_with_sum
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
+from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, TooLongError
 from gainproof.verify.judge.matrices.size import ZERO, Size
 
-MOST_SQUARES = 3
 MOST_CANDIDATES = 60
 MOST_SEARCHED = 12
 MOST_PRODUCTS = 500
@@ -30,7 +28,7 @@ class Square:
 
     factor: Polynomial
     known: Known
-    weight: Fraction = Fraction(1)
+    weight: Number = 1
 
 
 def definite(book: Book, number: int) -> tuple[object, ...]:
@@ -118,13 +116,8 @@ def _attempts(book: Book, value: Polynomial) -> Iterator[list[Square]]:
     candidates = list(_candidates(book, value, known))[:MOST_CANDIDATES]
     by_key = [(s, _expanded(book, s)) for s in candidates]
     found = [(s, v) for s, v in by_key if v is not None and v.terms]
-    for count in range(1, MOST_SQUARES + 1):
-        for group in combinations(found, count):
-            total = value
-            for _, own in group:
-                total = total - own
-            if not total.terms:
-                yield [s for s, _ in group]
+    for group in groups_with_sum(value, [own for _, own in found]):
+        yield [found[at][0] for at in group]
     for square, own in found[:MOST_SEARCHED]:
         if set(own.terms) & set(value.terms):
             yield [square]

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
-from gainproof.verify.judge.matrices.alphabet import ONE, Alphabet
+from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Known, Source
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget
-from gainproof.verify.judge.matrices.polynomial import Polynomial, Word
+from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word
 from gainproof.verify.judge.matrices.size import Size
 
 
@@ -146,20 +145,20 @@ class Writing:
 
     def _gathered(self, cofactors: Sequence[Cofactor], order: Mapping[int, int]) -> list[Any]:
         """Cofactors of one source between the same words on one side as one; what cancels goes."""
-        total: dict[tuple[Any, ...], tuple[Polynomial, Fraction]] = {}
+        total: dict[tuple[Any, ...], tuple[Polynomial, Number]] = {}
         for c in cofactors:
-            source, flipped, sign = c.source, c.flipped, ONE
+            source, flipped, sign = c.source, c.flipped, 1
             if flipped:
                 raw = self.raw(source)
                 if raw.T.key in (raw.key, (-raw).key):
-                    flipped, sign = False, ONE if raw.T.key == raw.key else -ONE
+                    flipped, sign = False, 1 if raw.T.key == raw.key else -1
             for before, factor in c.left.terms.items():
                 for after, other in c.right.terms.items():
                     key = (source, flipped, before, after)
                     shape = (c.left.shape[0], c.right.shape[1])
-                    value = total.get(key, (Polynomial({}, shape), Fraction(0)))[1]
+                    value = total.get(key, (Polynomial({}, shape), 0))[1]
                     total[key] = (Polynomial({}, shape), value + sign * factor * other)
-        groups: dict[tuple[Any, ...], dict[Word, Fraction]] = {}
+        groups: dict[tuple[Any, ...], dict[Word, Number]] = {}
         shapes = {}
         for (source, flipped, before, after), (empty, value) in total.items():
             if value:
@@ -172,7 +171,7 @@ class Writing:
             shape = shapes[(source, flipped, before)]
             entry = {
                 "source": self._plain_source(source, order),
-                "left": self.data(Polynomial({before: ONE}, (shape[0], rows))),
+                "left": self.data(Polynomial({before: 1}, (shape[0], rows))),
                 "right": self.data(Polynomial(rights, (columns, shape[1]))),
             }
             listed.append({**entry, "transposed": "yes"} if flipped else entry)
