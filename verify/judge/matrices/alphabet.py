@@ -37,6 +37,7 @@ class Alphabet:
     symmetric: set[int] = field(default_factory=set)
     _numbers: dict[str, int] = field(default_factory=dict)
     _sizes: dict[Size, str] = field(default_factory=dict)
+    _lasts: set[int] = field(default_factory=set)
     _met: dict[tuple[int, int], bool | None] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -46,6 +47,7 @@ class Alphabet:
                 number = self._new(f"block_{self.size_name(size)}_{at + 1}", (size, width))
                 self.blocks[size].append(number)
                 self.place[number] = (size, at)
+            self._lasts.add(2 * number)
 
     def _new(self, name: str, shape: Shape) -> int:
         while name in self.names:
@@ -129,34 +131,35 @@ class Alphabet:
         inverses that meet vanish. None for a word that is zero.
         """
         found: list[int] = []
-        known = self._met
+        known, symmetric = self._met, self.symmetric
+        before = -1
         for letter in word:
-            if letter % 2 and letter // 2 in self.symmetric:
+            if letter & 1 and letter >> 1 in symmetric:
                 letter -= 1
-            if found:
-                pair = (found[-1], letter)
+            if before >= 0:
+                pair = (before, letter)
                 # a letter gets its inverse once, before the two can meet
                 if pair in known:
                     met = known[pair]
                 else:
-                    met = known[pair] = self.meeting(*pair)
+                    met = known[pair] = self.meeting(before, letter)
                 if met is False:
                     return None
                 if met:
                     found.pop()
+                    before = found[-1] if found else -1
                     continue
             found.append(letter)
+            before = letter
         return tuple(found)
 
     def last_pair(self, word: Word) -> int | None:
         """Where in a word the last block of a size meets its transpose, if it does: E E' there is
         the unit matrix less those of the other blocks.
         """
-        for at in range(len(word) - 1):
-            found = self.place.get(word[at] // 2)
-            if found is None or word[at + 1] != word[at] + 1 or word[at] % 2:
-                continue
-            if found[1] == len(self.blocks[found[0]]) - 1:
+        lasts = self._lasts
+        for at, letter in enumerate(word[:-1]):
+            if letter in lasts and word[at + 1] == letter + 1:
                 return at
         return None
 

@@ -18,6 +18,8 @@ from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 
 MOST_MULTIPLIERS = 8
+FEW_PRODUCTS = 150
+"""Of most proofs; others are sooner found with inverses written out."""
 Finish = Callable[[Sequence[Cofactor]], list[Cofactor]]
 FAILURES = (UnprovedError, TooLongError)
 
@@ -25,7 +27,7 @@ FAILURES = (UnprovedError, TooLongError)
 def cleared(book: Book, residual: Polynomial, establish: Establish) -> list[Cofactor]:
     """Cofactors whose sum the residual is. Raises UnprovedError if none are found."""
     try:
-        return book.vanishing(residual)
+        return book.vanishing(residual, most=FEW_PRODUCTS)
     except FAILURES:
         pass
     written = explicit_inverses(book, establish)
@@ -36,6 +38,11 @@ def cleared(book: Book, residual: Polynomial, establish: Establish) -> list[Cofa
                 return finish(_with_written(book, goal, written))
             except FAILURES:
                 continue
+    if book.most > FEW_PRODUCTS:
+        try:
+            return book.vanishing(residual)
+        except FAILURES:
+            pass
     for goal, finish in ways:
         try:
             return finish(book.vanishing(goal, multiples(book, goal)))

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import Any
 
 from gainproof.verify.judge.matrices.certificate import rejected, written
@@ -18,7 +19,7 @@ from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
 from gainproof.verify.judge.matrices.polynomial import TooLongError
 from gainproof.verify.judge.matrices.prove import Question, proof_of
-from gainproof.verify.judge.matrices.sample import is_block, is_random
+from gainproof.verify.judge.matrices.sample import holds, instances, is_block, is_random
 from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
@@ -26,6 +27,8 @@ MOST_DEEP = 3
 """Lemmas for lemmas."""
 FEW_PRODUCTS = 300
 """Where premises did not suffice, all definitions opened are no likelier to."""
+FEW_TRIES, FEW_INSTANCES = 9, 2
+"""To see that what is left of a claim, definitions closed, is false."""
 FAILURES = (UnprovedError, TooLongError, Unsupported, NoValueError)
 
 
@@ -73,6 +76,9 @@ class Layers:
                     invertible=(*question.invertible, *invertible, *inverses),
                     premises=(),
                 )
+                if closed and _fails(asked, setting):
+                    reasons.append("what is left of it is not true")
+                    continue
                 most = MOST_PRODUCTS if closed or not question.premises else FEW_PRODUCTS
                 certificate = written(proof_of(asked, setting, most, self._budget))
                 fault = rejected(certificate)
@@ -204,6 +210,20 @@ class Layers:
             and letters[name].definition.parts[0].parts[0] == letters[name].definition.parts[2]  # type: ignore[union-attr]
         ]
         return list(dict.fromkeys([*diagonal, *_inverted(question, setting)]))
+
+
+def _fails(question: Question, setting: MatrixSetting) -> bool:
+    """Whether a closed question is false at one of few instances: no proof is looked for then."""
+    tried = instances(setting, question.given, question.invertible, tries=FEW_TRIES)
+    try:
+        for instance in islice(tried, FEW_INSTANCES):
+            if not all(holds(chain, instance) for chain in question.chains):
+                return True
+            if not all(instance.of(node).det() != 0 for node in question.existing):
+                return True
+    except (Unsupported, NoValueError):
+        return False
+    return False
 
 
 def _selects(node: Node) -> bool:

@@ -163,9 +163,13 @@ def _row(product: Product, equation: Polynomial, alphabet: Alphabet) -> Row:
     before, _, after = product
     for word, value in equation.terms.items():
         short = alphabet.normal(before + word + after)
-        if short is not None:
-            for other, times in alphabet.contracted(short).items():
-                _add(row, other, times * modulo(value))
+        if short is None:
+            continue
+        if alphabet.last_pair(short) is None:
+            _add(row, short, modulo(value))
+            continue
+        for other, times in alphabet.contracted(short).items():
+            _add(row, other, times * modulo(value))
     return row
 
 

@@ -55,12 +55,13 @@ def instances(
     invertible: Sequence[Node],
     bounds: Sequence[Bound] = (),
     seed: int = 1,
+    tries: int = MOST_TRIES,
 ) -> Iterator[Instance]:
     """Instances that satisfy all facts of letters, the hypotheses and the bounds on sizes."""
     letters = list(setting.letters.values())
     doubtful = _touched(setting, given)
     source = random.Random(seed)
-    for number in range(MOST_TRIES):
+    for number in range(tries):
         base = STEPS[number % len(STEPS)]
         steps = {name: max(1, base + source.choice((-1, 0, 0, 1))) for name in setting.sizes.steps}
         if not all(_within(bound, steps) for bound in bounds):
