@@ -8,7 +8,7 @@ as hypotheses; the certificate holds both.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Any
@@ -18,7 +18,7 @@ from gainproof.verify.judge.matrices.instance import NoValueError, Unsupported
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
 from gainproof.verify.judge.matrices.polynomial import TooLongError
-from gainproof.verify.judge.matrices.prove import Question, proof_of
+from gainproof.verify.judge.matrices.prove import Question, links, proof_of
 from gainproof.verify.judge.matrices.sample import holds, instances, is_block, is_random
 from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.tree import Chain, Node
@@ -27,6 +27,8 @@ MOST_DEEP = 3
 """Lemmas for lemmas."""
 FEW_PRODUCTS = 300
 """Where premises did not suffice, all definitions opened are no likelier to."""
+Closing = dict[str, Node | None]
+"""What takes the place of definitions; nothing where a letter is closed."""
 FEW_TRIES, FEW_INSTANCES = 9, 2
 """To see that what is left of a claim, definitions closed, is false."""
 FAILURES = (UnprovedError, TooLongError, Unsupported, NoValueError)
@@ -38,6 +40,7 @@ class Layers:
 
     setting: MatrixSetting
     _known: dict[Question, list[dict[str, Any]] | str] = field(default_factory=dict)
+    _facts: dict[Question, list[Chain]] = field(default_factory=dict)
     _budget: Budget = field(default_factory=Budget)
 
     def prove(self, question: Question, deep: int = 0) -> list[dict[str, Any]]:
@@ -45,6 +48,9 @@ class Layers:
         if deep == 0:
             self._budget = Budget()
         bare = replace(question, hints=())
+        before = self._under_less(bare)
+        if before is not None:
+            return before
         if bare not in self._known or question.hints:
             try:
                 self._known[bare] = self._proved(question, deep)
@@ -57,19 +63,45 @@ class Layers:
             raise UnprovedError(found)
         return found
 
+    def _under_less(self, question: Question) -> list[dict[str, Any]] | None:
+        """The proof of the same under some of the hypotheses, if there was one."""
+        for other, found in self._known.items():
+            if (
+                not isinstance(found, str)
+                and (other.chains, other.existing) == (question.chains, question.existing)
+                and _supposes_no_more(other, question)
+            ):
+                return found
+        return None
+
     def _proved(self, question: Question, deep: int) -> list[dict[str, Any]]:
-        reasons: list[str] = []
+        """Multiplied out, if it is the same on both sides; where premises are said to be needed,
+        that is tried last.
+        """
+        if not question.premises:
+            return self._multiplied_out(question) or self._by_layers(question, deep)
+        try:
+            return self._by_layers(question, deep)
+        except UnprovedError:
+            found = self._multiplied_out(question)
+            if found is None:
+                raise
+            return found
+
+    def _multiplied_out(self, question: Question) -> list[dict[str, Any]] | None:
         try:
             certificate = written(proof_of(replace(question, premises=()), self.setting, 0))
-            if rejected(certificate) is None:
-                return [certificate]
         except FAILURES:
-            pass  # multiplied out it is not the same on both sides
-        lemmas, given, invertible = self._of_premises(question, deep)
+            return None
+        return [certificate] if rejected(certificate) is None else None
+
+    def _by_layers(self, question: Question, deep: int) -> list[dict[str, Any]]:
+        reasons: list[str] = []
+        lemmas, given, invertible, known = self._of_premises(question, deep)
         for closed in self._closings(question):
             setting = _with_closed(self.setting, closed)
             try:
-                more, facts, inverses = self._of_letters(question, closed, deep, given)
+                more, facts, inverses = self._of_letters(question, closed, deep, given, known)
                 asked = replace(
                     question,
                     given=(*question.given, *given, *facts),
@@ -84,6 +116,7 @@ class Layers:
                 fault = rejected(certificate)
                 if fault is None:
                     hidden = self._of_hidden(question, setting, deep, given, invertible)
+                    self._facts[replace(question, hints=())] = facts
                     return [*lemmas, *more, *hidden, certificate]
                 reasons.append(f"the proof that was found is not accepted: {fault}")
             except FAILURES as reason:
@@ -92,70 +125,85 @@ class Layers:
 
     def _of_premises(
         self, question: Question, deep: int
-    ) -> tuple[list[dict[str, Any]], list[Chain], list[Node]]:
-        """Earlier claims, proved under the hypotheses of this one."""
+    ) -> tuple[list[dict[str, Any]], list[Chain], list[Node], list[Chain]]:
+        """Earlier claims, and what was shown on the way; what they suppose beyond the hypotheses of
+        this one is proved first, with those before them.
+        """
         lemmas: list[dict[str, Any]] = []
+        facts: list[Chain] = []
         given: list[Chain] = []
         inverses: list[Node] = []
         for premise in question.premises:
-            asked = replace(premise, given=question.given, invertible=question.invertible)
-            supposed = replace(
-                asked, chains=premise.given, existing=premise.invertible, premises=(), hints=()
-            )
-            if not (set(premise.given) <= set(question.given)) or not (
-                set(premise.invertible) <= set(question.invertible)
-            ):
+            now = Question((), (*question.given, *given), (*question.invertible, *inverses))
+            if not _supposes_no_more(premise, now):
+                supposed = replace(now, chains=premise.given, existing=premise.invertible)
                 lemmas += self.prove(supposed, deep + 1)
-                asked = premise  # what it supposes is true here
-            lemmas += self.prove(asked, deep + 1)
+            try:
+                lemmas += self.prove(premise, deep + 1)
+            except UnprovedError:
+                here = replace(premise, given=question.given, invertible=question.invertible)
+                if here == premise or not _supposes_no_more(premise, question):
+                    raise
+                lemmas += self.prove(here, deep + 1)
+            facts += self._facts.get(replace(premise, hints=()), [])
             given += premise.chains
             inverses += premise.existing
-        return lemmas, given, inverses
+        return lemmas, given, inverses, facts
 
-    def _closings(self, question: Question) -> Iterator[frozenset[str]]:
-        """Which definitions stay closed: all; all of blocks but such as only pick rows; none."""
+    def _closings(self, question: Question) -> Iterator[Closing]:
+        """What definitions become: with premises a letter what one of them says it is, and all others
+        closed, or all but such as only pick rows; then those of blocks closed; then none.
+        """
         letters = self.setting.letters
         # what depends on a random vector is not any matrix to a mean
         defined = {
-            name
+            name: letter.definition
             for name, letter in letters.items()
             if letter.definition is not None and not is_random(name, self.setting)
         }
-        picks = {name for name in defined if is_block(letters[name].definition)}  # type: ignore[arg-type]
-        blocks = {
-            name
-            for name in defined
-            if letters[name].definition.kind == "matrix"  # type: ignore[union-attr]
-            and not _selects(letters[name].definition)  # type: ignore[arg-type]
-        }
-        seen: set[frozenset[str]] = set()
-        for closed in (blocks | picks, defined if question.premises else set(), set()):
-            used = frozenset(closed & _reached(question, self.setting, closed))
+        picks = {name for name, node in defined.items() if is_block(node)}
+        blocks = {n for n, node in defined.items() if node.kind == "matrix" and not _selects(node)}
+        ways: list[Closing] = [dict.fromkeys(blocks | picks), {}]
+        if question.premises:
+            small = {n for n, node in defined.items() if node.kind == "matrix" and _selects(node)}
+            said = _said(question, self.setting)
+            every = {**dict.fromkeys(defined), **said}
+            ways[:0] = [every, {n: node for n, node in every.items() if n not in small}]
+        seen: list[Closing] = []
+        for way in ways:
+            reached = _reached(question, _with_closed(self.setting, way))
+            used = {name: node for name, node in way.items() if name in reached}
             if used not in seen:
-                seen.add(used)
+                seen.append(used)
                 yield used
 
     def _of_letters(
-        self, question: Question, closed: frozenset[str], deep: int, known: list[Chain]
+        self,
+        question: Question,
+        closed: Closing,
+        deep: int,
+        known: list[Chain],
+        shown: list[Chain],
     ) -> tuple[list[dict[str, Any]], list[Chain], list[Node]]:
         """What is shown of closed letters and of inverses, as far as it is true and found."""
         lemmas: list[dict[str, Any]] = []
-        facts: list[Chain] = []
         inverses: list[Node] = []
+        wanted = self._wanted(question, closed)
+        facts = [c for c in dict.fromkeys(shown) if closed and c.sides[0] in wanted]
         if not closed or deep >= MOST_DEEP:
             return lemmas, facts, inverses
         setting = _with_closed(self.setting, closed)
         inverted = _inverted(question, setting)
         waiting = [
             node
-            for node in self._wanted(question, closed)
+            for node in wanted
             if node not in question.invertible and node not in question.existing
             if not (node.kind == "name" and setting.letters[node.name].facts)
         ]
         while waiting:
             left: list[Node] = []
             for node in waiting:
-                given = (*question.given, *known, *facts)
+                given = tuple(dict.fromkeys((*question.given, *known, *shown, *facts)))
                 definite = _positive(node, setting)
                 asked = Question((definite,), given, question.invertible)
                 if definite in given or question.chains == (definite,):
@@ -170,7 +218,7 @@ class Layers:
             waiting = left
         for node in waiting:
             if node in inverted:
-                given = (*question.given, *known, *facts)
+                given = tuple(dict.fromkeys((*question.given, *known, *shown, *facts)))
                 asked = Question((), given, question.invertible, (), (node,))
                 lemmas += self.prove(asked, deep + 1)
                 inverses.append(node)
@@ -187,21 +235,38 @@ class Layers:
         """Every inverse in a closed definition exists: a letter that is none has no truth. Raises
         UnprovedError.
         """
-        given = (*question.given, *known)
-        existing = (*question.invertible, *invertible)
-        met = {*_inverted(question, setting), *existing}
+        met = {*_inverted(question, setting), *question.invertible, *invertible}
         lemmas: list[dict[str, Any]] = []
         for node in _inverted(question, self.setting):
             if node not in met:
-                asked = Question((), given, existing, (), (node,))
-                lemmas += self.prove(asked, deep + 1)
+                lemmas += self._exists(node, question, known, invertible, deep)
         return lemmas
 
-    def _wanted(self, question: Question, closed: frozenset[str]) -> list[Node]:
+    def _exists(
+        self,
+        node: Node,
+        question: Question,
+        known: list[Chain],
+        invertible: list[Node],
+        deep: int,
+    ) -> list[dict[str, Any]]:
+        """An inverse exists, with what was shown only where it has to be: that may have inverses of
+        its own.
+        """
+        alone = Question((), question.given, question.invertible, (), (node,))
+        if not known and not invertible:
+            return self.prove(alone, deep + 1)
+        try:
+            return self.prove(alone, deep + 1)
+        except UnprovedError:
+            given, existing = (*question.given, *known), (*question.invertible, *invertible)
+            return self.prove(replace(alone, given=given, invertible=existing), deep + 1)
+
+    def _wanted(self, question: Question, closed: Closing) -> list[Node]:
         """Blocks on a diagonal that are closed, and what is inverted."""
         letters = self.setting.letters
         setting = _with_closed(self.setting, closed)
-        names = sorted(_reached(question, self.setting, closed) & closed)
+        names = sorted(name for name in _reached(question, setting) if name in closed)
         diagonal = [
             Node("name", name=name)
             for name in names
@@ -210,6 +275,12 @@ class Layers:
             and letters[name].definition.parts[0].parts[0] == letters[name].definition.parts[2]  # type: ignore[union-attr]
         ]
         return list(dict.fromkeys([*diagonal, *_inverted(question, setting)]))
+
+
+def _supposes_no_more(premise: Question, question: Question) -> bool:
+    return set(premise.given) <= set(question.given) and (
+        set(premise.invertible) <= set(question.invertible)
+    )
 
 
 def _fails(question: Question, setting: MatrixSetting) -> bool:
@@ -231,28 +302,47 @@ def _selects(node: Node) -> bool:
     return all(part.kind in ("unit", "zero") for part in node.parts)
 
 
-def _with_closed(setting: MatrixSetting, closed: frozenset[str]) -> MatrixSetting:
+def _said(question: Question, setting: MatrixSetting) -> Closing:
+    """Letters with a definition that a premise says to be something made of other letters."""
+    found: Closing = {}
+    for premise in question.premises:
+        for left, operator, right in links(premise.chains):
+            for own, other in ((left, right), (right, left)):
+                if (
+                    operator == "="
+                    and own.kind == "name"
+                    and setting.letters[own.name].definition is not None
+                    and not is_block(setting.letters[own.name].definition)  # type: ignore[arg-type]
+                    and other.kind != "name"
+                    and own.name not in found
+                    and own.name not in _spoken((other,), _with_closed(setting, found))
+                ):
+                    found[own.name] = other
+                    break
+    return found
+
+
+def _with_closed(setting: MatrixSetting, closed: Closing) -> MatrixSetting:
     letters = {
-        name: replace(letter, definition=None) if name in closed else letter
+        name: replace(letter, definition=closed[name]) if name in closed else letter
         for name, letter in setting.letters.items()
     }
     return MatrixSetting(setting.sizes, letters)
 
 
-def _reached(
-    question: Question, setting: MatrixSetting, closed: set[str] | frozenset[str]
-) -> set[str]:
-    """The letters of a question and of the definitions in it that are not closed."""
-    waiting, found = [*question.nodes()], set[str]()
+def _reached(question: Question, setting: MatrixSetting) -> set[str]:
+    """The letters of a question and of the definitions in it."""
+    return _spoken(question.nodes(), setting)
+
+
+def _spoken(nodes: Sequence[Node], setting: MatrixSetting) -> set[str]:
+    waiting, found = [*nodes], set[str]()
     while waiting:
         for part in waiting.pop().walk():
             if part.kind == "name" and part.name not in found:
                 found.add(part.name)
                 letter = setting.letters[part.name]
-                if part.name not in closed and letter.definition is not None:
-                    waiting.append(letter.definition)
-                if letter.variance is not None:
-                    waiting.append(letter.variance)
+                waiting += [n for n in (letter.definition, letter.variance) if n is not None]
     return found
 
 

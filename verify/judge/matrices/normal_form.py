@@ -30,11 +30,14 @@ class NormalForm(Writing):
                 if letter % 2 and letter // 2 in alphabet.symmetric - self.symmetric.keys():
                     raise UnprovedError(f"{alphabet.names[letter // 2]} is not shown symmetric")
 
-        def make() -> tuple[Cofactor, ...]:
-            trace = self.traced(equation.value)[1]
-            return (*equation.proof, *(c.negative() for c in trace))
+        found = alphabet.reduced(equation.value)
 
-        return Equation(alphabet.reduced(equation.value), make)
+        def make() -> tuple[Cofactor, ...]:
+            # a letter may be known to be symmetric since: both have one normal form now
+            trace, since = self.traced(equation.value)[1], self.traced(found)[1]
+            return (*equation.proof, *(c.negative() for c in trace), *since)
+
+        return Equation(found, make)
 
     def traced(self, value: Polynomial) -> tuple[Polynomial, list[Cofactor]]:
         """The normal form, and cofactors whose sum is what was taken away."""
@@ -154,11 +157,20 @@ class NormalForm(Writing):
     def contracted_equation(self, equation: Equation) -> Equation:
         """The same equation without last blocks that meet their transposes."""
 
-        def make() -> tuple[Cofactor, ...]:
-            trace = self.contracted(equation.value)[1]
-            return (*equation.proof, *(c.negative() for c in trace))
+        found = self.short(equation.value)
 
-        return Equation(self.short(equation.value), make)
+        def make() -> tuple[Cofactor, ...]:
+            return (*equation.proof, *self._gone(equation.value, -1), *self._gone(found, 1))
+
+        return Equation(found, make)
+
+    def _gone(self, value: Polynomial, sign: int) -> list[Cofactor]:
+        """What is taken away from a polynomial, that is no longer normal if a letter is known to be
+        symmetric since.
+        """
+        rest, trace = self.traced(value)
+        cofactors = [*trace, *self.contracted(rest)[1]]
+        return cofactors if sign > 0 else [c.negative() for c in cofactors]
 
     def short(self, value: Polynomial) -> Polynomial:
         """`contracted` without cofactors."""

@@ -8,16 +8,17 @@ from typing import Any
 
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Known
-from gainproof.verify.judge.matrices.explicit import inverses_of, meanings
+from gainproof.verify.judge.matrices.explicit import inverses_of
 from gainproof.verify.judge.matrices.full_rank import left_inverses
 from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
 from gainproof.verify.judge.matrices.groups import groups_with_sum
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, TooLongError
+from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, TooLongError, reciprocal
 from gainproof.verify.judge.matrices.size import ZERO, Size
 
 MOST_CANDIDATES = 60
 MOST_SEARCHED = 12
+MOST_MEANINGS = 5
 MOST_PRODUCTS = 500
 """Fewer than for an equation, as there are many attempts."""
 
@@ -116,6 +117,7 @@ def _attempts(book: Book, value: Polynomial) -> Iterator[list[Square]]:
     candidates = list(_candidates(book, value, known))[:MOST_CANDIDATES]
     by_key = [(s, _expanded(book, s)) for s in candidates]
     found = [(s, v) for s, v in by_key if v is not None and v.terms]
+    found += list(_by_equations(book, [s for s, _ in found]))
     for group in groups_with_sum(value, [own for _, own in found]):
         yield [found[at][0] for at in group]
     for square, own in found[:MOST_SEARCHED]:
@@ -178,13 +180,31 @@ def _schur(book: Book, one: Known, size: Size) -> Iterator[Square]:
                 yield Square(picked - alphabet.reduced(other @ inverse @ beside), one)
 
 
+def _by_equations(book: Book, squares: Sequence[Square]) -> Iterator[tuple[Square, Polynomial]]:
+    """Squares, what is definite put as equations have it."""
+    for square in squares:
+        for meaning in _meant(book, square.known)[1:]:
+            try:
+                value = book.alphabet.reduced(square.factor.T @ meaning @ square.factor)
+            except TooLongError:
+                continue
+            if value.terms:
+                yield square, value
+
+
 def _meant(book: Book, one: Known) -> list[Polynomial]:
     """What is known to be definite, with what letters in it are short for, also by equations."""
-    found = [book.alphabet.reduced(book.without_elements(one.value)[0])]
-    for base in book.alphabet.elements:
-        if one.value.key == book.alphabet.letter(base).key:
-            found += [meaning for meaning, _ in meanings(book, base)]
-    return list({p.key: p for p in found}.values())
+    value = book.alphabet.reduced(book.without_elements(one.value)[0])
+    found = [value]
+    for equation in book.equations:
+        if equation.value.shape != value.shape:
+            continue
+        word = next((w for w in equation.value.terms if w in value.terms), None)
+        if word is not None:
+            factor = value.terms[word] * reciprocal(equation.value.terms[word])
+            if abs(factor) == 1:
+                found.append(value - equation.value.times(factor))
+    return list({p.key: p for p in found}.values())[:MOST_MEANINGS]
 
 
 def _of_inverses(book: Book, known: Sequence[Known]) -> Iterator[list[Square]]:
