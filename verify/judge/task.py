@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.trial import Trial, try_claim
 
 Models = Sequence[Mapping[str, Any]]
-Solved = dict[Any, Environment]
+Solved = dict[Any, Any]
+"""Environments by what they were made of, and proofs of claims on matrices."""
 
 
 class Task(Protocol):
@@ -29,7 +29,7 @@ class Task(Protocol):
         ...
 
     def run(self, models: Models, solved: Solved) -> Trial:
-        """What it came to; `solved` keeps environments for other tasks."""
+        """What it came to; `solved` keeps what it finds for other tasks."""
         ...
 
 

@@ -14,7 +14,7 @@ from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.matrices.decide import decide
 from gainproof.verify.judge.pruning import seen_false
 from gainproof.verify.judge.reach import reached
-from gainproof.verify.judge.setting.environment import Environment, NotEstablished
+from gainproof.verify.judge.setting.environment import NotEstablished
 from gainproof.verify.judge.verdict import Finding
 
 FEW = 4
@@ -38,16 +38,20 @@ class Trial:
     repair: Mapping[str, Any] | None = None
 
 
+PROOFS = "proofs of claims on matrices"
+
+
 def try_claim(
     claim: Claim,
     setting: Setting,
     models: Sequence[Mapping[str, Any]],
-    solved: dict[Any, Environment],
+    solved: dict[Any, Any],
 ) -> Trial:
-    """The claim under every convention of its setting; `solved` keeps environments for others."""
+    """The claim under every convention of its setting; `solved` keeps environments and
+    proofs of claims on matrices for others."""
     start = time.perf_counter()
     if claim.matrices is not None and setting.matrices is not None:
-        finding = decide(claim.matrices, setting.matrices)
+        finding = decide(claim.matrices, setting.matrices, solved.setdefault(PROOFS, {}))
         return Trial(claim, {"": finding}, (), False, time.perf_counter() - start)
     findings: dict[str, Finding] = {}
     found: list[Convention | Unusable] = []

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError
 from gainproof.verify.judge.matrices.letter import MatrixSetting
+from gainproof.verify.judge.matrices.opened import inverted
 from gainproof.verify.judge.matrices.prove import Question
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
@@ -49,20 +50,14 @@ def _names(question: Question) -> list[str]:
 
 def _singular(question: Question, setting: MatrixSetting, instance: Instance) -> list[Node]:
     """What is inverted in the claim, or in a definition that it uses, and has no inverse there."""
-    waiting = [side for chain in question.chains for side in chain.sides]
-    seen, found = set[str](), list[Node]()
-    while waiting:
-        for part in waiting.pop(0).walk():
-            if part.kind == "name" and part.name not in seen:
-                seen.add(part.name)
-                definition = setting.letters[part.name].definition
-                waiting += [] if definition is None else [definition]
-            if part.kind == "inverse":
-                try:
-                    if instance.of(part.parts[0]).det() == 0 and part.parts[0] not in found:
-                        found.append(part.parts[0])
-                except NoValueError:
-                    continue
+    sides = [side for chain in question.chains for side in chain.sides]
+    found = list[Node]()
+    for node in reversed(inverted(sides, setting)):
+        try:
+            if instance.of(node).det() == 0:
+                found.append(node)
+        except NoValueError:
+            continue
     return found
 
 

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from gainproof.verify.judge.matrices.instance import Unsupported
 from gainproof.verify.judge.matrices.letter import MatrixSetting
+from gainproof.verify.judge.matrices.opened import opened
 from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.size import ZERO, Size
 from gainproof.verify.judge.matrices.tree import Node
@@ -21,20 +22,14 @@ def pieces_of(nodes: Iterable[Node], setting: MatrixSetting) -> set[Piece]:
     """The blocks of all matrices in formulas and in the definitions that they use."""
     shapes = Shapes(setting.letters, setting.sizes)
     found: set[Piece] = set()
-    waiting, seen = list(nodes), set[str]()
-    while waiting:
-        for part in waiting.pop().walk():
-            if part.kind == "name" and part.name not in seen:
-                seen.add(part.name)
-                letter = setting.letters[part.name]
-                waiting += [n for n in (letter.definition, letter.variance) if n is not None]
-            elif part.kind == "matrix":
-                for sizes in shapes.blocks(part):
-                    whole, place = sum(sizes, ZERO), ZERO
-                    for size in sizes:
-                        if size not in (whole, ZERO):
-                            found.add((whole, place, size))
-                        place = place + size
+    for part in opened(nodes, setting.letters, variances=True):
+        if part.kind == "matrix":
+            for sizes in shapes.blocks(part):
+                whole, place = sum(sizes, ZERO), ZERO
+                for size in sizes:
+                    if size not in (whole, ZERO):
+                        found.add((whole, place, size))
+                    place = place + size
     return found
 
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import islice
+from typing import Any
 
 from gainproof.verify.judge.matrices.conditions import possible_conditions
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
-from gainproof.verify.judge.matrices.layers import Layers
+from gainproof.verify.judge.matrices.layers import Proofs, proof_in
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
+from gainproof.verify.judge.matrices.opened import within
 from gainproof.verify.judge.matrices.prove import Question
 from gainproof.verify.judge.matrices.sample import holds, instances, is_random
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes, UnsaidShapeError
@@ -32,8 +34,11 @@ class Case:
     bounds: tuple[Bound, ...]
 
 
-def decide(claim: MatrixClaim, setting: MatrixSetting) -> Finding:
-    """The verdict; nothing is raised for what cannot be decided."""
+def decide(claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs | None = None) -> Finding:
+    """The verdict; nothing is raised for what cannot be decided. `proofs` keeps those of claims
+    for others that use them.
+    """
+    proofs = {} if proofs is None else proofs
     shapes = Shapes(setting.letters, setting.sizes)
     try:
         cases = cases_of(claim, shapes)
@@ -49,7 +54,7 @@ def decide(claim: MatrixClaim, setting: MatrixSetting) -> Finding:
     if claim.kind in ("dimension", "definition"):
         verdict = "proved" if claim.kind == "dimension" else "definition"
         return Finding(verdict, "the shapes of the letters give this one", method="shapes")
-    findings = [_decided(case, setting) for case in cases]
+    findings = [_decided(case, setting, proofs) for case in cases]
     return _together(findings)
 
 
@@ -108,9 +113,8 @@ def _square(node: Node, shapes: Shapes) -> Node:
     return shapes.chain(Chain((node,), (REGULAR,))).sides[0]
 
 
-def _decided(case: Case, setting: MatrixSetting) -> Finding:
-    setting = _spoken(case.question, setting)
-    layers = Layers(setting)
+def _decided(case: Case, setting: MatrixSetting, proofs: Proofs) -> Finding:
+    setting = within(case.question.nodes(), setting)
     if _conditions_chance(case.question, setting):
         reason = "a mean, under a hypothesis about what is random: a conditional mean is not read"
         return Finding("undecided", reason)
@@ -118,7 +122,7 @@ def _decided(case: Case, setting: MatrixSetting) -> Finding:
     if not found:
         return Finding("undecided", _why_none(case, setting))
     if failed is None:
-        finding = _proved(case, layers)
+        finding = _proved(case, setting, proofs)
         if finding.verdict == "proved":
             return finding
         failed = _tried(case, setting, MORE_TRIED, 2)[1]
@@ -130,7 +134,7 @@ def _decided(case: Case, setting: MatrixSetting) -> Finding:
         more = replace(case, question=question)
         found, again = _tried(more, setting)
         if found and again is None:
-            finding = _proved(more, layers)
+            finding = _proved(more, setting, proofs)
             if finding.verdict == "proved":
                 reason = f"not true as stated; true where {said}"
                 witness = witness_of(case.question, setting, instance)
@@ -171,19 +175,6 @@ def _why_none(case: Case, setting: MatrixSetting) -> str:
     return "no exact instance of the hypotheses was found"
 
 
-def _spoken(question: Question, setting: MatrixSetting) -> MatrixSetting:
-    """Only the letters that the question depends on."""
-    waiting, found = question.nodes(), set[str]()
-    while waiting:
-        for part in waiting.pop().walk():
-            if part.kind == "name" and part.name not in found:
-                found.add(part.name)
-                letter = setting.letters[part.name]
-                waiting += [n for n in (letter.definition, letter.variance) if n is not None]
-    letters = {name: letter for name, letter in setting.letters.items() if name in found}
-    return MatrixSetting(setting.sizes, letters)
-
-
 def _tried(
     case: Case, setting: MatrixSetting, most: int = TRIED, seed: int = 1
 ) -> tuple[list[Instance], tuple[Instance, bool] | None]:
@@ -205,12 +196,18 @@ def _tried(
     return found, missing
 
 
-def _proved(case: Case, layers: Layers) -> Finding:
+def _proved(case: Case, setting: MatrixSetting, proofs: Proofs) -> Finding:
     try:
-        parts = layers.prove(case.question)
+        parts = proof_in(setting, case.question, proofs).certificates
     except UnprovedError as reason:
         return Finding("undecided", f"true at {TRIED + MORE_TRIED} exact instances; {reason}")
-    return Finding("proved", "for every size", method=METHOD, certificate={"words": parts})
+    certificate = {"words": _each_once(parts)}
+    return Finding("proved", "for every size", method=METHOD, certificate=certificate)
+
+
+def _each_once(parts: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """A lemma that several steps use stands where it is used first."""
+    return list({id(part): part for part in parts}.values())
 
 
 def _together(findings: list[Finding]) -> Finding:

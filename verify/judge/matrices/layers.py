@@ -8,18 +8,20 @@ as hypotheses; the certificate holds both.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Any
 
 from gainproof.verify.judge.matrices.certificate import rejected, written
+from gainproof.verify.judge.matrices.closing import Closing, closings, with_closed
 from gainproof.verify.judge.matrices.instance import NoValueError, Unsupported
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
+from gainproof.verify.judge.matrices.opened import inverted, names_in, within
 from gainproof.verify.judge.matrices.polynomial import TooLongError
-from gainproof.verify.judge.matrices.prove import Question, links, proof_of
-from gainproof.verify.judge.matrices.sample import holds, instances, is_block, is_random
+from gainproof.verify.judge.matrices.prove import Question, proof_of
+from gainproof.verify.judge.matrices.sample import holds, instances, is_block
 from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
@@ -27,11 +29,38 @@ MOST_DEEP = 3
 """Lemmas for lemmas."""
 FEW_PRODUCTS = 300
 """Where premises did not suffice, all definitions opened are no likelier to."""
-Closing = dict[str, Node | None]
-"""What takes the place of definitions; nothing where a letter is closed."""
 FEW_TRIES, FEW_INSTANCES = 9, 2
 """To see that what is left of a claim, definitions closed, is false."""
 FAILURES = (UnprovedError, TooLongError, Unsupported, NoValueError)
+
+
+@dataclass(frozen=True)
+class Proof:
+    """Certificates, lemmas first, and what was shown of closed letters on the way."""
+
+    certificates: list[dict[str, Any]]
+    facts: tuple[Chain, ...]
+
+
+Proofs = dict[Any, Proof | str]
+"""Of claims by their whole content, or why there is none: premises are proved once."""
+
+
+def proof_in(setting: MatrixSetting, question: Question, proofs: Proofs) -> Proof:
+    """The proof of a question on its own, whatever was proved before. Raises UnprovedError."""
+    own = within(question.nodes(), setting)
+    key = (tuple(own.sizes.names.items()), tuple(own.letters.items()), question)
+    if key not in proofs:
+        layers = Layers(own, proofs)
+        try:
+            certificates = layers.prove(question)
+            proofs[key] = Proof(certificates, layers.facts_of(question))
+        except UnprovedError as reason:
+            proofs[key] = str(reason)
+    found = proofs[key]
+    if isinstance(found, str):
+        raise UnprovedError(found)
+    return found
 
 
 @dataclass
@@ -39,9 +68,14 @@ class Layers:
     """Proofs in one setting; what was proved once, or was not, is kept."""
 
     setting: MatrixSetting
+    proofs: Proofs = field(default_factory=dict)
     _known: dict[Question, list[dict[str, Any]] | str] = field(default_factory=dict)
     _facts: dict[Question, list[Chain]] = field(default_factory=dict)
     _budget: Budget = field(default_factory=Budget)
+
+    def facts_of(self, question: Question) -> tuple[Chain, ...]:
+        """What was shown of closed letters for a question that was proved."""
+        return tuple(self._facts.get(replace(question, hints=()), ()))
 
     def prove(self, question: Question, deep: int = 0) -> list[dict[str, Any]]:
         """Certificates, lemmas first. Raises UnprovedError."""
@@ -98,8 +132,8 @@ class Layers:
     def _by_layers(self, question: Question, deep: int) -> list[dict[str, Any]]:
         reasons: list[str] = []
         lemmas, given, invertible, known = self._of_premises(question, deep)
-        for closed in self._closings(question):
-            setting = _with_closed(self.setting, closed)
+        for closed in closings(question, self.setting):
+            setting = with_closed(self.setting, closed)
             try:
                 more, facts, inverses = self._of_letters(question, closed, deep, given, known)
                 asked = replace(
@@ -139,43 +173,17 @@ class Layers:
                 supposed = replace(now, chains=premise.given, existing=premise.invertible)
                 lemmas += self.prove(supposed, deep + 1)
             try:
-                lemmas += self.prove(premise, deep + 1)
+                found = proof_in(self.setting, premise, self.proofs)
             except UnprovedError:
                 here = replace(premise, given=question.given, invertible=question.invertible)
                 if here == premise or not _supposes_no_more(premise, question):
                     raise
-                lemmas += self.prove(here, deep + 1)
-            facts += self._facts.get(replace(premise, hints=()), [])
+                found = proof_in(self.setting, here, self.proofs)
+            lemmas += found.certificates
+            facts += found.facts
             given += premise.chains
             inverses += premise.existing
         return lemmas, given, inverses, facts
-
-    def _closings(self, question: Question) -> Iterator[Closing]:
-        """What definitions become: with premises a letter what one of them says it is, and all others
-        closed, or all but such as only pick rows; then those of blocks closed; then none.
-        """
-        letters = self.setting.letters
-        # what depends on a random vector is not any matrix to a mean
-        defined = {
-            name: letter.definition
-            for name, letter in letters.items()
-            if letter.definition is not None and not is_random(name, self.setting)
-        }
-        picks = {name for name, node in defined.items() if is_block(node)}
-        blocks = {n for n, node in defined.items() if node.kind == "matrix" and not _selects(node)}
-        ways: list[Closing] = [dict.fromkeys(blocks | picks), {}]
-        if question.premises:
-            small = {n for n, node in defined.items() if node.kind == "matrix" and _selects(node)}
-            said = _said(question, self.setting)
-            every = {**dict.fromkeys(defined), **said}
-            ways[:0] = [every, {n: node for n, node in every.items() if n not in small}]
-        seen: list[Closing] = []
-        for way in ways:
-            reached = _reached(question, _with_closed(self.setting, way))
-            used = {name: node for name, node in way.items() if name in reached}
-            if used not in seen:
-                seen.append(used)
-                yield used
 
     def _of_letters(
         self,
@@ -192,8 +200,8 @@ class Layers:
         facts = [c for c in dict.fromkeys(shown) if closed and c.sides[0] in wanted]
         if not closed or deep >= MOST_DEEP:
             return lemmas, facts, inverses
-        setting = _with_closed(self.setting, closed)
-        inverted = _inverted(question, setting)
+        setting = with_closed(self.setting, closed)
+        under = inverted(question.nodes(), setting)
         waiting = [
             node
             for node in wanted
@@ -206,7 +214,7 @@ class Layers:
                 given = tuple(dict.fromkeys((*question.given, *known, *shown, *facts)))
                 definite = _positive(node, setting)
                 asked = Question((definite,), given, question.invertible)
-                if definite in given or question.chains == (definite,):
+                if _is_given(definite, given) or question.chains == (definite,):
                     continue
                 try:
                     lemmas += self.prove(asked, deep + 1)
@@ -217,7 +225,7 @@ class Layers:
                 break
             waiting = left
         for node in waiting:
-            if node in inverted:
+            if node in under:
                 given = tuple(dict.fromkeys((*question.given, *known, *shown, *facts)))
                 asked = Question((), given, question.invertible, (), (node,))
                 lemmas += self.prove(asked, deep + 1)
@@ -235,9 +243,9 @@ class Layers:
         """Every inverse in a closed definition exists: a letter that is none has no truth. Raises
         UnprovedError.
         """
-        met = {*_inverted(question, setting), *question.invertible, *invertible}
+        met = {*inverted(question.nodes(), setting), *question.invertible, *invertible}
         lemmas: list[dict[str, Any]] = []
-        for node in _inverted(question, self.setting):
+        for node in inverted(question.nodes(), self.setting):
             if node not in met:
                 lemmas += self._exists(node, question, known, invertible, deep)
         return lemmas
@@ -265,8 +273,8 @@ class Layers:
     def _wanted(self, question: Question, closed: Closing) -> list[Node]:
         """Blocks on a diagonal that are closed, and what is inverted."""
         letters = self.setting.letters
-        setting = _with_closed(self.setting, closed)
-        names = sorted(name for name in _reached(question, setting) if name in closed)
+        setting = with_closed(self.setting, closed)
+        names = sorted(name for name in names_in(question.nodes(), setting) if name in closed)
         diagonal = [
             Node("name", name=name)
             for name in names
@@ -274,7 +282,7 @@ class Layers:
             and letters[name].shape[0] == letters[name].shape[1]
             and letters[name].definition.parts[0].parts[0] == letters[name].definition.parts[2]  # type: ignore[union-attr]
         ]
-        return list(dict.fromkeys([*diagonal, *_inverted(question, setting)]))
+        return list(dict.fromkeys([*diagonal, *inverted(question.nodes(), setting)]))
 
 
 def _supposes_no_more(premise: Question, question: Question) -> bool:
@@ -297,67 +305,9 @@ def _fails(question: Question, setting: MatrixSetting) -> bool:
     return False
 
 
-def _selects(node: Node) -> bool:
-    """Whether a matrix has no blocks but units and zeros."""
-    return all(part.kind in ("unit", "zero") for part in node.parts)
-
-
-def _said(question: Question, setting: MatrixSetting) -> Closing:
-    """Letters with a definition that a premise says to be something made of other letters."""
-    found: Closing = {}
-    for premise in question.premises:
-        for left, operator, right in links(premise.chains):
-            for own, other in ((left, right), (right, left)):
-                if (
-                    operator == "="
-                    and own.kind == "name"
-                    and setting.letters[own.name].definition is not None
-                    and not is_block(setting.letters[own.name].definition)  # type: ignore[arg-type]
-                    and other.kind != "name"
-                    and own.name not in found
-                    and own.name not in _spoken((other,), _with_closed(setting, found))
-                ):
-                    found[own.name] = other
-                    break
-    return found
-
-
-def _with_closed(setting: MatrixSetting, closed: Closing) -> MatrixSetting:
-    letters = {
-        name: replace(letter, definition=closed[name]) if name in closed else letter
-        for name, letter in setting.letters.items()
-    }
-    return MatrixSetting(setting.sizes, letters)
-
-
-def _reached(question: Question, setting: MatrixSetting) -> set[str]:
-    """The letters of a question and of the definitions in it."""
-    return _spoken(question.nodes(), setting)
-
-
-def _spoken(nodes: Sequence[Node], setting: MatrixSetting) -> set[str]:
-    waiting, found = [*nodes], set[str]()
-    while waiting:
-        for part in waiting.pop().walk():
-            if part.kind == "name" and part.name not in found:
-                found.add(part.name)
-                letter = setting.letters[part.name]
-                waiting += [n for n in (letter.definition, letter.variance) if n is not None]
-    return found
-
-
-def _inverted(question: Question, setting: MatrixSetting) -> list[Node]:
-    """What stands under an inverse in a question, with the definitions that are open."""
-    waiting, seen, found = [*question.nodes()], set[str](), list[Node]()
-    while waiting:
-        for part in waiting.pop(0).walk():
-            if part.kind == "name" and part.name not in seen:
-                seen.add(part.name)
-                definition = setting.letters[part.name].definition
-                waiting += [] if definition is None else [definition]
-            if part.kind == "inverse" and part.parts[0] not in found:
-                found.insert(0, part.parts[0])
-    return found
+def _is_given(definite: Chain, given: Sequence[Chain]) -> bool:
+    """Whether X > 0 is among the hypotheses, also as 0 < X."""
+    return definite in given or Chain(definite.sides[::-1], ("<",)) in given
 
 
 def _positive(node: Node, setting: MatrixSetting) -> Chain:

@@ -15,6 +15,7 @@ from gainproof.verify.judge.matrices.establish import establish
 from gainproof.verify.judge.matrices.expand import Expander
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
+from gainproof.verify.judge.matrices.opened import opened
 from gainproof.verify.judge.matrices.order import definite, prove_order
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 from gainproof.verify.judge.matrices.suppose import (
@@ -91,15 +92,9 @@ def _suppose(question: Question, book: Book, expand: Expander) -> None:
 def _hints(question: Question, expand: Expander) -> list[Polynomial]:
     """What was said, and every letter that is spoken of; of each polynomial one."""
     found = [expand.of(hint) for hint in question.hints]
-    letters = expand.alphabet.setting.letters
-    waiting, seen = question.nodes(), dict[str, Node]()
-    while waiting:
-        for part in waiting.pop(0).walk():
-            if part.kind == "name" and part.name not in seen:
-                seen[part.name] = part
-                definition = letters[part.name].definition
-                waiting += [] if definition is None else [definition]
-    found += [expand.of(node) for node in seen.values()]
+    parts = opened(question.nodes(), expand.alphabet.setting.letters)
+    names = {part.name: part for part in parts if part.kind == "name"}
+    found += [expand.of(node) for node in names.values()]
     return list({(p.shape, p.key): p for p in found if p.terms}.values())[:MOST_HINTS]
 
 

@@ -10,6 +10,7 @@ from gainproof.verify.judge.exact.statement import Enclosure, Witness
 from gainproof.verify.judge.matrices.definite_values import bad_direction, is_symmetric
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError
 from gainproof.verify.judge.matrices.letter import MatrixSetting
+from gainproof.verify.judge.matrices.opened import names_in
 from gainproof.verify.judge.matrices.prove import Question, links
 from gainproof.verify.judge.matrices.sample import compared
 
@@ -33,13 +34,7 @@ def witness_of(question: Question, setting: MatrixSetting, instance: Instance) -
 
 def _point(question: Question, setting: MatrixSetting, instance: Instance) -> dict[str, str]:
     """Sizes, and the free letters that the claim depends on."""
-    used, waiting = dict[str, None](), question.nodes()
-    while waiting:
-        for part in waiting.pop(0).walk():
-            if part.kind == "name" and part.name not in used:
-                used[part.name] = None
-                letter = setting.letters[part.name]
-                waiting += [n for n in (letter.definition, letter.variance) if n is not None]
+    used = names_in(question.nodes(), setting)
     sizes = {name: str(size.value(instance.steps)) for name, size in setting.sizes.names.items()}
     free = [name for name in used if name in instance.values]
     return sizes | {name: text_of(instance.values[name]) for name in free}
