@@ -33,7 +33,9 @@ def closings(question: Question, setting: MatrixSetting) -> Iterator[Closing]:
         small = {n for n, node in defined.items() if node.kind == "matrix" and _selects(node)}
         said = _said(question, setting)
         every = {**dict.fromkeys(defined), **said}
-        ways[:0] = [every, {n: node for n, node in every.items() if n not in small}]
+        ways.insert(0, {name: node for name, node in every.items() if name not in small})
+        if said:
+            ways.insert(0, every)
     seen: list[Closing] = []
     for way in ways:
         reached = set(names_in(question.nodes(), with_closed(setting, way)))

@@ -52,7 +52,7 @@ def _singular(question: Question, setting: MatrixSetting, instance: Instance) ->
     """What is inverted in the claim, or in a definition that it uses, and has no inverse there."""
     sides = [side for chain in question.chains for side in chain.sides]
     found = list[Node]()
-    for node in reversed(inverted(sides, setting)):
+    for node in inverted(sides, setting):
         try:
             if instance.of(node).det() == 0:
                 found.append(node)

@@ -19,7 +19,7 @@ from gainproof.verify.judge.matrices.reader import read_matrix
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
 from gainproof.verify.judge.matrices.size import ONE, Shape, Size, Sizes, sizes_of
 from gainproof.verify.judge.matrices.size_text import read_size
-from gainproof.verify.judge.matrices.symbol import canonical
+from gainproof.verify.judge.matrices.symbol import SQUARE, canonical
 from gainproof.verify.judge.matrices.tree import Node, product, transposed
 from gainproof.verify.judge.reader.errors import ReaderError
 
@@ -148,6 +148,15 @@ class _Declaring:
         self._open.pop()
 
     def _letter(self, name: str, fields: Fields) -> Letter:
+        letter = self._declared(name, fields)
+        root = name.removesuffix(SQUARE)
+        if root != name and letter.shape != (ONE, ONE):
+            raise fields.fail("shape", "a letter with a square behind it has one row and column")
+        if root != name and root in self._entries:
+            raise fields.fail("meaning", f"{root} is declared too: its square would be two things")
+        return letter
+
+    def _declared(self, name: str, fields: Fields) -> Letter:
         meaning = fields.required_text("meaning")
         said, facts = self._said_shape(fields), fields.texts("is", len(FACTS))
         definition = self._node(fields, "definition")

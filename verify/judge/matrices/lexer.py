@@ -10,9 +10,11 @@ from fractions import Fraction
 from gainproof.verify.judge.matrices.size import Shape, Sizes
 from gainproof.verify.judge.matrices.size_text import read_size
 from gainproof.verify.judge.matrices.symbol import (
+    SQUARE,
     scan_subscript,
     scan_symbol,
     skip_blanks,
+    square_at,
     with_subscript,
 )
 from gainproof.verify.judge.reader.alphabet import command_at
@@ -207,6 +209,9 @@ def _symbol(text: str, position: int, letters: Collection[str], sizes: Sizes) ->
     name = with_subscript(base, subscript) if subscript else base
     if powers:
         raise ReaderError(f"write {name}^{{{powers}}}, the subscript first", text, position, name)
+    after = square_at(text, end)
+    if after > end and name + SQUARE in letters:
+        return Token("name", position, name + SQUARE), after
     if name in letters:
         return Token("name", position, name), end
     if base == "I" and subscript:

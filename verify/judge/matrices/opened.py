@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from gainproof.verify.judge.matrices.letter import Letter, MatrixSetting
 from gainproof.verify.judge.matrices.tree import Node
@@ -14,10 +14,18 @@ def opened(
     """All parts of formulas, then of the definitions of letters among them, each letter's once;
     with `variances` those of random letters too.
     """
+    for formula in formulas(nodes, letters, variances):
+        yield from formula.walk()
+
+
+def formulas(
+    nodes: Iterable[Node], letters: Mapping[str, Letter], variances: bool = False
+) -> Iterator[Node]:
+    """Formulas, then the definitions that they use."""
     waiting, seen, at = list(nodes), set[str](), 0
     while at < len(waiting):
+        yield waiting[at]
         for part in waiting[at].walk():
-            yield part
             if part.kind == "name" and part.name not in seen:
                 seen.add(part.name)
                 letter = letters[part.name]
@@ -41,8 +49,15 @@ def within(nodes: Iterable[Node], setting: MatrixSetting) -> MatrixSetting:
     return MatrixSetting(setting.sizes, letters)
 
 
-def inverted(nodes: Iterable[Node], setting: MatrixSetting) -> list[Node]:
-    """What stands under an inverse, what is met last first."""
-    parts = opened(nodes, setting.letters)
-    found = dict.fromkeys(part.parts[0] for part in parts if part.kind == "inverse")
-    return list(found)[::-1]
+def inverted(nodes: Sequence[Node], setting: MatrixSetting) -> list[Node]:
+    """What stands under an inverse: in definitions first, from left to right, inner ones first."""
+    every = list(formulas(nodes, setting.letters))
+    ordered = [*every[len(nodes) :][::-1], *every[: len(nodes)]]
+    return list(dict.fromkeys(node for formula in ordered for node in _inverted(formula)))
+
+
+def _inverted(node: Node) -> Iterator[Node]:
+    for part in node.parts:
+        yield from _inverted(part)
+    if node.kind == "inverse":
+        yield node.parts[0]

@@ -7,6 +7,7 @@ from gainproof.verify.judge.reader.errors import ReaderError
 from gainproof.verify.judge.reader.limits import MOST_NAME_CHARACTERS
 
 MOST_ACCENTS = 6
+SQUARE = "^2"
 _SPACES = frozenset(("\\,", "\\;", "\\:", "\\!", "\\ "))
 
 
@@ -134,13 +135,26 @@ def _packed(inner: str) -> str:
     return "".join(kept)
 
 
+def square_at(text: str, position: int) -> int:
+    """The end of a square, `^2` or `^{2}`, at a position; the position if there is none."""
+    place = skip_blanks(text, position)
+    for power in ("^2", "^{2}"):
+        if text.startswith(power, place):
+            return place + len(power)
+    return position
+
+
 def canonical(text: str) -> str:
-    """The canonical name that the whole of `text` spells. Raises ReaderError."""
+    """The canonical name that the whole of `text` spells, perhaps with a square behind it, which
+    then is part of the name: that of a variance. Raises ReaderError.
+    """
     found = scan_symbol(text, 0)
     if found is None:
         raise ReaderError("a letter with accents and a subscript is wanted", text, 0)
     base, position = found
     subscript, position = scan_subscript(text, position)
-    if skip_blanks(text, position) != len(text):
+    end = square_at(text, position)
+    if skip_blanks(text, end) != len(text):
         raise ReaderError("a letter with accents and a subscript is wanted", text, position)
-    return with_subscript(base, subscript) if subscript else base
+    name = with_subscript(base, subscript) if subscript else base
+    return name + SQUARE if end > position else name
