@@ -33,8 +33,10 @@ def closings(question: Question, setting: MatrixSetting) -> Iterator[Closing]:
         small = {n for n, node in defined.items() if node.kind == "matrix" and _selects(node)}
         said = _said(question, setting)
         every = {**dict.fromkeys(defined), **said}
+        # an equation may follow from others word by word, an order rests on what is picked
+        equations = all(chain.operators == ("=",) for chain in question.chains)
         ways.insert(0, {name: node for name, node in every.items() if name not in small})
-        if said:
+        if said and equations:
             ways.insert(0, every)
     seen: list[Closing] = []
     for way in ways:

@@ -109,10 +109,10 @@ class Layers:
         return None
 
     def _proved(self, question: Question, deep: int) -> list[dict[str, Any]]:
-        """Multiplied out, if it is the same on both sides; where premises are said to be needed,
-        that is tried last.
+        """Multiplied out, if it is the same on both sides; where premises or equations are said to
+        be needed, that is tried last.
         """
-        if not question.premises:
+        if not question.premises and not any("=" in c.operators for c in question.given):
             return self._multiplied_out(question) or self._by_layers(question, deep)
         try:
             return self._by_layers(question, deep)
@@ -150,7 +150,8 @@ class Layers:
                 fault = rejected(certificate)
                 if fault is None:
                     hidden = self._of_hidden(question, setting, deep, given, invertible)
-                    self._facts[replace(question, hints=())] = facts
+                    definite = [c for c in given if c.operators in ((">",), ("<",))]
+                    self._facts[replace(question, hints=())] = [*facts, *definite]
                     return [*lemmas, *more, *hidden, certificate]
                 reasons.append(f"the proof that was found is not accepted: {fault}")
             except FAILURES as reason:
@@ -197,7 +198,7 @@ class Layers:
         lemmas: list[dict[str, Any]] = []
         inverses: list[Node] = []
         wanted = self._wanted(question, closed)
-        facts = [c for c in dict.fromkeys(shown) if closed and c.sides[0] in wanted]
+        facts = [c for c in dict.fromkeys(shown) if closed and set(c.sides) & set(wanted)]
         if not closed or deep >= MOST_DEEP:
             return lemmas, facts, inverses
         setting = with_closed(self.setting, closed)
@@ -293,6 +294,8 @@ def _supposes_no_more(premise: Question, question: Question) -> bool:
 
 def _fails(question: Question, setting: MatrixSetting) -> bool:
     """Whether a closed question is false at one of few instances: no proof is looked for then."""
+    if any(part.kind == "expectation" for node in question.nodes() for part in node.walk()):
+        return False  # means take longer than the proof
     tried = instances(setting, question.given, question.invertible, tries=FEW_TRIES)
     try:
         for instance in islice(tried, FEW_INSTANCES):

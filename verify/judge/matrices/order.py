@@ -242,13 +242,13 @@ def _inverse_letter(book: Book, number: int) -> Polynomial | None:
 def _rank(book: Book, squares: Sequence[Square], size: Size) -> dict[str, Any]:
     """Evidence that the squares vanish at zero only."""
     unit = book.alphabet.unit(size)
-    for number, square in enumerate(squares):
-        if not square.known.strict:
-            continue
-        factor = _positive(book, square.factor)
-        for left in left_inverses(book, factor):
+    factors = [(n, _positive(book, s.factor)) for n, s in enumerate(squares) if s.known.strict]
+    candidates = [(n, left, f) for n, f in factors for left in left_inverses(book, f)]
+    # one that needs no equation is sooner found than it is seen that another does not do
+    for most in (0, MOST_PRODUCTS):
+        for number, left, factor in candidates:
             try:
-                cofactors = book.vanishing(unit - left @ factor, most=MOST_PRODUCTS)
+                cofactors = book.vanishing(unit - left @ factor, most=most)
             except (UnprovedError, TooLongError):
                 continue
             return {"left_inverses": [[number, left]], "cofactors": cofactors}
