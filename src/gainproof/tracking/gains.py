@@ -1,0 +1,181 @@
+"""Block 104: the gains of a tracking filter, for arrays of tracks.
+
+All are matrices (..., 4, 2) for states (x, vx, y, vy): what an innovation (x, y) adds. Those of the
+alpha-beta filters are gains of the steady state at a tracking index Lambda_i = sigma_w T^2 /
+sqrt(R_i), i = x, y (18), T the time since the last update.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from gainproof.generated import random_acceleration
+from gainproof.tracking.arrays import Bools, Reals
+from gainproof.tracking.measured import Measured
+from gainproof.tracking.motion import POSITION, VELOCITY, inverse
+
+
+@dataclass(frozen=True)
+class Point:
+    """A tracking index of x and of y with the gains there: arrays (..., 2). At the nominal point
+    they are the fixed gains; the recursive update keeps one for every track.
+    """
+
+    index: Reals
+    alpha: Reals
+    beta: Reals
+
+    def part(self, rows: Any) -> Point:
+        """Those that an index chooses."""
+        return Point(self.index[rows], self.alpha[rows], self.beta[rows])
+
+
+@dataclass(frozen=True)
+class Sample:
+    """All that a gain may depend on: the measurement, the time since the last update (s), sigma_w
+    (m/s^2), the predicted covariance, the nominal point, and the point of the last update.
+    """
+
+    seen: Measured
+    interval: Reals
+    acceleration: float
+    covariance: Reals
+    nominal: Point
+    last: Point
+
+    @property
+    def index(self) -> Reals:
+        """(18)."""
+        return tracking_index(self.acceleration, self.interval[..., None], self.seen.variances)
+
+
+def tracking_index(acceleration: float, interval: Reals | float, variance: Reals) -> Reals:
+    """(5)."""
+    found: Reals = acceleration * np.square(interval) / np.sqrt(variance)
+    return found
+
+
+def exact_point(index: Reals) -> Point:
+    """The gains (6), (7) of the index."""
+    alpha, beta = random_acceleration.gains(index)
+    return Point(index, np.asarray(alpha, np.float64), np.asarray(beta, np.float64))
+
+
+def constant_point(nominal: Point, index: Reals) -> Point:
+    """To first order from the nominal point, (28) to (30) with (32), (33)."""
+    return _along(nominal, index)
+
+
+def recursive_point(last: Point, index: Reals) -> Point:
+    """To first order from the point of the last update, (26), (27)."""
+    return _along(last, index)
+
+
+def _along(start: Point, index: Reals) -> Point:
+    slopes = random_acceleration.gain_derivatives(start.index)
+    step = index - start.index
+    return Point(
+        index,
+        start.alpha + np.asarray(slopes.alpha) * step,
+        start.beta + np.asarray(slopes.beta) * step,
+    )
+
+
+def is_stable(point: Point) -> Bools:
+    """Where a filter with these gains forgets its errors: alpha and beta above 0, 2 alpha + beta
+    below 4; and alpha is at most 1, as no smoothed position lies beyond the measured one.
+    """
+    alpha, beta = point.alpha, point.beta
+    return np.asarray((alpha > 0) & (alpha <= 1) & (beta > 0) & (2 * alpha + beta < 4))
+
+
+def limited(point: Point) -> tuple[Point, int]:
+    """The exact gains where those of a first-order update would leave the stable ones, and in how
+    many tracks that is so.
+    """
+    stable = is_stable(point)
+    if stable.all():
+        return point, 0
+    exact = exact_point(point.index)
+    alpha = np.where(stable, point.alpha, exact.alpha)
+    beta = np.where(stable, point.beta, exact.beta)
+    return Point(point.index, alpha, beta), int(np.count_nonzero(~stable.all(-1)))
+
+
+def decoupled(point: Point, interval: Reals) -> Reals:
+    """(31): x and y apart."""
+    found = np.zeros((*point.alpha.shape[:-1], 4, 2))
+    for axis in (0, 1):
+        found[..., 2 * axis, axis] = point.alpha[..., axis]
+        found[..., 2 * axis + 1, axis] = point.beta[..., axis] / interval
+    return found
+
+
+def line_of_sight(sample: Sample) -> Reals:
+    """(9): gains of their own along the measured line of sight and across it, turned into x, y."""
+    polar = sample.seen.polar
+    across = polar.range * polar.bearing_deviation
+    deviations = np.stack(np.broadcast_arrays(polar.range_deviation, across), -1)
+    index = sample.acceleration * np.square(sample.interval)[..., None] / deviations
+    point = exact_point(index)
+    sine, cosine = np.sin(polar.bearing), np.cos(polar.bearing)
+    turn = np.stack([np.stack([sine, cosine], -1), np.stack([cosine, -sine], -1)], -2)
+    back = np.swapaxes(turn, -1, -2)
+    found = np.zeros((*point.alpha.shape[:-1], 4, 2))
+    found[..., POSITION, :] = back @ (point.alpha[..., None] * turn)
+    found[..., VELOCITY, :] = back @ (point.beta[..., None] * turn)
+    found[..., VELOCITY, :] /= sample.interval[..., None, None]
+    return found
+
+
+def kalman(sample: Sample) -> Reals:
+    """P H' S^-1 with the whole covariance, x and y together."""
+    to_position = sample.covariance[..., :, POSITION]
+    innovation = to_position[..., POSITION, :] + sample.seen.covariance
+    found: Reals = to_position @ inverse(innovation)
+    return found
+
+
+class Gain(NamedTuple):
+    """The matrices, the points that the next update may start from, and how many tracks got other
+    gains as theirs would not have been stable.
+    """
+
+    matrix: Reals
+    point: Point
+    limited: int = 0
+
+
+def _fixed(sample: Sample) -> Gain:
+    shape = sample.seen.position.shape
+    alpha, beta = (np.broadcast_to(x, shape) for x in (sample.nominal.alpha, sample.nominal.beta))
+    return Gain(decoupled(Point(sample.index, alpha, beta), sample.interval), sample.last)
+
+
+def _constant(sample: Sample) -> Gain:
+    point, others = limited(constant_point(sample.nominal, sample.index))
+    return Gain(decoupled(point, sample.interval), sample.last, others)
+
+
+def _recursive(sample: Sample) -> Gain:
+    point, others = limited(recursive_point(sample.last, sample.index))
+    return Gain(decoupled(point, sample.interval), point, others)
+
+
+def _exact(sample: Sample) -> Gain:
+    return Gain(decoupled(exact_point(sample.index), sample.interval), sample.last)
+
+
+FILTERS: Mapping[str, Callable[[Sample], Gain]] = {
+    "kalman": lambda sample: Gain(kalman(sample), sample.last),
+    "fixed": _fixed,
+    "first-order-constant": _constant,
+    "first-order-recursive": _recursive,
+    "exact": _exact,
+    "line-of-sight": lambda sample: Gain(line_of_sight(sample), sample.last),
+}
+DEFAULT = "kalman"

@@ -1,0 +1,53 @@
+"""Block 105: which detections lie so near a prediction that they may be its target's."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from gainproof.tracking.arrays import Ints, Reals
+from gainproof.tracking.measured import Measured
+from gainproof.tracking.motion import POSITION, Estimate
+
+
+class Pairs(NamedTuple):
+    """Tracks and detections that may belong together, by their places, and how far apart they are:
+    the squared distance over the innovation's covariance.
+    """
+
+    track: Ints
+    detection: Ints
+    squared: Reals
+
+
+def threshold(probability: float) -> float:
+    """The squared distance within which a track's own detection lies with this probability:
+    chi-square of two degrees of freedom.
+    """
+    return -2 * math.log1p(-probability)
+
+
+def gated(before: Estimate, seen: Measured, limit: float) -> Pairs:
+    """All pairs of predicted tracks and detections within the limit, in the order of the tracks.
+
+    The distance is never below that of x alone over its variance: a band in x finds the candidates.
+    """
+    order = np.argsort(seen.position[:, 0], kind="stable")
+    x = seen.position[order, 0]
+    widest = seen.covariance[:, 0, 0].max(initial=0.0)
+    reach = np.sqrt(limit * (before.covariance[:, 0, 0] + widest)) * (1 + 1e-12)
+    first = np.searchsorted(x, before.state[:, 0] - reach, "left")
+    count = np.searchsorted(x, before.state[:, 0] + reach, "right") - first
+    track = np.repeat(np.arange(len(first)), count)
+    place = np.arange(track.size) - np.repeat(np.cumsum(count) - count - first, count)
+    detection = order[place]
+    difference = seen.position[detection] - before.state[track][:, POSITION]
+    s = before.covariance[:, POSITION, POSITION][track] + seen.covariance[detection]
+    a, b, d = s[:, 0, 0], s[:, 0, 1], s[:, 1, 1]
+    u, v = difference.T
+    # along x, then what is left of y: a sum of squares
+    squared = u * u / a + (v - b / a * u) ** 2 / (d - b * b / a)
+    near = squared <= limit
+    return Pairs(track[near], detection[near], squared[near])

@@ -1,0 +1,51 @@
+"""What a radar measured, as it came and as coordinates."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gainproof.tracking.arrays import Reals
+
+
+@dataclass(frozen=True)
+class Polar:
+    """Ranges (m, above 0) and bearings (rad, from north, clockwise), each with the deviation of its
+    noise: arrays of one shape.
+    """
+
+    range: Reals
+    bearing: Reals
+    range_deviation: Reals
+    bearing_deviation: Reals
+
+    def part(self, rows: Any) -> Polar:
+        """Those that an index chooses."""
+        return Polar(
+            self.range[rows],
+            self.bearing[rows],
+            self.range_deviation[rows],
+            self.bearing_deviation[rows],
+        )
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Converted measurements. position: (..., 2), m, east and north of the radar; covariance:
+    (..., 2, 2), m^2; polar: what they were converted from.
+    """
+
+    position: Reals
+    covariance: Reals
+    polar: Polar
+
+    def part(self, rows: Any) -> Measured:
+        """Those that an index chooses."""
+        return Measured(self.position[rows], self.covariance[rows], self.polar.part(rows))
+
+    @property
+    def variances(self) -> Reals:
+        """(..., 2): of both coordinates."""
+        return np.asarray(np.diagonal(self.covariance, axis1=-2, axis2=-1))

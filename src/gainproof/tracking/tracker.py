@@ -1,0 +1,206 @@
+"""The tracker: scan by scan, detections become tracks (figure 1 of the source)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from gainproof.tracking import gains
+from gainproof.tracking.arrays import Bools, Ints, Reals
+from gainproof.tracking.association import assigned
+from gainproof.tracking.conversion import converted
+from gainproof.tracking.gains import Point, Sample
+from gainproof.tracking.gating import Pairs, gated, threshold
+from gainproof.tracking.management import begun, counted, judged, rank
+from gainproof.tracking.measured import Measured
+from gainproof.tracking.motion import Estimate, predicted, started, updated
+from gainproof.tracking.scans import Scans
+from gainproof.tracking.settings import Settings
+from gainproof.tracking.tracks import Tracks, no_tracks
+
+
+@dataclass(frozen=True)
+class Followed:
+    """What became of detections: track (n,), the number of each one's track, from 0 in the order of
+    first detections, -1 for none; state (n, 4) and deviation (n, 4) of that track after it, NaN
+    where unknown. tracks: those that were confirmed. limited: updates whose gains of first order
+    were no stable ones.
+    """
+
+    track: Ints
+    state: Reals
+    deviation: Reals
+    tracks: Ints
+    limited: int
+
+
+def followed(
+    scans: Scans, settings: Settings, at: Callable[[float, Tracks], None] | None = None
+) -> Followed:
+    """All scans, one after the other. ``at`` is called with time and tracks after each.
+
+    Raises ValueError where a conversion is outside its domain, BadInputError without SciPy.
+    """
+    seen = converted(scans.polar, settings.conversion)
+    nominal = nominal_point(scans, settings)
+    limit = threshold(settings.gate)
+    n = len(seen.position)
+    number = np.full(n, -1)
+    state, deviation = np.full((n, 4), np.nan), np.full((n, 4), np.nan)
+    tracks, born, outside, settled = no_tracks(), 0, 0, []
+    for time, places in scans:
+        done = after_scan(tracks, seen.part(places), time, nominal, settings, limit, born)
+        tracks, born = done.tracks, done.born
+        number[places] = done.number
+        state[places], deviation[places] = done.state, done.deviation
+        outside += done.limited
+        settled.append(done.confirmed)
+        if at is not None:
+            at(time, tracks)
+    confirmed = np.unique(np.concatenate([*settled, np.zeros(0, np.int64)]))
+    return _numbered(number, state, deviation, confirmed, outside)
+
+
+def nominal_point(scans: Scans, settings: Settings) -> Point:
+    """Where the fixed gains are exact: at the nominal range the mean of the variances along and
+    across the line of sight, which is that of x and y at a bearing of 45 degrees; the median
+    deviations and interval.
+    """
+    polar = scans.polar
+    if not polar.range.size:
+        return gains.exact_point(np.ones(2))
+    far = settings.nominal_range or float(np.median(polar.range))
+    along = float(np.median(polar.range_deviation))
+    across = far * float(np.median(polar.bearing_deviation))
+    variance = np.full(2, (along**2 + across**2) / 2)
+    return gains.exact_point(gains.tracking_index(settings.acceleration, scans.interval, variance))
+
+
+@dataclass(frozen=True)
+class AfterScan:
+    """Tracks after a scan; of each detection the number of its track and the estimate after it;
+    how many numbers are taken; the numbers confirmed by now; updates with limited gains.
+    """
+
+    tracks: Tracks
+    number: Ints
+    state: Reals
+    deviation: Reals
+    born: int
+    confirmed: Ints
+    limited: int
+
+
+def after_scan(
+    tracks: Tracks,
+    seen: Measured,
+    time: float,
+    nominal: Point,
+    settings: Settings,
+    limit: float,
+    born: int,
+) -> AfterScan:
+    """One scan: predict, gate, associate, update, begin, confirm and drop."""
+    before = predicted(tracks.estimate, time - tracks.time, settings.acceleration)
+    detection = associated(tracks, gated(before, seen, limit), len(seen.position), limit)
+    hit = detection >= 0
+    tracks, outside = _updated(tracks, before, seen, detection, time, nominal, settings)
+    tracks = counted(tracks, hit)
+    number = np.full(len(seen.position), -1)
+    state = np.full((len(seen.position), 4), np.nan)
+    deviation = state.copy()
+    used = detection[hit]
+    number[used] = tracks.number[hit]
+    state[used] = tracks.state[hit]
+    deviation[used] = np.sqrt(np.diagonal(tracks.covariance[hit], axis1=1, axis2=2))
+    free = np.flatnonzero(number < 0)
+    new = begun(seen.part(free), time, born, settings, limit)
+    number[free] = new.number
+    state[free, ::2] = new.state[:, ::2]
+    deviation[free, ::2] = np.sqrt(np.diagonal(new.covariance, axis1=1, axis2=2))[:, ::2]
+    tracks, kept = judged(tracks, settings)
+    confirmed = tracks.number[tracks.confirmed]
+    tracks = tracks.part(kept).with_more(new)
+    return AfterScan(tracks, number, state, deviation, born + len(free), confirmed, outside)
+
+
+def associated(tracks: Tracks, pairs: Pairs, detections: int, limit: float) -> Ints:
+    """For each track its detection or -1: confirmed tracks choose first, beginnings last."""
+    ranks = rank(tracks)
+    found = np.full(len(tracks), -1)
+    free = np.ones(detections, np.bool_)
+    for turn in range(3):
+        own = (ranks[pairs.track] == turn) & free[pairs.detection]
+        if not own.any():
+            continue
+        chosen = assigned(len(tracks), Pairs(*(column[own] for column in pairs)), limit)
+        taken = chosen >= 0
+        found[taken] = chosen[taken]
+        free[chosen[taken]] = False
+    return found
+
+
+def _updated(
+    tracks: Tracks,
+    before: Estimate,
+    seen: Measured,
+    detection: Ints,
+    time: float,
+    nominal: Point,
+    settings: Settings,
+) -> tuple[Tracks, int]:
+    """States and covariances of the tracks that have a detection, with its time."""
+    moving, fresh = ((detection >= 0) & which for which in (tracks.hits > 1, tracks.hits == 1))
+    state, covariance = tracks.state.copy(), tracks.covariance.copy()
+    index, alpha, beta = tracks.index.copy(), tracks.alpha.copy(), tracks.beta.copy()
+    outside = 0
+    if fresh.any():
+        two = started(
+            state[fresh, ::2],
+            covariance[fresh, ::2, ::2],
+            seen.part(detection[fresh]),
+            time - tracks.time[fresh],
+            settings.acceleration,
+        )
+        state[fresh], covariance[fresh] = two
+    if moving.any():
+        sample = Sample(
+            seen.part(detection[moving]),
+            time - tracks.time[moving],
+            settings.acceleration,
+            before.covariance[moving],
+            nominal,
+            tracks.point.part(moving),
+        )
+        gain, point, outside = gains.FILTERS[settings.filter](sample)
+        after = updated(
+            Estimate(before.state[moving], before.covariance[moving]), gain, sample.seen
+        )
+        state[moving], covariance[moving] = after
+        index[moving], alpha[moving], beta[moving] = point.index, point.alpha, point.beta
+    index[fresh], alpha[fresh], beta[fresh] = nominal.index, nominal.alpha, nominal.beta
+    when = np.where(detection >= 0, time, tracks.time)
+    return (
+        replace(
+            tracks,
+            time=when,
+            state=state,
+            covariance=covariance,
+            index=index,
+            alpha=alpha,
+            beta=beta,
+        ),
+        outside,
+    )
+
+
+def _numbered(
+    number: Ints, state: Reals, deviation: Reals, confirmed: Ints, outside: int
+) -> Followed:
+    """Numbers of the confirmed tracks alone, without gaps."""
+    known: Bools = np.isin(number, confirmed)
+    new = np.where(known, np.searchsorted(confirmed, number), -1)
+    state, deviation = (np.where(known[:, None], x, np.nan) for x in (state, deviation))
+    return Followed(new, state, deviation, np.arange(len(confirmed)), outside)
