@@ -28,6 +28,7 @@ from gainproof.commands import (
     listing,
     locate,
     run,
+    track,
 )
 from gainproof.version import VERSION
 
@@ -40,6 +41,7 @@ COMMANDS: Mapping[str, ModuleType] = {
     "cite": cite,
     "design": design,
     "locate": locate,
+    "track": track,
     "figure": figure,
     "list": listing,
     "bench": bench,

@@ -1,0 +1,139 @@
+"""The answer of `gainproof track`: options read, the file read, tracks told, written, drawn."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+from gainproof import atomic_file, places
+from gainproof.bad_input import BadInputError
+from gainproof.tables.cell_text import decimal
+from gainproof.tracking.association import require_scipy
+from gainproof.tracking.conversion import NoCovarianceError
+from gainproof.tracking.example import FILE, write_example
+from gainproof.tracking.files import FromFile, read_file
+from gainproof.tracking.output import csv_text, plain
+from gainproof.tracking.page import page
+from gainproof.tracking.settings import Settings
+from gainproof.tracking.summary import courses
+from gainproof.tracking.tracker import Followed, followed
+
+NUMBERS = {
+    "acceleration": "acceleration",
+    "gate": "gate",
+    "max_speed": "most_speed",
+    "nominal_range": "nominal_range",
+}
+ENDINGS = (".svg", ".png")
+
+
+def answered(options: argparse.Namespace) -> int:
+    """Status 0, or 1 where there is no track. Raises BadInputError."""
+    for name in ("detections", "out", "plot", "example"):
+        if "\0" in (getattr(options, name) or ""):
+            raise BadInputError(f"{name} is the name of a file, got {getattr(options, name)!r}")
+    if options.example is not None:
+        return _example(options)
+    if options.detections is None:
+        raise BadInputError(
+            "wanted: a file of detections; `gainproof track --example DIR` writes such a file"
+        )
+    if options.plot and Path(options.plot).suffix.lower() not in ENDINGS:
+        raise BadInputError(f"--plot takes a name that ends in .svg or .png, got {options.plot!r}")
+    settings = _settings(options)
+    require_scipy()
+    sigmas = _sigma(options, "sigma_range"), _sigma(options, "sigma_bearing")
+    given = read_file(Path(options.detections), (sigmas[0], _radians(sigmas[1])))
+    try:
+        found = followed(given.scans, settings)
+    except NoCovarianceError as error:
+        raise given.error(error) from None
+    told = courses(given.scans, found)
+    files = _written(options, given, settings, found)
+    if options.json:
+        data = plain(given, settings, found, told)
+        print(json.dumps({**data, **({"files": files} if files else {})}, indent=1))
+    else:
+        print("\n".join([page(given.scans, settings, found, told), *files]))
+    return 0 if told else 1
+
+
+def _example(options: argparse.Namespace) -> int:
+    if options.detections is not None or options.json or options.plot or options.out:
+        raise BadInputError("--example writes a file and tracks nothing: it takes DIR alone")
+    print(places.shown(write_example(Path(options.example))))
+    print(f"gainproof track {places.shown(Path(options.example) / FILE)}")
+    return 0
+
+
+def _settings(options: argparse.Namespace) -> Settings:
+    chosen: dict[str, Any] = {
+        name: getattr(options, name)
+        for name in ("filter", "conversion")
+        if getattr(options, name) is not None
+    }
+    for option, name in NUMBERS.items():
+        text = getattr(options, option)
+        if text is not None:
+            chosen[name] = _number(f"--{option.replace('_', '-')}", text)
+    if options.confirm is not None:
+        match = re.fullmatch(r"([0-9]{1,3})/([0-9]{1,3})", options.confirm)
+        if match is None:
+            raise BadInputError(f"--confirm takes M/N, as 3/4, got {options.confirm!r}")
+        chosen["confirm"] = int(match[1]), int(match[2])
+    if options.drop is not None:
+        if not re.fullmatch(r"[0-9]{1,3}", options.drop):
+            raise BadInputError(f"--drop takes a whole number, got {options.drop!r}")
+        chosen["drop"] = int(options.drop)
+    return Settings(**chosen)
+
+
+def _sigma(options: argparse.Namespace, name: str) -> float | None:
+    text = getattr(options, name)
+    if text is None:
+        return None
+    option = f"--{name.replace('_', '-')}"
+    value = _number(option, text)
+    most = 1e12 if name == "sigma_range" else 114.0
+    if not 1e-6 <= value <= most:
+        raise BadInputError(f"{option} takes a number above 0, from 1e-06 to {most:g}, got {text}")
+    return value
+
+
+def _radians(degrees: float | None) -> float | None:
+    return None if degrees is None else math.radians(degrees)
+
+
+def _number(name: str, text: str) -> float:
+    try:
+        value = decimal(text)
+    except ValueError:
+        raise BadInputError(f"{name} takes a number, got {text!r}") from None
+    if not math.isfinite(value):
+        raise BadInputError(f"{name} takes a finite number, got {text!r}")
+    return value
+
+
+def _written(
+    options: argparse.Namespace, given: FromFile, settings: Settings, found: Followed
+) -> list[str]:
+    """The names of the files."""
+    names = []
+    if options.out:
+        path = Path(options.out)
+        try:
+            atomic_file.write_text(path, csv_text(given, found))
+        except OSError as error:
+            reason = error.strerror or error
+            raise BadInputError(f"{places.shown(path)}: cannot be written: {reason}") from None
+        names.append(places.shown(path))
+    if options.plot:
+        from gainproof.tracking.plot_file import write_plot
+
+        title = f"{settings.filter} filter, {settings.conversion} conversion"
+        names.append(write_plot(given.scans, found, title, Path(options.plot)))
+    return names
