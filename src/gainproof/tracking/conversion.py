@@ -3,27 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from gainproof.generated import polar_coordinates
+from gainproof.generated import converted_measurements
 from gainproof.tracking.arrays import Reals
 from gainproof.tracking.measured import Measured, Polar
 
-
-def _classical(polar: Polar) -> tuple[Reals, ...]:
-    """x, y and the covariance to first order."""
-    east, north = polar_coordinates.to_cartesian_in_plane(polar.range, polar.bearing)
-    noise = polar_coordinates.noise_covariance_in_plane(
-        polar.range, polar.bearing, polar.range_deviation, polar.bearing_deviation
-    )
-    return tuple(np.asarray(each, np.float64) for each in (east, north, *noise))
-
-
-CONVERSIONS: Mapping[str, Callable[[Polar], tuple[Reals, ...]]] = {
-    "classical": _classical,
+Conversion: TypeAlias = Callable[[Reals, Reals, Reals, Reals], tuple[Any, ...]]
+CONVERSIONS: Mapping[str, Conversion] = {
+    "modified-unbiased": converted_measurements.modified_unbiased_conversion_in_plane,
+    "unbiased": converted_measurements.unbiased_conversion_in_plane,
+    "debiased": converted_measurements.debiased_conversion_in_plane,
+    "classical": converted_measurements.classical_conversion_in_plane,
 }
-DEFAULT = "classical"
+"""Those that the source names, its own first; all printed by converted-measurements."""
+DEFAULT = "modified-unbiased"
 
 
 def converted(polar: Polar, conversion: str = DEFAULT) -> Measured:
@@ -37,10 +33,16 @@ def converted(polar: Polar, conversion: str = DEFAULT) -> Measured:
         raise ValueError(f"conversion is one of {known}, got {conversion!r}")
     if not polar.range.size:
         shape = polar.range.shape
-        return Measured(np.zeros((*shape, 2)), np.zeros((*shape, 2, 2)), polar)
-    east, north, xx, xy, yy = CONVERSIONS[conversion](polar)
+        nothing = np.zeros((*shape, 2))
+        return Measured(nothing, np.zeros((*shape, 2, 2)), nothing, polar)
+    # the kernels count the angle from x towards y: their x is north and their y is east
+    told = CONVERSIONS[conversion](
+        polar.range, polar.bearing, polar.range_deviation, polar.bearing_deviation
+    )
+    north, east, yy, xy, xx, along, across = (np.asarray(each, np.float64) for each in told)
     covariance = np.stack([np.stack([xx, xy], -1), np.stack([xy, yy], -1)], -2)
-    fine = (xx > 0) & (yy > 0) & (xx * yy - xy * xy > 0)
+    # along the line of sight and across it the covariance is diagonal
+    fine = (along > 0) & (across > 0)
     if not fine.all():
         worst = int(np.argmin(fine))
         degrees = float(np.rad2deg(polar.bearing_deviation.flat[worst]))
@@ -49,7 +51,7 @@ def converted(polar: Polar, conversion: str = DEFAULT) -> Measured:
             f"where the bearing's deviation is {degrees:.4g} degrees",
             worst,
         )
-    return Measured(np.stack([east, north], -1), covariance, polar)
+    return Measured(np.stack([east, north], -1), covariance, np.stack([along, across], -1), polar)
 
 
 class NoCovarianceError(ValueError):

@@ -117,12 +117,10 @@ def decoupled(point: Point, interval: Reals) -> Reals:
 
 def line_of_sight(sample: Sample) -> Reals:
     """(9): gains of their own along the measured line of sight and across it, turned into x, y."""
-    polar = sample.seen.polar
-    across = polar.range * polar.bearing_deviation
-    deviations = np.stack(np.broadcast_arrays(polar.range_deviation, across), -1)
-    index = sample.acceleration * np.square(sample.interval)[..., None] / deviations
+    index = tracking_index(sample.acceleration, sample.interval[..., None], sample.seen.sight)
     point = exact_point(index)
-    sine, cosine = np.sin(polar.bearing), np.cos(polar.bearing)
+    bearing = sample.seen.polar.bearing
+    sine, cosine = np.sin(bearing), np.cos(bearing)
     turn = np.stack([np.stack([sine, cosine], -1), np.stack([cosine, -sine], -1)], -2)
     back = np.swapaxes(turn, -1, -2)
     found = np.zeros((*point.alpha.shape[:-1], 4, 2))

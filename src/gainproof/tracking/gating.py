@@ -9,7 +9,7 @@ import numpy as np
 
 from gainproof.tracking.arrays import Ints, Reals
 from gainproof.tracking.measured import Measured
-from gainproof.tracking.motion import POSITION, Estimate
+from gainproof.tracking.motion import POSITION, Estimate, rest
 
 
 class Pairs(NamedTuple):
@@ -48,6 +48,6 @@ def gated(before: Estimate, seen: Measured, limit: float) -> Pairs:
     a, b, d = s[:, 0, 0], s[:, 0, 1], s[:, 1, 1]
     u, v = difference.T
     # along x, then what is left of y: a sum of squares
-    squared = u * u / a + (v - b / a * u) ** 2 / (d - b * b / a)
+    squared = u * u / a + (v - b / a * u) ** 2 / rest(a, b, d)
     near = squared <= limit
     return Pairs(track[near], detection[near], squared[near])

@@ -34,16 +34,20 @@ class Polar:
 @dataclass(frozen=True)
 class Measured:
     """Converted measurements. position: (..., 2), m, east and north of the radar; covariance:
-    (..., 2, 2), m^2; polar: what they were converted from.
+    (..., 2, 2), m^2; sight: (..., 2), m^2, the variances along the measured line of sight and across
+    it, where the covariance is diagonal; polar: what they were converted from.
     """
 
     position: Reals
     covariance: Reals
+    sight: Reals
     polar: Polar
 
     def part(self, rows: Any) -> Measured:
         """Those that an index chooses."""
-        return Measured(self.position[rows], self.covariance[rows], self.polar.part(rows))
+        return Measured(
+            self.position[rows], self.covariance[rows], self.sight[rows], self.polar.part(rows)
+        )
 
     @property
     def variances(self) -> Reals:

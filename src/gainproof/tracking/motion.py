@@ -79,8 +79,16 @@ def updated(before: Estimate, gain: Reals, seen: Measured) -> Estimate:
 
 
 def inverse(matrix: Reals) -> Reals:
-    """Of positive definite matrices (..., 2, 2)."""
+    """Of positive definite matrices (..., 2, 2); where rounding left one singular, of one beside
+    it.
+    """
     a, b, d = matrix[..., 0, 0], matrix[..., 0, 1], matrix[..., 1, 1]
+    left = rest(a, b, d)
     adjugate = np.stack([np.stack([d, -b], -1), np.stack([-b, a], -1)], -2)
-    found: Reals = adjugate / (a * d - b * b)[..., None, None]
+    found: Reals = adjugate / (a * left)[..., None, None]
     return found
+
+
+def rest(a: Reals, b: Reals, d: Reals) -> Reals:
+    """d - b^2/a, the variance that is left of the second where the first is known; above 0."""
+    return np.maximum(d - b / a * b, 2.0**-52 * d)
