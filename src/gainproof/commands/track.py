@@ -23,7 +23,11 @@ Filters: kalman (default); with gains of the steady state at the tracking index 
 def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("detections", metavar="DETECTIONS", nargs="?", help="a CSV file")
     parser.add_argument("--filter", metavar="NAME", help="default: kalman")
-    parser.add_argument("--conversion", metavar="NAME", help="to coordinates; default: modified-unbiased")
+    parser.add_argument(
+        "--conversion",
+        metavar="NAME",
+        help="modified-unbiased (default), unbiased, debiased or classical",
+    )
     parser.add_argument(
         "--acceleration", metavar="SIGMA", help="deviation of accelerations, m/s^2; default: 0.98"
     )

@@ -7,7 +7,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from gainproof.bad_input import unknown_name
-from gainproof.figures import canvas, digits_drawing, suzuki_curves, suzuki_digits, suzuki_drawing
+from gainproof.figures import (
+    canvas,
+    digits_drawing,
+    patent_errors,
+    patent_errors_drawing,
+    patent_gains,
+    patent_gains_drawing,
+    suzuki_curves,
+    suzuki_digits,
+    suzuki_drawing,
+)
 from gainproof.figures.lecture import (
     coordinates,
     coordinates_drawing,
@@ -138,6 +148,54 @@ CATALOGUE = (
         turn.kalman_turn,
         turn_drawing.draw_kalman_turn,
         turn_drawing.SIZE,
+    ),
+    Entry(
+        "patent",
+        "5",
+        "tracking index against the range",
+        patent_gains.figure_5,
+        patent_gains_drawing.draw_figure_5,
+        patent_gains_drawing.SIZE,
+    ),
+    Entry(
+        "patent",
+        "6",
+        "alpha against the range: exact, fixed, updated",
+        patent_gains.figure_6,
+        patent_gains_drawing.draw_figure_6,
+        patent_gains_drawing.GAINS_SIZE,
+    ),
+    Entry(
+        "patent",
+        "7",
+        "beta against the range: exact, fixed, updated",
+        patent_gains.figure_7,
+        patent_gains_drawing.draw_figure_7,
+        patent_gains_drawing.GAINS_SIZE,
+    ),
+    Entry(
+        "patent",
+        "8",
+        "RMS position error of all filters on four paths",
+        patent_errors.figure_8,
+        patent_errors_drawing.draw_figure_8,
+        patent_errors_drawing.SIZE,
+    ),
+    Entry(
+        "patent",
+        "9",
+        "RMS velocity error of all filters on four paths",
+        patent_errors.figure_9,
+        patent_errors_drawing.draw_figure_9,
+        patent_errors_drawing.SIZE,
+    ),
+    Entry(
+        "patent",
+        "comparison",
+        "RMS errors of all filters over those of the Kalman filter",
+        patent_errors.comparison,
+        patent_errors_drawing.draw_comparison,
+        patent_errors_drawing.COMPARISON_SIZE,
     ),
 )
 

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gainproof.generated import random_acceleration
-from gainproof.tracking.arrays import Bools, Reals
+from gainproof.generated import least_squares_line, random_acceleration
+from gainproof.tracking.arrays import Bools, Ints, Reals
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import POSITION, VELOCITY, inverse
 
@@ -37,7 +37,8 @@ class Point:
 @dataclass(frozen=True)
 class Sample:
     """All that a gain may depend on: the measurement, the time since the last update (s), sigma_w
-    (m/s^2), the predicted covariance, the nominal point, and the point of the last update.
+    (m/s^2), the predicted covariance, the nominal point, the point of the last update, and how many
+    detections the track had before (at least 2).
     """
 
     seen: Measured
@@ -46,6 +47,7 @@ class Sample:
     covariance: Reals
     nominal: Point
     last: Point
+    number: Ints
 
     @property
     def index(self) -> Reals:
@@ -85,6 +87,16 @@ def _along(start: Point, index: Reals) -> Point:
     )
 
 
+def young(point: Point, number: Ints) -> Point:
+    """The gains of the least-squares line as long as its alpha is not below that of the point: two
+    positions are its beginning, and what they say of the velocity is soon improved.
+    """
+    line = least_squares_line.gains(number.astype(np.float64)[..., None])
+    first = np.asarray(line.alpha) >= point.alpha
+    alpha = np.where(first, line.alpha, point.alpha)
+    return Point(point.index, alpha, np.where(first, line.beta, point.beta))
+
+
 def is_stable(point: Point) -> Bools:
     """Where a filter with these gains forgets its errors: alpha and beta above 0, 2 alpha + beta
     below 4; and alpha is at most 1, as no smoothed position lies beyond the measured one.
@@ -118,7 +130,7 @@ def decoupled(point: Point, interval: Reals) -> Reals:
 def line_of_sight(sample: Sample) -> Reals:
     """(9): gains of their own along the measured line of sight and across it, turned into x, y."""
     index = tracking_index(sample.acceleration, sample.interval[..., None], sample.seen.sight)
-    point = exact_point(index)
+    point = young(exact_point(index), sample.number)
     bearing = sample.seen.polar.bearing
     sine, cosine = np.sin(bearing), np.cos(bearing)
     turn = np.stack([np.stack([sine, cosine], -1), np.stack([cosine, -sine], -1)], -2)
@@ -151,21 +163,25 @@ class Gain(NamedTuple):
 def _fixed(sample: Sample) -> Gain:
     shape = sample.seen.position.shape
     alpha, beta = (np.broadcast_to(x, shape) for x in (sample.nominal.alpha, sample.nominal.beta))
-    return Gain(decoupled(Point(sample.index, alpha, beta), sample.interval), sample.last)
+    return _of_axes(sample, Point(sample.index, alpha, beta))
 
 
 def _constant(sample: Sample) -> Gain:
     point, others = limited(constant_point(sample.nominal, sample.index))
-    return Gain(decoupled(point, sample.interval), sample.last, others)
+    return _of_axes(sample, point)._replace(limited=others)
 
 
 def _recursive(sample: Sample) -> Gain:
     point, others = limited(recursive_point(sample.last, sample.index))
-    return Gain(decoupled(point, sample.interval), point, others)
+    return _of_axes(sample, point)._replace(point=point, limited=others)
 
 
 def _exact(sample: Sample) -> Gain:
-    return Gain(decoupled(exact_point(sample.index), sample.interval), sample.last)
+    return _of_axes(sample, exact_point(sample.index))
+
+
+def _of_axes(sample: Sample, point: Point) -> Gain:
+    return Gain(decoupled(young(point, sample.number), sample.interval), sample.last)
 
 
 FILTERS: Mapping[str, Callable[[Sample], Gain]] = {

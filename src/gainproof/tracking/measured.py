@@ -34,8 +34,8 @@ class Polar:
 @dataclass(frozen=True)
 class Measured:
     """Converted measurements. position: (..., 2), m, east and north of the radar; covariance:
-    (..., 2, 2), m^2; sight: (..., 2), m^2, the variances along the measured line of sight and across
-    it, where the covariance is diagonal; polar: what they were converted from.
+    (..., 2, 2), m^2; sight: (..., 2), m^2, the variances along the measured line of sight and
+    across it, where the covariance is diagonal; polar: what they were converted from.
     """
 
     position: Reals

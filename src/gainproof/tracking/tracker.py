@@ -173,6 +173,7 @@ def _updated(
             before.covariance[moving],
             nominal,
             tracks.point.part(moving),
+            tracks.hits[moving],
         )
         gain, point, outside = gains.FILTERS[settings.filter](sample)
         after = updated(
