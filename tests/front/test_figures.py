@@ -76,7 +76,18 @@ def test_figures_come_out_the_same_and_without_a_date(tmp_path: Path, names: lis
         assert b"Software" not in png
 
 
-@pytest.mark.parametrize("entry", CATALOGUE, ids=IDS)
+ALIKE = ("patent-figure-9", "patent-comparison")
+"""Tables of runs like another one."""
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        pytest.param(entry, marks=[pytest.mark.thorough] if entry.file in ALIKE else [])
+        for entry in CATALOGUE
+    ],
+    ids=IDS,
+)
 def test_the_csv_holds_the_numbers_to_the_last_bit(entry: Entry) -> None:
     table = entry.table()
     lines = table.csv().splitlines(keepends=True)

@@ -39,7 +39,7 @@ OURS = (
 
 
 def ranges() -> Reals:
-    """From 1 to 100 km, five for each scan of a radial path, the nominal points among them."""
+    """From 1 to 100 km, five to a scan of a radial path, the nominal points among them."""
     return np.arange(NEAREST, FARTHEST + 1, 250.0)
 
 

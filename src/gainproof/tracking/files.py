@@ -12,7 +12,7 @@ from gainproof.tables.csv_table import CsvTable, read
 from gainproof.tables.kind import ANGLES, LENGTHS, TIMES, Kind
 from gainproof.tracking.arrays import Ints, Reals
 from gainproof.tracking.conversion import NoCovarianceError
-from gainproof.tracking.scans import DetectionError, Scans, TwiceError, scans
+from gainproof.tracking.scans import LEAST_INTERVAL, DetectionError, Scans, TwiceError, scans
 
 COLUMNS = {
     "time": Kind(TIMES, needed=True),
@@ -87,6 +87,10 @@ def _require_order(table: CsvTable, time: Reals, empty: Ints) -> None:
             f"wanted rows in the order of time, got {time[row]:.17g} s after "
             f"{time[row - 1]:.17g} s in line {table.lines[row - 1]}",
         )
+    step = np.diff(time)
+    if close := np.flatnonzero((step > 0) & (step < LEAST_INTERVAL)).tolist():
+        message = f"scans are at least {LEAST_INTERVAL:g} s apart, got {step[close[0]]:.3g} s"
+        raise table.error(close[0] + 1, "time", message)
     for row in empty.tolist():
         same = np.flatnonzero(time == time[row])
         if same.size > 1:
