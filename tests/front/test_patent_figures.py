@@ -1,0 +1,151 @@
+"""The patent's experiment: indices and gains against plain recursions, the runs, the page."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import plain_tracking as plain
+import pytest
+
+from gainproof.figures import patent_errors, patent_gains, patent_runs, patent_scene
+from gainproof.figures.table import Table
+from gainproof.tracking.conversion import converted
+from gainproof.tracking.gains import kalman
+from gainproof.tracking.measured import Measured
+from gainproof.tracking.motion import predicted, updated
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "track.md"
+
+
+@cache
+def comparison() -> Table:
+    return patent_errors.comparison()
+
+
+def test_figure_5_is_the_index_of_the_moments() -> None:
+    """The covariance at the measurement from a hundred thousand draws of range and bearing."""
+    draw = np.random.default_rng(5)
+    table = patent_gains.figure_5()
+    for far in (5e3, 40e3):
+        (row,) = np.flatnonzero(table["range_m"] == far)
+        drawn = far + 50 * draw.standard_normal(100_000)
+        angle = np.deg2rad(draw.standard_normal(100_000))
+        for name, values in (("along", drawn * np.cos(angle)), ("across", drawn * np.sin(angle))):
+            index = 0.98 * 25 / values.std()
+            assert table[f"index_{name}"][row] == pytest.approx(index, rel=0.01)
+
+
+@pytest.mark.parametrize("which", [0, 1])
+def test_figures_6_and_7_are_gains_and_slopes_of_the_recursion(which: int) -> None:
+    table = (patent_gains.figure_6, patent_gains.figure_7)[which]()
+    far, index = table["range_m"], table["index"]
+    for name, nominal in patent_scene.NOMINAL.items():
+        (at,) = np.flatnonzero(far == nominal)
+        gain = plain.steady_gains(float(index[at]))[which]
+        slope = plain.steady_slopes(float(index[at]))[which]
+        for column in ("exact", f"fixed_{name}", f"constant_{name}", f"recursive_{name}"):
+            assert table[column][at] == pytest.approx(gain, rel=1e-9)
+        for place in (0, 100, 396):
+            expected = gain + slope * (index[place] - index[at])
+            assert table[f"constant_{name}"][place] == pytest.approx(expected, rel=1e-6)
+        assert (table[f"constant_{name}"] >= table["exact"] * (1 - 1e-12)).all()
+        first = plain.steady_slopes(float(index[at - 5]))[which]
+        expected = gain + slope * (index[at - 5] - index[at])
+        assert table[f"recursive_{name}"][at - 5] == pytest.approx(expected, rel=1e-6)
+        if at >= 10:
+            expected += first * (index[at - 10] - index[at - 5])
+            assert table[f"recursive_{name}"][at - 10] == pytest.approx(expected, rel=1e-6)
+
+
+def test_one_run_is_that_of_plain_loops() -> None:
+    given = patent_scene.seen("crossing")
+    found = patent_runs.outcomes("crossing")
+    times = (patent_scene.INTERVAL * np.arange(patent_scene.SAMPLES)).tolist()
+    run = 7
+    place = given.measured.position[:, run]
+    noise = given.measured.covariance[:, run].tolist()
+    columns = [[[float(a)], [float(b)]] for a, b in place]
+    truth = given.truth.position[:, 0]
+    track = plain.kalman_track(times, columns, noise, patent_scene.ACCELERATION)
+    for k, (state, _) in enumerate(track, 1):
+        off = (state[0] - truth[k, 0]) ** 2 + (state[2] - truth[k, 1]) ** 2
+        assert found["kalman"].position[k, run] == pytest.approx(off, rel=1e-6)
+    nominal = patent_scene.nominal_points()["far"]
+    gains = plain.steady_gains(float(nominal.index[0, 0]))
+    fixed = plain.fixed_gain_track(times, columns, [(gains, gains)] * len(times))
+    for k, state in enumerate(fixed, 1):
+        off = (state[0] - truth[k, 0]) ** 2 + (state[2] - truth[k, 1]) ** 2
+        assert found["fixed, far"].position[k, run] == pytest.approx(off, rel=1e-6)
+
+
+def promised(given: patent_scene.Seen, seen: Measured) -> tuple[float, float]:
+    """RMS position error of the Kalman filter, and what its covariances say it should be."""
+    kept = patent_runs._start(seen)
+    interval = np.full(patent_scene.RUNS, patent_scene.INTERVAL)
+    errors, told = [], []
+    for k in range(2, patent_scene.SAMPLES):
+        before = predicted(kept, interval, patent_scene.ACCELERATION)
+        sample = patent_runs._sample(seen.part(k), np.array([k]), before.covariance)
+        kept = updated(before, kalman(sample), sample.seen)
+        off = kept.state[:, ::2] - given.truth.position[k]
+        errors.append(np.sum(off**2, -1))
+        told.append(kept.covariance[:, 0, 0] + kept.covariance[:, 2, 2])
+    part = slice(patent_scene.SETTLED - 2, None)
+    return float(np.mean(errors[part]) ** 0.5), float(np.mean(told[part]) ** 0.5)
+
+
+def test_the_kalman_filter_keeps_its_promise_where_its_covariances_know_no_noise() -> None:
+    """On the path it is made for, with the conversion's covariance at the true place. At the
+    measured place the covariance follows the noise, and the errors are larger than it says.
+    """
+    given = patent_scene.seen("manoeuvring")
+    x, y = np.moveaxis(given.truth.position, -1, 0)
+    true = converted(patent_scene.polar(np.hypot(x, y), np.arctan2(x, y)))
+    known = replace(given.measured, covariance=true.covariance)
+    error, told = promised(given, known)
+    assert error == pytest.approx(told, rel=0.04)
+    error, told = promised(given, given.measured)
+    assert 1.03 < error / told < 1.12
+    table = comparison()
+    (row,) = np.flatnonzero(
+        (np.array(table.words("path")) == "manoeuvring")
+        & (np.array(table.words("filter")) == "kalman")
+    )
+    assert table["rms_position_m"][row] == pytest.approx(error, rel=1e-12)
+
+
+def test_intervals_hold_the_truth_as_often_as_they_say() -> None:
+    """Of 400 drawn samples of squares of normal numbers, whose root mean square is 1."""
+    draw = np.random.default_rng(9)
+    squares = draw.standard_normal((400, 500)) ** 2
+    found = patent_runs.rms(squares)
+    held = np.mean((found.lower <= 1) & (found.upper >= 1))
+    assert 0.91 < held < 0.985
+    other = draw.standard_normal((400, 500)) ** 2 + squares
+    quotient = patent_runs.ratio(squares, other)
+    held = np.mean((quotient.lower <= 0.5**0.5) & (quotient.upper >= 0.5**0.5))
+    assert 0.91 < held < 0.985
+
+
+def test_the_page_has_the_numbers_of_the_runs() -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    table = comparison()
+    paths = [*patent_scene.PATHS]
+    for kind, unit, step in (("position", "m", 1.0), ("velocity", "m_s", 0.1)):
+        head = f"| RMS {kind} error, {unit.replace('_', '/')} | {' | '.join(paths)} |"
+        rows = text.partition(head)[2].partition("\n\n")[0].strip().splitlines()[1:]
+        shown = {row.split("|")[1].strip(): row.split("|")[2:6] for row in rows}
+        assert set(shown) == set(table.words("filter"))
+        for i, (path, name) in enumerate(
+            zip(table.words("path"), table.words("filter"), strict=True)
+        ):
+            middle, half = (float(x) for x in shown[name][paths.index(path)].split("±"))
+            column = f"rms_{kind}_{unit}"
+            reach = (table[f"{column}_upper"][i] - table[f"{column}_lower"][i]) / 2
+            assert middle == pytest.approx(table[column][i], abs=0.51 * step)
+            assert half == pytest.approx(reach, abs=0.51 * step)
+    assert re.search(r"500 seeded\s+runs", text)
