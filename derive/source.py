@@ -132,7 +132,7 @@ TRACKER_LIBRARY = Source(
     "crouse-tcl-conversion-2025",
     "D. F. Crouse",
     "Tracker Component Library, functions pol2CartTaylor and spher2CartTaylor",
-    "source code in the public domain, GitHub repository "
+    "Source code in the public domain, GitHub repository "
     "USNavalResearchLaboratory/TrackerComponentLibrary",
     "a transcription of the three papers on conversions, with their equation numbers",
 )

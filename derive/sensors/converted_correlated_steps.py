@@ -36,7 +36,7 @@ def _function() -> list[Step]:
             "correlated",
             "Some sensors err in range and azimuth together. Let `c` be the covariance of the two "
             "noises, of either sign.",
-            described("noises of range and azimuth jointly Gaussian, of covariance c"),
+            described("noises of range and azimuth jointly Gaussian, of covariance `c`"),
             "`c` is the correlation times both deviations.",
             tower="correlated",
             heading="Correlated noises",

@@ -24,6 +24,7 @@ from gainproof.derive.sensors.converted_space_names import LATEX as IN_SPACE
 from gainproof.derive.sensors.converted_space_steps import space_steps
 from gainproof.derive.sensors.converted_space_steps_conversions import space_conversion_steps
 from gainproof.derive.sensors.converted_space_steps_growth import space_growth_steps
+from gainproof.derive.sensors.converted_space_steps_signs import space_sign_steps
 from gainproof.derive.sensors.converted_space_towers import signs_tower, space_tower, turned_tower
 from gainproof.derive.sensors.converted_steps_conversions import conversion_steps
 from gainproof.derive.sensors.converted_steps_kernels import kernel_steps
@@ -66,6 +67,7 @@ def build() -> Subject:
         *range_steps(),
         *correlated_steps(),
         *space_steps(),
+        *space_sign_steps(),
         *space_conversion_steps(),
         *space_growth_steps(),
         *kernel_steps(plain),

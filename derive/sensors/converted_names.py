@@ -34,6 +34,8 @@ STATED = {
 LATEX = {
     "true_range": "r",
     "slant_range": "r_m",
+    "azimuth": r"\theta",
+    "measured_azimuth": r"\theta_m",
     "range_deviation": r"\sigma_r",
     "azimuth_deviation": r"\sigma_\theta",
     "azimuth_loss": r"\ell",

@@ -23,12 +23,16 @@ UPRIGHT = tuple(real(f"upright_{e}") for e in ("ahead", "up", "tilt"))
 """The covariance with a noise of the range and the elevation alone."""
 
 WHOLE, WIDER = R**2 + SIGMA_R**2, R**2 + 2 * SIGMA_R**2
-COSINES = (1 + LA**2) / 2, (1 - LA**2) / 2
-"""Mean squares of cosine and sine of the azimuth's noise."""
+ONCE, TWICE = (
+    tuple(real(f"{entry}_square_{times}") for entry in ("level", "height", "slope"))
+    for times in ("once", "twice")
+)
+"""Mean squares of cosine and sine of an elevation with noise, once and twice, and mean products."""
 
 BOTH = KEPT * KEPT_E
 
 LATEX = {
+    "elevation": r"\eta",
     "elevation_deviation": r"\sigma_\eta",
     "elevation_loss": r"\ell_\eta",
     "kept_elevation": r"\lambda_\eta",
@@ -36,6 +40,11 @@ LATEX = {
     "cos_elevation": r"c_\eta",
     "sin_elevation": r"s_\eta",
     "a": "a",
+    **{
+        f"{entry}_square_{times}": f"{letter}_{number}"
+        for entry, letter in (("level", "C"), ("height", "S"), ("slope", "B"))
+        for number, times in ((1, "once"), (2, "twice"))
+    },
     **{f"level_{name}": f"f_{name[0]}" for name in CONVERSIONS},
     **{f"upwards_{name}": f"g_{name[0]}" for name in CONVERSIONS},
     **{

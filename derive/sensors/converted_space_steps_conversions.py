@@ -6,22 +6,22 @@ import sympy as sp
 
 from gainproof.derive.derivation import Step
 from gainproof.derive.relation import equal
-from gainproof.derive.sensors.converted_names import KEPT, SIGMA_A, SIGMA_R, R, column
+from gainproof.derive.sensors.converted_names import COS2, KEPT, SIGMA_A, SIGMA_R, SIN2, R, column
 from gainproof.derive.sensors.converted_space_names import (
     BOTH,
     COS_E,
-    COSINES,
     ENTRY,
     KEPT_E,
     LA,
     LE,
     LEVEL,
+    ONCE,
     SIGMA_E,
     SIN_E,
+    TWICE,
     UPWARDS,
     WHOLE,
     WIDER,
-    squares,
 )
 from gainproof.derive.sensors.converted_space_steps import mean_square_error
 
@@ -36,7 +36,7 @@ def space_conversion_steps() -> list[Step]:
 
 
 def _conversions() -> list[Step]:
-    c1, s1, m1 = squares(LE**2)
+    c1, s1, m1 = ONCE
     level, height = R * COS_E, R * SIN_E
     wide, high = 1 / BOTH, 1 / KEPT_E
     return [
@@ -59,9 +59,8 @@ def _conversions() -> list[Step]:
             "space-debiased",
             "The debiased conversion's: the mean of `V`, given the measurement.",
             equal(column(*DEBIASED), column(*_average(sp.Integer(1), sp.Integer(1)))),
-            "The true squared range has the mean `r_m^2 + sigma_r^2`; the doubled elevation keeps "
-            "`lambda_eta^4` of its cosine and its sine; then the azimuth's noise turns what is "
-            "ahead and across.",
+            "The true squared range has the mean `r_m^2 + sigma_r^2`, the elevation has its noise "
+            "twice, and the azimuth's noise turns what is ahead and across.",
             tower="space",
         ),
         Step(
@@ -83,12 +82,10 @@ def _conversions() -> list[Step]:
             equal(
                 column(*_average(wide, high)),
                 column(
-                    (WIDER * (1 + LA**4) * squares(LE**4)[0] / BOTH**2) / 2
-                    - WHOLE * (1 + LA**2) * c1 / 2,
-                    (WIDER * (1 - LA**4) * squares(LE**4)[0] / BOTH**2) / 2
-                    - WHOLE * (1 - LA**2) * c1 / 2,
-                    WIDER * squares(LE**4)[1] / LE - WHOLE * s1,
-                    KEPT * (WIDER * squares(LE**4)[2] / LE - WHOLE * m1),
+                    (WIDER * (1 + LA**4) * TWICE[0] / BOTH**2) / 2 - WHOLE * (1 + LA**2) * c1 / 2,
+                    (WIDER * (1 - LA**4) * TWICE[0] / BOTH**2) / 2 - WHOLE * (1 - LA**2) * c1 / 2,
+                    WIDER * TWICE[1] / LE - WHOLE * s1,
+                    KEPT * (WIDER * TWICE[2] / LE - WHOLE * m1),
                 ),
             ),
             "The debiased conversion's entries times the factors of ahead and up: (11a) to (11f) "
@@ -102,12 +99,12 @@ def _average(wide: sp.Expr, high: sp.Expr) -> tuple[sp.Expr, ...]:
     """The mean given the measurement of the covariance given the truth of places that are
     multiplied by `wide` ahead and across and by `high` up.
     """
-    (c2, s2, m2), (c1, s1, m1) = squares(LE**4), squares(LE**2)
-    ahead = WIDER * c2 * COSINES[0] - LA * LE * WHOLE * c1
-    across = WIDER * c2 * COSINES[1]
+    (c2, s2, m2), (c1, s1, m1) = TWICE, ONCE
+    ahead = WIDER * c2 * COS2 - LA * LE * WHOLE * c1
+    across = WIDER * c2 * SIN2
     return (
-        wide**2 * (COSINES[0] * ahead + COSINES[1] * across),
-        wide**2 * (COSINES[1] * ahead + COSINES[0] * across),
+        wide**2 * (COS2 * ahead + SIN2 * across),
+        wide**2 * (SIN2 * ahead + COS2 * across),
         high**2 * (WIDER * s2 - LE * WHOLE * s1),
         wide * high * LA * (WIDER * m2 - LE * WHOLE * m1),
     )

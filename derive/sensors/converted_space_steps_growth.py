@@ -6,15 +6,14 @@ import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.relation import equal, monotone
-from gainproof.derive.sensors.converted_names import R, column
+from gainproof.derive.sensors.converted_names import COS2, SIN2, R, column
 from gainproof.derive.sensors.converted_space_names import (
     COS_E,
-    COSINES,
     ENTRY,
     LA,
     LE,
     SIN_E,
-    squares,
+    TWICE,
 )
 
 DEBIASED, UNBIASED, MODIFIED = (
@@ -30,7 +29,7 @@ def space_growth_steps() -> list[Step]:
         for name, symbols in (("modified", MODIFIED), ("unbiased", UNBIASED))
         for entry, symbol in zip(names, symbols[:3], strict=True)
     ]
-    c2 = squares(LE**4)[0]
+    c2 = TWICE[0]
     lost = 1 - LE, 1 - LA
     flat = lost[0] ** 2 * (1 + LE + LE**2) / 2, lost[0] * (1 + LE**3) / 2
     ahead = LA * (COS_E**2 * flat[0] + SIN_E**2 * flat[1]) + lost[1] ** 2 * c2 / 2
@@ -53,8 +52,8 @@ def space_growth_steps() -> list[Step]:
                 2
                 * R
                 * column(
-                    COSINES[0] * ahead + COSINES[1] * across,
-                    COSINES[1] * ahead + COSINES[0] * across,
+                    COS2 * ahead + SIN2 * across,
+                    SIN2 * ahead + COS2 * across,
                     SIN_E**2 * flat[0] + COS_E**2 * flat[1],
                 ),
             ),

@@ -25,9 +25,12 @@ from gainproof.derive.sensors.converted_space_names import (
     LEVEL,
     LOSS_E,
     MATRICES,
+    ONCE,
     SIGMA_E,
     SIN_E,
+    TWICE,
     UPWARDS,
+    squares,
 )
 from gainproof.derive.sensors.converted_towers import positive
 from gainproof.derive.sensors.polar_towers import bearing_circle, elevation_circle
@@ -55,7 +58,7 @@ def frames() -> dict[str, Frame]:
 
 def space_tower() -> Tower:
     """Covariances ahead, across and up."""
-    elements: dict[str, sp.Expr] = {**elevation_circle(), **_upright()}
+    elements: dict[str, sp.Expr] = {**elevation_circle(), **_squares(), **_upright()}
     for name in MATRICES:
         elements |= _entries(name)
     factors = (1, 1 + BOTH - BOTH**2, 1 / BOTH, BOTH), (1, 1 + KEPT_E - LE, 1 / KEPT_E, KEPT_E)
@@ -70,9 +73,16 @@ def signs_tower() -> Tower:
     """Those of the unbiased and the modified conversion once more, the elevation 0 or above."""
     elements: dict[str, sp.Expr] = {**elevation_circle()}
     elements |= {"kept_azimuth": 1 / (1 + LOSS), "kept_elevation": 1 / (1 + LOSS_E)}
-    elements |= _upright() | _entries("space_unbiased") | _entries("space_modified")
+    elements |= _squares() | _upright() | _entries("space_unbiased") | _entries("space_modified")
     own = positive("slant_range", "range_deviation", "azimuth_loss", "elevation_loss")
     return Tower("signs", (*own, Parameter("a", above=None, start="1")), (), elements)
+
+
+def _squares() -> dict[str, sp.Expr]:
+    found = {"cosine_square": (1 + LA**2) / 2, "sine_square": (1 - LA**2) / 2}
+    for symbols, kept in ((ONCE, LE**2), (TWICE, LE**4)):
+        found |= {str(s): value for s, value in zip(symbols, squares(kept), strict=True)}
+    return found
 
 
 def _upright() -> dict[str, sp.Expr]:

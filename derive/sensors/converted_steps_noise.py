@@ -31,8 +31,8 @@ def turn_steps() -> list[Step]:
             "the x axis towards the y axis, as `r_m` and `theta_m`. Converted, the measurement is "
             "the place `(r_m cos theta_m, r_m sin theta_m)`.",
             described(
-                "r_m = r + noise of deviation sigma_r, theta_m = theta + noise of deviation "
-                "sigma_theta; both Gaussian of mean 0, independent; angles in radians"
+                "`r_m` is `r` with Gaussian noise of mean 0 and deviation `sigma_r`, `theta_m` is "
+                "`theta` with such noise of deviation `sigma_theta`, independent; angles in radians"
             ),
             "For a bearing from north exchange x and y.",
             heading="The noise of a direction",
@@ -117,9 +117,9 @@ def measurement_steps() -> list[Step]:
             "The other way round one asks where the truth is, given the measurement. That needs "
             "what is known of it before; here nothing is.",
             described(
-                "given the measurement the truth is at range r_m less noise and at azimuth "
-                "theta_m less noise, of the same distributions, independent: flat priors of range "
-                "and azimuth"
+                "given the measurement the truth is at the range `r_m` less noise and at the "
+                "azimuth `theta_m` less noise, of the same distributions, independent: flat priors "
+                "of range and azimuth"
             ),
             "With a flat prior the posterior density of the truth is the likelihood, a Gaussian "
             "density in the truth centred on the measurement. A prior flat in x and y would be "
