@@ -30,8 +30,11 @@ FIELDS = (
     "integer",
     "shape",
     "variance",
+    "distribution",
 )
 """Fields of a symbol."""
+NORMAL = "normal"
+"""The distribution that a noise may be said to have."""
 RESERVED = frozenset(("infinity", "select", "and")) | MADE_BY_READER
 
 
@@ -90,6 +93,7 @@ def _declaration(fields: Fields, name: str) -> Declaration:
     variance = fields.text_or_none("variance")
     if variance is not None and role != "free":
         raise fields.fail("variance", "only a free symbol can be a noise")
+    normal = _normal(fields, variance)
     if arguments and role != "definition":
         raise fields.fail("arguments", "only a definition can have arguments")
     if role == "free" and unit_text is None:
@@ -106,8 +110,18 @@ def _declaration(fields: Fields, name: str) -> Declaration:
         ),
         integer=integer or quantity == "sample_number",
         shape=_shape(fields),
+        normal=normal,
     )
     return Declaration(entry, fields.where, fields.line, definition, domain, variance)
+
+
+def _normal(fields: Fields, variance: str | None) -> bool:
+    said = fields.text_or_none("distribution")
+    if said is not None and variance is None:
+        raise fields.fail("distribution", "only a noise has one: its variance is missing")
+    if said not in (None, NORMAL):
+        raise fields.fail("distribution", f"{said[:80]!r} is not known, only {NORMAL!r} is")
+    return said is not None
 
 
 def _shape(fields: Fields) -> tuple[int, int] | None:

@@ -50,7 +50,7 @@ class SymbolEntry:
     * `undefined`: printed by the source and never defined by it.
 
     `shape` is (rows, columns) for a matrix, None for a number. With a `variance` a free symbol is a
-    noise with mean zero, independent of all other noises.
+    noise with mean zero, independent of all other noises; `normal` says that it is Gaussian.
     """
 
     latex: str
@@ -64,6 +64,7 @@ class SymbolEntry:
     integer: bool = False
     shape: tuple[int, int] | None = None
     variance: Graph | None = None
+    normal: bool = False
 
 
 @dataclass(frozen=True)

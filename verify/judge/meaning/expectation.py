@@ -1,36 +1,79 @@
-"""Expectations of polynomials of independent noises with mean zero and declared variances."""
+"""Expectations of polynomials of independent noises with mean zero and declared variances; where
+noises are normal, of sines and cosines of them too.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
+from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.meaning.expansion import products
+from gainproof.verify.judge.meaning.normal_moments import Turn, moments
+
+TURNS = ("cos", "sin")
 
 
-def expectation_of(expr: Expr, variances: Mapping[str, Expr]) -> Expr:
+def expectation_of(
+    expr: Expr, variances: Mapping[str, Expr], normal: Set[str] = frozenset()
+) -> Expr:
     """The expectation; symbols without a variance are no random variables. Raises Undecided.
 
-    Noises are independent of one another: E[v w] = 0. Only first and second moments are known.
+    Noises are independent of one another: E[v w] = 0. Only first and second moments are known but
+    of those that are `normal`.
     """
     if not symbols_of(expr) & set(variances):
         raise Undecided("an expectation of something in which no symbol is declared a noise")
-    terms = []
+    if any(symbols_of(variance) & set(variances) for variance in variances.values()):
+        raise Undecided("an expectation with a variance that is random itself")
+    terms: list[Expr] = []
     for product in products(expr, variances):
-        powers: dict[str, int] = {}
-        rest = []
-        for factor in product:
-            name = next(iter(symbols_of(factor) & set(variances)), None)
-            if name is None:
-                rest.append(factor)
-            elif factor.kind == "symbol":
-                powers[name] = powers.get(name, 0) + 1
-            else:
-                raise Undecided("an expectation of something that is no polynomial of the noises")
-        if 1 in powers.values():
-            continue
-        if any(p > 2 for p in powers.values()):
-            raise Undecided("a moment of a noise beyond its variance")
-        terms.append(mul(*rest, *[variances[n] for n in powers]) if rest or powers else number(1))
+        sorted_out = _sorted_out(product, variances, normal)
+        terms += sorted_out.expectation(variances, normal)
     return add(*terms) if terms else number(0)
+
+
+@dataclass(frozen=True)
+class _Product:
+    """Factors without noise, powers of noises, sines and cosines of normal noises."""
+
+    rest: tuple[Expr, ...]
+    powers: Mapping[str, int]
+    turns: tuple[Turn, ...]
+
+    def expectation(self, variances: Mapping[str, Expr], normal: Set[str]) -> list[Expr]:
+        """Its terms; none if it is zero."""
+        others = {name: power for name, power in self.powers.items() if name not in normal}
+        if 1 in others.values():
+            return []
+        if any(power > 2 for power in others.values()):
+            raise Undecided("a moment of a noise beyond its variance")
+        known = [*self.rest, *(variances[name] for name in others)]
+        powers = {name: power for name, power in self.powers.items() if name in normal}
+        if not powers and not self.turns:
+            return [mul(*known) if known else number(1)]
+        deviations = {name: variances[name] for name in normal}
+        return [mul(*known, term) for term in moments(powers, self.turns, deviations)]
+
+
+def _sorted_out(
+    product: tuple[Expr, ...], variances: Mapping[str, Expr], normal: Set[str]
+) -> _Product:
+    rest: list[Expr] = []
+    powers: dict[str, int] = {}
+    turns: list[Turn] = []
+    for factor in product:
+        noises = symbols_of(factor) & set(variances)
+        if not noises:
+            rest.append(factor)
+        elif factor.kind == "symbol":
+            powers[factor.name] = powers.get(factor.name, 0) + 1
+        elif factor.kind == "call" and factor.name in TURNS and noises <= normal:
+            turns.append((factor.name, factor.parts[0]))
+        else:
+            raise Undecided(
+                "an expectation of something that is no polynomial of the noises, nor one of them "
+                "with sines and cosines of normal noises"
+            )
+    return _Product(tuple(rest), powers, tuple(turns))

@@ -229,7 +229,8 @@ class Table(Symbols):
             for token, entry in self.setting.symbols.items()
             if entry.variance is not None
         }
-        return mapped(value, lambda entry: expectation_of(entry, variances))
+        normal = {free_name(t) for t, entry in self.setting.symbols.items() if entry.normal}
+        return mapped(value, lambda entry: expectation_of(entry, variances, normal))
 
 
 def _without_repeated(found: list[_Item], start: int) -> None:

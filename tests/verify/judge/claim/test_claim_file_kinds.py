@@ -201,3 +201,18 @@ def test_a_branch_is_part_of_the_reading() -> None:
 def test_a_relation_of_another_kind_names_the_kinds_that_have_it() -> None:
     with pytest.raises(ClaimFileError, match="no relation approx; kinds that have it: value"):
         claim("identity", "latex = 'a \\approx 0.4'\n")
+
+
+@pytest.mark.parametrize(
+    ("fields", "why"),
+    [
+        ("variance = 'p', distribution = 'uniform'", "'uniform' is not known"),
+        ("distribution = 'normal'", "its variance is missing"),
+        ("definition = '2 p', distribution = 'normal'", "its variance is missing"),
+        ("definition = '2 p', variance = 'p', distribution = 'normal'", "only a free symbol"),
+    ],
+)
+def test_distributions_refused(fields: str, why: str) -> None:
+    line = f"'n' = {{ unit = \"m\", {fields}, meaning = 'noise' }}\n"
+    with pytest.raises(ClaimFileError, match=why):
+        read_claim_text(HEAD.replace("'A' =", f"{line}'A' ="))
