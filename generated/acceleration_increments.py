@@ -66,21 +66,15 @@ _TRACKING_INDEX_DOMAIN = Domain(
 )
 _TRACKING_INDEX_DOMAIN_2 = Domain(
     "tracking_index",
-    "a number above 0 and at most 2^511, in float32 above 0 and at most 2^63",
-    (5e-324, 6.703903964971299e153),
-    (1.401298464324817e-45, 9.223372036854776e18),
-)
-_TRACKING_INDEX_DOMAIN_3 = Domain(
-    "tracking_index",
     "a number above 0 and at most 2^1000, in float32 above 0 and at most 2^120",
     (5e-324, 1.0715086071862673e301),
     (1.401298464324817e-45, 1.329227995784916e36),
 )
-_TRACKING_INDEX_DOMAIN_4 = Domain(
+_TRACKING_INDEX_DOMAIN_3 = Domain(
     "tracking_index",
-    "a number at least 2^-750 and at most 2^480, in float32 at least 2^-80 and at most 2^56",
-    (1.688508503057271e-226, 3.1217485503159922e144),
-    (8.271806125530277e-25, 7.205759403792794e16),
+    "a number at least 2^-750 and at most 2^1000, in float32 at least 2^-80 and at most 2^120",
+    (1.688508503057271e-226, 1.0715086071862673e301),
+    (8.271806125530277e-25, 1.329227995784916e36),
 )
 _ALPHA_DOMAIN = Domain(
     "alpha",
@@ -112,7 +106,7 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.18 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
@@ -253,10 +247,10 @@ def gain_derivatives(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 14.71 * 2^-52 (float64), 14.70 *
+    alpha: derivative of the position gain. Relative error at most 14.69 * 2^-52 (float64), 14.69 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 15.77
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 15.76
         * 2^-52 (float64), 15.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
@@ -434,7 +428,7 @@ def gains_with_derivatives(
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.18 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
@@ -444,11 +438,11 @@ def gains_with_derivatives(
         * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 14.71 * 2^-52 (float64), 14.70
+    d_alpha: derivative of the position gain. Relative error at most 14.69 * 2^-52 (float64), 14.69
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        15.77 * 2^-52 (float64), 15.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        15.76 * 2^-52 (float64), 15.75 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
         error at most 13.14 * 2^-52 (float64), 13.14 * 2^-23 (float32), proved for 5e-324 <=
@@ -767,10 +761,10 @@ def predictor_gain_derivatives(
         finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 15.72 * 2^-52 (float64), 15.69 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 15.69 * 2^-52 (float64), 15.71 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 2.6815615859885194e154 (float64) and 1e-45 <= tracking_index <= 3.689349e19 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 14.87 * 2^-52 (float64), 14.84 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 14.84 * 2^-52 (float64), 14.86 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 3.2842287997601345e154 (float64) and 1e-45 <= tracking_index <=
         4.5185108e19 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
@@ -1209,30 +1203,30 @@ def predicted_covariance(
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
-        at most 2^511, in float32 above 0 and at most 2^63.
+        finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.55 *
-        2^-52 (float64), 9.56 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 9.54 *
+        2^-52 (float64), 9.54 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        2.6815615859884846e154 (float64) and 1e-45 <= tracking_index <= 3.6893248e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 9.41 * 2^-52 (float64), 9.42 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+        most 9.40 * 2^-52 (float64), 9.40 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.89615038162181e154 (float64) and 1e-45 <= tracking_index <= 2.608746e19 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
-        error at most 4.91 * 2^-52 (float64), 4.91 * 2^-23 (float32), proved for
-        2.2250738585072014e-308 <= tracking_index <= 6.703903964971299e153 (float64) and
-        1.1754944e-38 <= tracking_index <= 9.223372e18 (float32).
+        error at most 4.90 * 2^-52 (float64), 4.89 * 2^-23 (float32), proved for
+        2.2250738585072014e-308 <= tracking_index <= 1.8961503816218218e154 (float64) and
+        1.1754944e-38 <= tracking_index <= 2.6087534e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
         12.27 * 2^-52 (float64), 12.27 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
-        9.223372e18 (float32).
+        tracking_index <= 1.3407807929942344e154 (float64) and 3.918315e-39 <= tracking_index <=
+        1.844657e19 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
-        error at most 6.36 * 2^-52 (float64), 6.36 * 2^-23 (float32), proved for
-        1.0832677820940206e-231 <= tracking_index <= 6.703903964971299e153 (float64) and
-        2.122721e-29 <= tracking_index <= 9.223372e18 (float32).
+        error at most 6.40 * 2^-52 (float64), 6.40 * 2^-23 (float32), proved for
+        1.0832677820940206e-231 <= tracking_index <= 1.3407807929942502e154 (float64) and
+        2.122721e-29 <= tracking_index <= 1.8446673e19 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
         5.92 * 2^-52 (float64), 5.92 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
-        9.223372e18 (float32).
+        tracking_index <= 9.480751908109109e153 (float64) and 1.1521641e-23 <= tracking_index <=
+        1.3043767e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1359,7 +1353,7 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, single
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (_TRACKING_INDEX_DOMAIN_2,),
+    (_TRACKING_INDEX_DOMAIN,),
     (
         "predicted_11",
         "predicted_12",
@@ -1600,7 +1594,7 @@ def _predicted_covariance_derivatives_block(
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     (
         "predicted_11",
         "predicted_12",
@@ -1642,30 +1636,30 @@ def updated_covariance(
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
-        at most 2^511, in float32 above 0 and at most 2^63.
+        finite.
 
     updated_11: variance of the updated position over sigma_v^2. Relative error at most 6.18 * 2^-52
         (float64), 6.18 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
         most 6.09 * 2^-52 (float64), 6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_13: covariance of updated position and acceleration times T^2/sigma_v^2. Relative error
-        at most 4.56 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308
-        <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
-        9.223372e18 (float32).
+        at most 4.55 * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308
+        <= tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
+        3.4028235e38 (float32).
     updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 6.26 *
         2^-52 (float64), 6.26 * 2^-23 (float32), proved for 7.416912861690675e-309 <= tracking_index
-        <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <= 9.223372e18
+        <= 1.7976931348622031e308 (float64) and 3.918315e-39 <= tracking_index <= 3.4027178e38
         (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
         at most 4.76 * 2^-52 (float64), 4.76 * 2^-23 (float32), proved for 1.0832677820940206e-231
-        <= tracking_index <= 6.703903964971299e153 (float64) and 2.122721e-29 <= tracking_index <=
-        9.223372e18 (float32).
+        <= tracking_index <= 8.988465674311451e307 (float64) and 2.122721e-29 <= tracking_index <=
+        1.7013988e38 (float32).
     updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
         4.76 * 2^-52 (float64), 4.76 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
-        9.223372e18 (float32).
+        tracking_index <= 1.34078079299425e154 (float64) and 1.1521641e-23 <= tracking_index <=
+        1.8446673e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1781,7 +1775,7 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (_TRACKING_INDEX_DOMAIN_2,),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     4,
     _updated_covariance_block,
@@ -2012,7 +2006,7 @@ def _updated_covariance_derivatives_block(
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     8,
     _updated_covariance_derivatives_block,
@@ -2048,11 +2042,11 @@ def gain_second_derivatives(
         1.8122441335979363e77 (float64) and 4.6731686e-24 <= tracking_index <= 6.721987e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 28.95 * 2^-52 (float64), 28.97 * 2^-23 (float32), proved for
+        error at most 28.96 * 2^-52 (float64), 28.98 * 2^-23 (float32), proved for
         3.506117298415883e-232 <= tracking_index <= 8.958978968711217e102 (float64) and 6.87103e-30
         <= tracking_index <= 1.1082382e13 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 26.44 * 2^-52 (float64), 26.42 * 2^-23 (float32), proved
+        interval. Relative error at most 26.42 * 2^-52 (float64), 26.43 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45 <= tracking_index
         <= 1.3962927e13 (float32).
 
@@ -2291,15 +2285,15 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 24.95 * 2^-52 (float64), 24.90 * 2^-23 (float32), proved for
+        Relative error at most 24.90 * 2^-52 (float64), 24.89 * 2^-23 (float32), proved for
         6.852691063641282e-186 <= tracking_index <= 1.1287606188244725e103 (float64) and
         4.673234e-24 <= tracking_index <= 1.3962927e13 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta + gamma. Relative error at most 29.45 * 2^-52 (float64), 29.47 * 2^-23 (float32),
+        beta + gamma. Relative error at most 29.46 * 2^-52 (float64), 29.48 * 2^-23 (float32),
         proved for 3.5061172984158834e-232 <= tracking_index <= 1.292108356801686e103 (float64) and
         6.8710304e-30 <= tracking_index <= 1.5983561e13 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 26.44 * 2^-52 (float64), 26.42 * 2^-23
+        the sampling interval, gamma. Relative error at most 26.42 * 2^-52 (float64), 26.43 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 1.1287606188244725e103 (float64) and 1e-45
         <= tracking_index <= 1.3962927e13 (float32).
 
@@ -2770,7 +2764,7 @@ def _predicted_covariance_second_derivatives_block(
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "predicted_covariance_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     11,
     _predicted_covariance_second_derivatives_block,
@@ -2797,18 +2791,18 @@ def predicted_position_second_derivatives(
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number at least
-        2^-750 and at most 2^480, in float32 at least 2^-80 and at most 2^56.
+        2^-750 and at most 2^1000, in float32 at least 2^-80 and at most 2^120.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
         sigma_v^2. Error over predicted_11_scale at most 62.86 * 2^-52 (float64), 65.03 * 2^-23
-        (float32), proved for 6.852691063641087e-186 <= tracking_index <= 3.1217485503159922e144
-        (float64) and 4.6731686e-24 <= tracking_index <= 7.2057594e16 (float32). Cancellation in
+        (float32), proved for 6.852691063641087e-186 <= tracking_index <= 1.0715086071862673e301
+        (float64) and 4.6731686e-24 <= tracking_index <= 1.329228e36 (float32). Cancellation in
         predicted_11_turn, condition number 1: it bends down for a small index and up for a large
         one; the scale is the sum of the two terms whose difference it is.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
         times T/sigma_v^2. Error over predicted_12_scale at most 64.09 * 2^-52 (float64), 66.77 *
         2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
-        3.1217485503159922e144 (float64) and 8.271806e-25 <= tracking_index <= 7.2057594e16
+        1.0715086071862673e301 (float64) and 8.271806e-25 <= tracking_index <= 1.329228e36
         (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
         index and up for a large one; the scale is the sum of the two terms whose difference it is.
 
@@ -2990,7 +2984,7 @@ def _predicted_position_second_derivatives_block(
 
 _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     "predicted_position_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_4,),
+    (_TRACKING_INDEX_DOMAIN_3,),
     ("predicted_11", "predicted_12"),
     11,
     _predicted_position_second_derivatives_block,
@@ -3020,20 +3014,20 @@ def updated_covariance_second_derivatives(
 
     tracking_index: Lambda, with Lambda^2 =
         increment_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0 and
-        at most 2^1000, in float32 above 0 and at most 2^120.
+        finite.
 
     updated_22: second derivative by Lambda of the variance of the updated velocity times
-        T^2/sigma_v^2. Relative error at most 21.37 * 2^-52 (float64), 21.36 * 2^-23 (float32),
+        T^2/sigma_v^2. Relative error at most 21.35 * 2^-52 (float64), 21.36 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.422149263949316e103 (float64) and 1e-45 <=
         tracking_index <= 1.7592185e13 (float32).
     updated_23: second derivative by Lambda of the covariance of updated velocity and acceleration
-        times T^3/sigma_v^2. Relative error at most 21.37 * 2^-52 (float64), 21.36 * 2^-23
+        times T^3/sigma_v^2. Relative error at most 21.35 * 2^-52 (float64), 21.36 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 1.422149263949316e103 (float64) and 1e-45
         <= tracking_index <= 1.7592185e13 (float32).
     updated_33: second derivative by Lambda of the variance of the updated acceleration times
-        T^4/sigma_v^2. Relative error at most 14.12 * 2^-52 (float64), 14.11 * 2^-23 (float32),
-        proved for 5e-324 <= tracking_index <= 1.0715086071862673e301 (float64) and 1e-45 <=
-        tracking_index <= 1.329228e36 (float32).
+        T^4/sigma_v^2. Relative error at most 14.14 * 2^-52 (float64), 14.14 * 2^-23 (float32),
+        proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
+        tracking_index <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -3162,7 +3156,7 @@ def _updated_covariance_second_derivatives_block(
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "updated_covariance_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_22", "updated_23", "updated_33"),
     6,
     _updated_covariance_second_derivatives_block,

@@ -62,27 +62,15 @@ _TRACKING_INDEX_DOMAIN = Domain(
 )
 _TRACKING_INDEX_DOMAIN_2 = Domain(
     "tracking_index",
-    "a number above 0 and at most 2^511, in float32 above 0 and at most 2^63",
-    (5e-324, 6.703903964971299e153),
-    (1.401298464324817e-45, 9.223372036854776e18),
-)
-_TRACKING_INDEX_DOMAIN_3 = Domain(
-    "tracking_index",
     "a number above 0 and at most 2^1000, in float32 above 0 and at most 2^120",
     (5e-324, 1.0715086071862673e301),
     (1.401298464324817e-45, 1.329227995784916e36),
 )
-_TRACKING_INDEX_DOMAIN_4 = Domain(
+_TRACKING_INDEX_DOMAIN_3 = Domain(
     "tracking_index",
-    "a number at least 2^-750 and at most 2^480, in float32 at least 2^-80 and at most 2^56",
-    (1.688508503057271e-226, 3.1217485503159922e144),
-    (8.271806125530277e-25, 7.205759403792794e16),
-)
-_TRACKING_INDEX_DOMAIN_5 = Domain(
-    "tracking_index",
-    "a number above 0 and at most 2^480, in float32 above 0 and at most 2^56",
-    (5e-324, 3.1217485503159922e144),
-    (1.401298464324817e-45, 7.205759403792794e16),
+    "a number at least 2^-750 and at most 2^1000, in float32 at least 2^-80 and at most 2^120",
+    (1.688508503057271e-226, 1.0715086071862673e301),
+    (8.271806125530277e-25, 1.329227995784916e36),
 )
 
 
@@ -107,7 +95,7 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.18 * 2^-52 (float64), 6.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
@@ -251,14 +239,14 @@ def gain_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: derivative of the position gain. Relative error at most 16.96 * 2^-52 (float64), 16.95 *
+    alpha: derivative of the position gain. Relative error at most 16.91 * 2^-52 (float64), 16.96 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64) and
         1e-45 <= tracking_index <= 7.235911e12 (float32).
     beta: derivative of the velocity gain times the sampling interval. Relative error at most 17.73
-        * 2^-52 (float64), 17.74 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.83 * 2^-52 (float64), 16.83 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -441,7 +429,7 @@ def gains_with_derivatives(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.18 * 2^-52 (float64), 6.17 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
@@ -451,14 +439,14 @@ def gains_with_derivatives(
         * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 16.96 * 2^-52 (float64), 16.95
+    d_alpha: derivative of the position gain. Relative error at most 16.91 * 2^-52 (float64), 16.96
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.849498211276313e102 (float64)
         and 1e-45 <= tracking_index <= 7.235911e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        17.73 * 2^-52 (float64), 17.74 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        17.73 * 2^-52 (float64), 17.73 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6140834523330185e103 (float64) and 1e-45 <= tracking_index <= 1.9966437e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 16.83 * 2^-52 (float64), 16.83 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <= tracking_index <=
         2.362475e13 (float32).
 
@@ -639,7 +627,7 @@ def predictor_gains(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: position entry of F K, alpha + beta + gamma/2. Relative error at most 6.18 * 2^-52
-        (float64), 6.19 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        (float64), 6.18 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     velocity: velocity entry of F K times the sampling interval, beta + gamma. Relative error at
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
@@ -786,14 +774,14 @@ def predictor_gain_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.25 * 2^-52 (float64), 18.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 18.24 * 2^-52 (float64), 18.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 1.990641374279621e103 (float64) and 1e-45 <= tracking_index <= 2.4624511e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
-        Relative error at most 17.76 * 2^-52 (float64), 17.77 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 17.76 * 2^-52 (float64), 17.76 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.235446903786528e103 (float64) and 1e-45 <= tracking_index <=
         2.765279e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 16.83 * 2^-52 (float64), 16.83 * 2^-23 (float32),
+        interval, gamma. Relative error at most 16.82 * 2^-52 (float64), 16.82 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.9098208591277692e103 (float64) and 1e-45 <=
         tracking_index <= 2.362475e13 (float32).
 
@@ -1103,7 +1091,7 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 11.35 * 2^-52 (float64), 11.36 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 11.36 * 2^-52 (float64), 11.36 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0003752096714334e154 (float64) and 1e-45 <= tracking_index <=
         1.3763372e19 (float32).
 
@@ -1243,31 +1231,30 @@ def predicted_covariance(
         xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
 
     tracking_index: Lambda, with Lambda^2 =
-        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
-        2^511, in float32 above 0 and at most 2^63.
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.84 *
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.83 *
         2^-52 (float64), 10.84 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+        2.0007504193428274e154 (float64) and 1e-45 <= tracking_index <= 2.7526447e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 10.33 * 2^-52 (float64), 10.33 * 2^-23 (float32), proved for 5e-324 <= tracking_index
-        <= 6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+        most 10.32 * 2^-52 (float64), 10.33 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        <= 1.5222172303427583e154 (float64) and 1e-45 <= tracking_index <= 2.0942752e19 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
-        error at most 5.44 * 2^-52 (float64), 5.44 * 2^-23 (float32), proved for
-        2.2250738585072014e-308 <= tracking_index <= 6.703903964971299e153 (float64) and
-        1.1754944e-38 <= tracking_index <= 9.223372e18 (float32).
+        error at most 5.43 * 2^-52 (float64), 5.43 * 2^-23 (float32), proved for
+        2.2250738585072014e-308 <= tracking_index <= 1.637854613154071e154 (float64) and
+        1.1754944e-38 <= tracking_index <= 2.253382e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        13.32 * 2^-52 (float64), 13.36 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
-        9.223372e18 (float32).
+        13.27 * 2^-52 (float64), 13.26 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 1.133038012070643e154 (float64) and 3.918315e-39 <= tracking_index <=
+        1.5588327e19 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
-        error at most 7.03 * 2^-52 (float64), 7.05 * 2^-23 (float32), proved for
-        1.0832677820940206e-231 <= tracking_index <= 6.703903964971299e153 (float64) and
-        2.122721e-29 <= tracking_index <= 9.223372e18 (float32).
+        error at most 7.07 * 2^-52 (float64), 7.07 * 2^-23 (float32), proved for
+        1.0832677820940206e-231 <= tracking_index <= 1.1615899080873361e154 (float64) and
+        2.122721e-29 <= tracking_index <= 1.5981308e19 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
         6.26 * 2^-52 (float64), 6.26 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
-        9.223372e18 (float32).
+        tracking_index <= 1.0413682289554346e154 (float64) and 1.1521641e-23 <= tracking_index <=
+        1.4327283e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1400,7 +1387,7 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, single
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (_TRACKING_INDEX_DOMAIN_2,),
+    (_TRACKING_INDEX_DOMAIN,),
     (
         "predicted_11",
         "predicted_12",
@@ -1668,7 +1655,7 @@ def _predicted_covariance_derivatives_block(
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     (
         "predicted_11",
         "predicted_12",
@@ -1709,31 +1696,30 @@ def updated_covariance(
         xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
 
     tracking_index: Lambda, with Lambda^2 =
-        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
-        2^511, in float32 above 0 and at most 2^63.
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 6.19 * 2^-52
-        (float64), 6.20 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 6.18 * 2^-52
+        (float64), 6.17 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 6.11 * 2^-52 (float64), 6.12 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+        most 6.09 * 2^-52 (float64), 6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_13: covariance of updated position and acceleration times T^2/sigma_v^2. Relative error
-        at most 4.56 * 2^-52 (float64), 4.56 * 2^-23 (float32), proved for 2.2250738585072014e-308
-        <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
-        9.223372e18 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 16.73 *
-        2^-52 (float64), 16.76 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
-        9.223372e18 (float32).
+        at most 4.55 * 2^-52 (float64), 4.55 * 2^-23 (float32), proved for 2.2250738585072014e-308
+        <= tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
+        3.4028235e38 (float32).
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 16.67 *
+        2^-52 (float64), 17.17 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 5.47189735077569e154 (float64) and 3.918315e-39 <= tracking_index <=
+        7.527825e19 (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
-        at most 12.79 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for 1.0832677820940206e-231
-        <= tracking_index <= 6.703903964971299e153 (float64) and 2.122721e-29 <= tracking_index <=
-        9.223372e18 (float32).
+        at most 12.74 * 2^-52 (float64), 12.68 * 2^-23 (float32), proved for 1.0832677820940206e-231
+        <= tracking_index <= 3.208560686758333e154 (float64) and 2.122721e-29 <= tracking_index <=
+        4.414168e19 (float32).
     updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
-        7.11 * 2^-52 (float64), 7.12 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
-        9.223372e18 (float32).
+        7.09 * 2^-52 (float64), 7.08 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        tracking_index <= 1.6532656032496635e154 (float64) and 1.1521641e-23 <= tracking_index <=
+        2.2745362e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1882,7 +1868,7 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (_TRACKING_INDEX_DOMAIN_2,),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     7,
     _updated_covariance_block,
@@ -2224,7 +2210,7 @@ def _updated_covariance_derivatives_block(
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     12,
     _updated_covariance_derivatives_block,
@@ -2258,11 +2244,11 @@ def gain_second_derivatives(
         (float64), 27.29 * 2^-23 (float32), proved for 6.852691063641751e-186 <= tracking_index <=
         1.565378169971955e77 (float64) and 4.6734494e-24 <= tracking_index <= 5.80631e09 (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 36.28 * 2^-52 (float64), 36.31 * 2^-23 (float32), proved for
+        error at most 36.29 * 2^-52 (float64), 36.28 * 2^-23 (float32), proved for
         3.506117298416322e-232 <= tracking_index <= 3.351388711764904e77 (float64) and 6.871575e-30
         <= tracking_index <= 1.2430991e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 32.62 * 2^-52 (float64), 32.61 * 2^-23 (float32), proved
+        interval. Relative error at most 32.54 * 2^-52 (float64), 32.60 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45 <= tracking_index
         <= 1.4102813e10 (float32).
 
@@ -2574,15 +2560,15 @@ def predictor_gain_second_derivatives(
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 30.12 * 2^-52 (float64), 30.16 * 2^-23 (float32), proved for
+        Relative error at most 30.14 * 2^-52 (float64), 30.16 * 2^-23 (float32), proved for
         6.8526910636419685e-186 <= tracking_index <= 3.922157988100115e77 (float64) and 4.673531e-24
         <= tracking_index <= 1.4548092e10 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta + gamma. Relative error at most 36.78 * 2^-52 (float64), 36.81 * 2^-23 (float32),
+        beta + gamma. Relative error at most 36.79 * 2^-52 (float64), 36.78 * 2^-23 (float32),
         proved for 3.5061172984163225e-232 <= tracking_index <= 4.2786186800086156e77 (float64) and
         6.871576e-30 <= tracking_index <= 1.5870279e10 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 32.62 * 2^-52 (float64), 32.61 * 2^-23
+        the sampling interval, gamma. Relative error at most 32.54 * 2^-52 (float64), 32.60 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 3.8021109680071646e77 (float64) and 1e-45
         <= tracking_index <= 1.4102813e10 (float32).
 
@@ -3183,7 +3169,7 @@ def _predicted_covariance_second_derivatives_block(
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "predicted_covariance_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     17,
     _predicted_covariance_second_derivatives_block,
@@ -3210,18 +3196,18 @@ def predicted_position_second_derivatives(
 
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number at least 2^-750 and at
-        most 2^480, in float32 at least 2^-80 and at most 2^56.
+        most 2^1000, in float32 at least 2^-80 and at most 2^120.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
         sigma_v^2. Error over predicted_11_scale at most 64.84 * 2^-52 (float64), 68.59 * 2^-23
-        (float32), proved for 6.852691063641298e-186 <= tracking_index <= 3.1217485503159922e144
-        (float64) and 4.6732775e-24 <= tracking_index <= 7.2057594e16 (float32). Cancellation in
+        (float32), proved for 6.852691063641298e-186 <= tracking_index <= 1.0715086071862673e301
+        (float64) and 4.6732775e-24 <= tracking_index <= 1.329228e36 (float32). Cancellation in
         predicted_11_turn, condition number 1: it bends down for a small index and up for a large
         one; the scale is the sum of the two terms whose difference it is.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
         times T/sigma_v^2. Error over predicted_12_scale at most 66.86 * 2^-52 (float64), 71.19 *
         2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
-        3.1217485503159922e144 (float64) and 8.271806e-25 <= tracking_index <= 7.2057594e16
+        1.0715086071862673e301 (float64) and 8.271806e-25 <= tracking_index <= 1.329228e36
         (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
         index and up for a large one; the scale is the sum of the two terms whose difference it is.
 
@@ -3440,7 +3426,7 @@ def _predicted_position_second_derivatives_block(
 
 _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     "predicted_position_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_4,),
+    (_TRACKING_INDEX_DOMAIN_3,),
     ("predicted_11", "predicted_12"),
     15,
     _predicted_position_second_derivatives_block,
@@ -3469,25 +3455,24 @@ def updated_covariance_second_derivatives(
         xi = sqrt(2 + 2 eta), eta = sqrt(17/15 + 2 delta xi), nu = 1 + xi + eta + delta
 
     tracking_index: Lambda, with Lambda^2 =
-        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and at most
-        2^480, in float32 above 0 and at most 2^56.
+        jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
     updated_22: second derivative by Lambda of the variance of the updated velocity times
         T^2/sigma_v^2. Error over updated_22_scale at most 36.67 * 2^-52 (float64), 40.40 * 2^-23
-        (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
-        <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_22_turn, condition
+        (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45
+        <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_22_turn, condition
         number 1: it bends down for a small index and up for a large one; the scale is the sum of
         the two terms whose difference it is.
     updated_23: second derivative by Lambda of the covariance of updated velocity and acceleration
         times T^3/sigma_v^2. Error over updated_23_scale at most 27.19 * 2^-52 (float64), 29.86 *
-        2^-23 (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and
-        1e-45 <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_23_turn,
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and
+        1e-45 <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_23_turn,
         condition number 1: what the update takes from M'' stays less than it; the scale is the sum
         of both.
     updated_33: second derivative by Lambda of the variance of the updated acceleration times
         T^4/sigma_v^2. Error over updated_33_scale at most 16.01 * 2^-52 (float64), 17.50 * 2^-23
-        (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
-        <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_33_turn, condition
+        (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45
+        <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_33_turn, condition
         number 1: what the update takes from M'' stays less than it; the scale is the sum of both.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -3727,7 +3712,7 @@ def _updated_covariance_second_derivatives_block(
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "updated_covariance_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_5,),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_22", "updated_23", "updated_33"),
     17,
     _updated_covariance_second_derivatives_block,
@@ -3760,11 +3745,11 @@ def closed_loop_poles(
     tracking_index: Lambda, with Lambda^2 =
         jerk_density*sampling_interval**5/measurement_deviation**2; a number above 0 and finite.
 
-    real_pole: positive pole, the one that is real for every index. Relative error at most 8.09 *
+    real_pole: positive pole, the one that is real for every index. Relative error at most 8.08 *
         2^-52 (float64), 8.55 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         7.343758849926206e154 (float64) and 1e-45 <= tracking_index <= 1.0103697e20 (float32).
     modulus: geometric mean of the moduli of the other two, that of each while they are complex.
-        Relative error at most 6.55 * 2^-52 (float64), 6.54 * 2^-23 (float32), proved for 5e-324 <=
+        Relative error at most 6.56 * 2^-52 (float64), 6.54 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
     half_sum: half the sum of these two, the real part of each while they are complex. Relative
@@ -3772,7 +3757,7 @@ def closed_loop_poles(
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
     quarter_discriminant: square of half their difference, negative while they are complex. Relative
-        error at most 40.45 * 2^-52 (float64), 40.66 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 40.45 * 2^-52 (float64), 40.65 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
 

@@ -62,27 +62,15 @@ _TRACKING_INDEX_DOMAIN = Domain(
 )
 _TRACKING_INDEX_DOMAIN_2 = Domain(
     "tracking_index",
-    "a number above 0 and at most 2^511, in float32 above 0 and at most 2^63",
-    (5e-324, 6.703903964971299e153),
-    (1.401298464324817e-45, 9.223372036854776e18),
-)
-_TRACKING_INDEX_DOMAIN_3 = Domain(
-    "tracking_index",
     "a number above 0 and at most 2^1000, in float32 above 0 and at most 2^120",
     (5e-324, 1.0715086071862673e301),
     (1.401298464324817e-45, 1.329227995784916e36),
 )
-_TRACKING_INDEX_DOMAIN_4 = Domain(
+_TRACKING_INDEX_DOMAIN_3 = Domain(
     "tracking_index",
-    "a number at least 2^-750 and at most 2^480, in float32 at least 2^-80 and at most 2^56",
-    (1.688508503057271e-226, 3.1217485503159922e144),
-    (8.271806125530277e-25, 7.205759403792794e16),
-)
-_TRACKING_INDEX_DOMAIN_5 = Domain(
-    "tracking_index",
-    "a number above 0 and at most 2^480, in float32 above 0 and at most 2^56",
-    (5e-324, 3.1217485503159922e144),
-    (1.401298464324817e-45, 7.205759403792794e16),
+    "a number at least 2^-750 and at most 2^1000, in float32 at least 2^-80 and at most 2^120",
+    (1.688508503057271e-226, 1.0715086071862673e301),
+    (8.271806125530277e-25, 1.329227995784916e36),
 )
 
 
@@ -108,13 +96,13 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.18 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
         6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.61
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.60
         * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
@@ -253,14 +241,14 @@ def gain_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: derivative of the position gain. Relative error at most 17.11 * 2^-52 (float64), 17.07 *
+    alpha: derivative of the position gain. Relative error at most 17.03 * 2^-52 (float64), 17.10 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 6.147487532734931e102 (float64) and
         1e-45 <= tracking_index <= 7.604528e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 18.06
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 18.07
         * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <= 2.1021648e13 (float32).
     gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 17.12 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 17.14 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <= tracking_index <=
         2.6091866e13 (float32).
 
@@ -444,24 +432,24 @@ def gains_with_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 6.17 * 2^-52 (float64), 6.18 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 6.18 * 2^-52 (float64), 6.18 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
     beta: velocity gain times the sampling interval. Relative error at most 6.09 * 2^-52 (float64),
         6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.61
+    gamma: acceleration gain times the square of the sampling interval. Relative error at most 4.60
         * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
         3.4028235e38 (float32).
-    d_alpha: derivative of the position gain. Relative error at most 17.11 * 2^-52 (float64), 17.07
+    d_alpha: derivative of the position gain. Relative error at most 17.03 * 2^-52 (float64), 17.10
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 6.147487532734931e102 (float64)
         and 1e-45 <= tracking_index <= 7.604528e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        18.06 * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        18.07 * 2^-52 (float64), 18.05 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6993864335471447e103 (float64) and 1e-45 <= tracking_index <= 2.1021648e13 (float32).
     d_gamma: derivative of the acceleration gain times the square of the sampling interval. Relative
-        error at most 17.12 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 17.14 * 2^-52 (float64), 17.12 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <= tracking_index <=
         2.6091866e13 (float32).
 
@@ -651,7 +639,7 @@ def predictor_gains(
         most 6.59 * 2^-52 (float64), 6.59 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     acceleration: acceleration entry of F K times the square of the sampling interval, gamma.
-        Relative error at most 4.61 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for
+        Relative error at most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for
         2.2250738585072014e-308 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.1754945e-38 <= tracking_index <= 3.4028235e38 (float32).
 
@@ -793,14 +781,14 @@ def predictor_gain_derivatives(
         finite.
 
     position: derivative of the position entry of F K, alpha + beta + gamma/2. Relative error at
-        most 18.56 * 2^-52 (float64), 18.54 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        most 18.58 * 2^-52 (float64), 18.54 * 2^-23 (float32), proved for 5e-324 <= tracking_index
         <= 2.1423048991561227e103 (float64) and 1e-45 <= tracking_index <= 2.650061e13 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta + gamma.
         Relative error at most 18.05 * 2^-52 (float64), 18.03 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 2.426769755425277e103 (float64) and 1e-45 <= tracking_index <=
         3.001948e13 (float32).
     acceleration: derivative of the acceleration entry of F K times the square of the sampling
-        interval, gamma. Relative error at most 17.12 * 2^-52 (float64), 17.12 * 2^-23 (float32),
+        interval, gamma. Relative error at most 17.14 * 2^-52 (float64), 17.12 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 2.109262031745273e103 (float64) and 1e-45 <=
         tracking_index <= 2.6091866e13 (float32).
 
@@ -982,7 +970,7 @@ def innovation_deviation(
         finite.
 
     innovation_deviation: standard deviation of an innovation over sigma_v. Relative error at most
-        4.99 * 2^-52 (float64), 5.00 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        5.00 * 2^-52 (float64), 4.99 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -1112,7 +1100,7 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
         finite.
 
     pole_product: product of the poles, and what is left of 1 beside the position gain. Relative
-        error at most 11.48 * 2^-52 (float64), 11.49 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 11.49 * 2^-52 (float64), 11.49 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.0777833921299165e154 (float64) and 1e-45 <= tracking_index <=
         1.482837e19 (float32).
 
@@ -1252,31 +1240,31 @@ def predicted_covariance(
         xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
 
     tracking_index: Lambda, with Lambda^2 =
-        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
-        most 2^511, in float32 above 0 and at most 2^63.
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
+        finite.
 
-    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.89 *
-        2^-52 (float64), 10.89 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+    predicted_11: variance of the predicted position over sigma_v^2. Relative error at most 10.90 *
+        2^-52 (float64), 10.90 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        2.1555667842597905e154 (float64) and 1e-45 <= tracking_index <= 2.9656437e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 10.46 * 2^-52 (float64), 10.45 * 2^-23 (float32), proved for 5e-324 <= tracking_index
-        <= 6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+        most 10.44 * 2^-52 (float64), 10.46 * 2^-23 (float32), proved for 5e-324 <= tracking_index
+        <= 1.6378765654858357e154 (float64) and 1e-45 <= tracking_index <= 2.2534014e19 (float32).
     predicted_13: covariance of predicted position and acceleration times T^2/sigma_v^2. Relative
-        error at most 5.51 * 2^-52 (float64), 5.51 * 2^-23 (float32), proved for
-        2.2250738585072014e-308 <= tracking_index <= 6.703903964971299e153 (float64) and
-        1.1754944e-38 <= tracking_index <= 9.223372e18 (float32).
+        error at most 5.50 * 2^-52 (float64), 5.50 * 2^-23 (float32), proved for
+        2.2250738585072014e-308 <= tracking_index <= 1.7000419237042145e154 (float64) and
+        1.1754944e-38 <= tracking_index <= 2.338941e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
-        13.32 * 2^-52 (float64), 13.36 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
-        9.223372e18 (float32).
+        13.27 * 2^-52 (float64), 13.27 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 1.2194984436716267e154 (float64) and 3.918315e-39 <= tracking_index <=
+        1.6777864e19 (float32).
     predicted_23: covariance of predicted velocity and acceleration times T^3/sigma_v^2. Relative
-        error at most 7.03 * 2^-52 (float64), 7.05 * 2^-23 (float32), proved for
-        1.0832677820940206e-231 <= tracking_index <= 6.703903964971299e153 (float64) and
-        2.122721e-29 <= tracking_index <= 9.223372e18 (float32).
+        error at most 7.07 * 2^-52 (float64), 7.07 * 2^-23 (float32), proved for
+        1.0832677820940206e-231 <= tracking_index <= 1.2021111725526733e154 (float64) and
+        2.122721e-29 <= tracking_index <= 1.653881e19 (float32).
     predicted_33: variance of the predicted acceleration times T^4/sigma_v^2. Relative error at most
         6.26 * 2^-52 (float64), 6.26 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
-        9.223372e18 (float32).
+        tracking_index <= 1.0675634778755782e154 (float64) and 1.1521641e-23 <= tracking_index <=
+        1.4687685e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1409,7 +1397,7 @@ def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, single
 
 _PREDICTED_COVARIANCE = Signature(
     "predicted_covariance",
-    (_TRACKING_INDEX_DOMAIN_2,),
+    (_TRACKING_INDEX_DOMAIN,),
     (
         "predicted_11",
         "predicted_12",
@@ -1677,7 +1665,7 @@ def _predicted_covariance_derivatives_block(
 
 _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
     "predicted_covariance_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     (
         "predicted_11",
         "predicted_12",
@@ -1718,31 +1706,31 @@ def updated_covariance(
         xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
 
     tracking_index: Lambda, with Lambda^2 =
-        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
-        most 2^511, in float32 above 0 and at most 2^63.
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
+        finite.
 
-    updated_11: variance of the updated position over sigma_v^2. Relative error at most 6.19 * 2^-52
-        (float64), 6.20 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+    updated_11: variance of the updated position over sigma_v^2. Relative error at most 6.18 * 2^-52
+        (float64), 6.18 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 6.11 * 2^-52 (float64), 6.12 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
-        6.703903964971299e153 (float64) and 1e-45 <= tracking_index <= 9.223372e18 (float32).
+        most 6.09 * 2^-52 (float64), 6.09 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_13: covariance of updated position and acceleration times T^2/sigma_v^2. Relative error
-        at most 4.61 * 2^-52 (float64), 4.61 * 2^-23 (float32), proved for 2.2250738585072014e-308
-        <= tracking_index <= 6.703903964971299e153 (float64) and 1.1754945e-38 <= tracking_index <=
-        9.223372e18 (float32).
-    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 17.80 *
-        2^-52 (float64), 17.81 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 3.918315e-39 <= tracking_index <=
-        9.223372e18 (float32).
+        at most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 2.2250738585072014e-308
+        <= tracking_index <= 1.7976931348623157e308 (float64) and 1.1754945e-38 <= tracking_index <=
+        3.4028235e38 (float32).
+    updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 17.74 *
+        2^-52 (float64), 18.22 * 2^-23 (float32), proved for 7.416912861690675e-309 <=
+        tracking_index <= 6.112638558918892e154 (float64) and 3.918315e-39 <= tracking_index <=
+        8.409341e19 (float32).
     updated_23: covariance of updated velocity and acceleration times T^3/sigma_v^2. Relative error
-        at most 13.49 * 2^-52 (float64), 13.49 * 2^-23 (float32), proved for 1.0832677820940206e-231
-        <= tracking_index <= 6.703903964971299e153 (float64) and 2.122721e-29 <= tracking_index <=
-        9.223372e18 (float32).
+        at most 13.44 * 2^-52 (float64), 13.42 * 2^-23 (float32), proved for 1.0832677820940206e-231
+        <= tracking_index <= 3.284228799759811e154 (float64) and 2.122721e-29 <= tracking_index <=
+        4.5182816e19 (float32).
     updated_33: variance of the updated acceleration times T^4/sigma_v^2. Relative error at most
-        7.43 * 2^-52 (float64), 7.29 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
-        tracking_index <= 6.703903964971299e153 (float64) and 1.1521641e-23 <= tracking_index <=
-        9.223372e18 (float32).
+        7.41 * 2^-52 (float64), 7.26 * 2^-23 (float32), proved for 1.6896185209462645e-185 <=
+        tracking_index <= 1.764566758725493e154 (float64) and 1.1521641e-23 <= tracking_index <=
+        2.4276663e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
@@ -1891,7 +1879,7 @@ def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: 
 
 _UPDATED_COVARIANCE = Signature(
     "updated_covariance",
-    (_TRACKING_INDEX_DOMAIN_2,),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     7,
     _updated_covariance_block,
@@ -2243,7 +2231,7 @@ def _updated_covariance_derivatives_block(
 
 _UPDATED_COVARIANCE_DERIVATIVES = Signature(
     "updated_covariance_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     ("updated_11", "updated_12", "updated_13", "updated_22", "updated_23", "updated_33"),
     14,
     _updated_covariance_derivatives_block,
@@ -2274,16 +2262,16 @@ def gain_second_derivatives(
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 27.32 * 2^-52
+    alpha: second derivative by Lambda of the position gain. Relative error at most 27.34 * 2^-52
         (float64), 27.57 * 2^-23 (float32), proved for 6.852691063641772e-186 <= tracking_index <=
         1.6248136397643547e77 (float64) and 4.6734187e-24 <= tracking_index <= 6.0267684e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 36.28 * 2^-52 (float64), 36.31 * 2^-23 (float32), proved for
+        error at most 36.29 * 2^-52 (float64), 36.32 * 2^-23 (float32), proved for
         3.506117298416336e-232 <= tracking_index <= 3.483368529203275e77 (float64) and 6.871511e-30
         <= tracking_index <= 1.2920532e10 (float32).
     gamma: second derivative by Lambda of the acceleration gain times the square of the sampling
-        interval. Relative error at most 32.93 * 2^-52 (float64), 32.85 * 2^-23 (float32), proved
+        interval. Relative error at most 32.78 * 2^-52 (float64), 32.90 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 4.0961722872046457e77 (float64) and 1e-45 <= tracking_index
         <= 1.5193547e10 (float32).
 
@@ -2597,15 +2585,15 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta + gamma/2.
-        Relative error at most 30.61 * 2^-52 (float64), 30.56 * 2^-23 (float32), proved for
+        Relative error at most 30.61 * 2^-52 (float64), 30.59 * 2^-23 (float32), proved for
         6.852691063641991e-186 <= tracking_index <= 4.1442054202196843e77 (float64) and 4.673496e-24
         <= tracking_index <= 1.5371711e10 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta + gamma. Relative error at most 36.78 * 2^-52 (float64), 36.81 * 2^-23 (float32),
+        beta + gamma. Relative error at most 36.79 * 2^-52 (float64), 36.82 * 2^-23 (float32),
         proved for 3.506117298416337e-232 <= tracking_index <= 4.5504227289903544e77 (float64) and
         6.871512e-30 <= tracking_index <= 1.6878456e10 (float32).
     acceleration: second derivative by Lambda of the acceleration entry of F K times the square of
-        the sampling interval, gamma. Relative error at most 32.93 * 2^-52 (float64), 32.85 * 2^-23
+        the sampling interval, gamma. Relative error at most 32.78 * 2^-52 (float64), 32.90 * 2^-23
         (float32), proved for 5e-324 <= tracking_index <= 4.0961722872046457e77 (float64) and 1e-45
         <= tracking_index <= 1.5193547e10 (float32).
 
@@ -3208,7 +3196,7 @@ def _predicted_covariance_second_derivatives_block(
 
 _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "predicted_covariance_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_3,),
+    (_TRACKING_INDEX_DOMAIN_2,),
     ("predicted_13", "predicted_22", "predicted_23", "predicted_33"),
     17,
     _predicted_covariance_second_derivatives_block,
@@ -3235,18 +3223,18 @@ def predicted_position_second_derivatives(
 
     tracking_index: Lambda, with Lambda^2 =
         jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number at least 2^-750
-        and at most 2^480, in float32 at least 2^-80 and at most 2^56.
+        and at most 2^1000, in float32 at least 2^-80 and at most 2^120.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Error over predicted_11_scale at most 65.44 * 2^-52 (float64), 69.44 * 2^-23
-        (float32), proved for 6.8526910636413096e-186 <= tracking_index <= 3.1217485503159922e144
-        (float64) and 4.6732578e-24 <= tracking_index <= 7.2057594e16 (float32). Cancellation in
+        sigma_v^2. Error over predicted_11_scale at most 65.59 * 2^-52 (float64), 69.44 * 2^-23
+        (float32), proved for 6.85269106364131e-186 <= tracking_index <= 1.0715086071862673e301
+        (float64) and 4.6732578e-24 <= tracking_index <= 1.329228e36 (float32). Cancellation in
         predicted_11_turn, condition number 1: it bends down for a small index and up for a large
         one; the scale is the sum of the two terms whose difference it is.
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity
-        times T/sigma_v^2. Error over predicted_12_scale at most 67.77 * 2^-52 (float64), 71.60 *
+        times T/sigma_v^2. Error over predicted_12_scale at most 67.93 * 2^-52 (float64), 71.60 *
         2^-23 (float32), proved for 1.688508503057271e-226 <= tracking_index <=
-        3.1217485503159922e144 (float64) and 8.271806e-25 <= tracking_index <= 7.2057594e16
+        1.0715086071862673e301 (float64) and 8.271806e-25 <= tracking_index <= 1.329228e36
         (float32). Cancellation in predicted_12_turn, condition number 1: it bends down for a small
         index and up for a large one; the scale is the sum of the two terms whose difference it is.
 
@@ -3466,7 +3454,7 @@ def _predicted_position_second_derivatives_block(
 
 _PREDICTED_POSITION_SECOND_DERIVATIVES = Signature(
     "predicted_position_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_4,),
+    (_TRACKING_INDEX_DOMAIN_3,),
     ("predicted_11", "predicted_12"),
     15,
     _predicted_position_second_derivatives_block,
@@ -3495,25 +3483,25 @@ def updated_covariance_second_derivatives(
         xi = sqrt(5/3 + 2 eta), eta = sqrt(7/9 + 2 delta xi), nu = 1 + xi + eta + delta
 
     tracking_index: Lambda, with Lambda^2 =
-        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and at
-        most 2^480, in float32 above 0 and at most 2^56.
+        jerk_deviation**2*sampling_interval**6/measurement_deviation**2; a number above 0 and
+        finite.
 
     updated_22: second derivative by Lambda of the variance of the updated velocity times
         T^2/sigma_v^2. Error over updated_22_scale at most 38.70 * 2^-52 (float64), 41.94 * 2^-23
-        (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
-        <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_22_turn, condition
+        (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45
+        <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_22_turn, condition
         number 1: it bends down for a small index and up for a large one; the scale is the sum of
         the two terms whose difference it is.
     updated_23: second derivative by Lambda of the covariance of updated velocity and acceleration
         times T^3/sigma_v^2. Error over updated_23_scale at most 28.14 * 2^-52 (float64), 30.53 *
-        2^-23 (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and
-        1e-45 <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_23_turn,
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and
+        1e-45 <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_23_turn,
         condition number 1: what the update takes from M'' stays less than it; the scale is the sum
         of both.
     updated_33: second derivative by Lambda of the variance of the updated acceleration times
         T^4/sigma_v^2. Error over updated_33_scale at most 16.31 * 2^-52 (float64), 17.75 * 2^-23
-        (float32), proved for 5e-324 <= tracking_index <= 3.1217485503159922e144 (float64) and 1e-45
-        <= tracking_index <= 7.2057594e16 (float32). Cancellation in updated_33_turn, condition
+        (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45
+        <= tracking_index <= 3.4028235e38 (float32). Cancellation in updated_33_turn, condition
         number 1: what the update takes from M'' stays less than it; the scale is the sum of both.
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -3753,7 +3741,7 @@ def _updated_covariance_second_derivatives_block(
 
 _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
     "updated_covariance_second_derivatives",
-    (_TRACKING_INDEX_DOMAIN_5,),
+    (_TRACKING_INDEX_DOMAIN,),
     ("updated_22", "updated_23", "updated_33"),
     17,
     _updated_covariance_second_derivatives_block,
@@ -3795,11 +3783,11 @@ def closed_loop_poles(
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
     half_sum: half the sum of these two, the real part of each while they are complex. Relative
-        error at most 32.20 * 2^-52 (float64), 32.07 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 32.21 * 2^-52 (float64), 32.08 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <=
         3.4028235e38 (float32).
     quarter_discriminant: square of half their difference, negative while they are complex. Relative
-        error at most 36.64 * 2^-52 (float64), 36.67 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 36.65 * 2^-52 (float64), 36.68 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 4.5726476713518234e154 (float64) and 1e-45 <= tracking_index <=
         6.2911447e19 (float32).
 

@@ -58,15 +58,17 @@ TURNS = (
     "it bends down for a small index and up for a large one; the scale is the sum of the two terms "
     "whose difference it is"
 )
-# Squares of larger indices, and for derivatives their multiples, leave the range of the format.
-# The cube of a smaller position gain, an index, leaves it at the other end.
+# The cube of a smaller position gain, an index, leaves the range of the format.
 LEAST_ALPHA = (Fraction(1, 2**330), Fraction(1, 2**40))
 # Parts of M11'' and M12'' both leave it below an index.
 TURNING = (Fraction(1, 2**750), Fraction(1, 2**80))
-# Where a difference is measured by its parts none of their factors, squares of 1/Lambda among them,
-# may be subnormal.
-PRODUCTS = (2**480, 2**56)
-SQUARES, MULTIPLES = (2**511, 2**63), (2**1000, 2**120)
+# Multiples of a larger one, and so slopes of covariances, leave it.
+MOST = (2**1000, 2**120)
+SLOPES = (
+    "predicted_covariance_derivatives",
+    "updated_covariance_derivatives",
+    "predicted_covariance_second_derivatives",
+)
 
 
 def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
@@ -86,7 +88,7 @@ def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
         result="".join(word.capitalize() for word in name.split("_")),
         summary=SUMMARIES[name],
         equations=_equations(c, name),
-        inputs=(_input(c, name, graph),),
+        inputs=(_input(c, name),),
         outputs=tuple(
             Output(
                 output,
@@ -108,20 +110,18 @@ def _cancellations(graph: Graph) -> Mapping[str, str]:
     return {name: APART if name in STEADY else TURNS for name in names if name.endswith(TURN)}
 
 
-def _input(c: Context, name: str, graph: Graph) -> Input:
+def _input(c: Context, name: str) -> Input:
     if name.endswith("from_alpha"):
         least, small = LEAST_ALPHA
         return Input("alpha", "position gain", least, "1", False, single=(small, "1"))
     meaning = f"Lambda, with Lambda^2 = {c.model.noise_ratio}"
-    if "predicted_" not in name and "updated_" not in name:
-        return Input("tracking_index", meaning)
-    turns = any(output.endswith(SCALE) for output in graph["outputs"])
-    double, single = MULTIPLES if name.endswith("_derivatives") else SQUARES
-    double, single = PRODUCTS if turns else (double, single)
+    double, single = MOST
     if name == "predicted_position_second_derivatives":
         low, least = TURNING
         return Input("tracking_index", meaning, low, double, False, False, single=(least, single))
-    return Input("tracking_index", meaning, "0", double, upper_open=False, single=("0", single))
+    if name in SLOPES:
+        return Input("tracking_index", meaning, "0", double, upper_open=False, single=("0", single))
+    return Input("tracking_index", meaning)
 
 
 def _meaning(kernel: str, output: str) -> str:
