@@ -11,7 +11,14 @@ import numpy as np
 import plain_tracking as plain
 import pytest
 
-from gainproof.figures import patent_errors, patent_gains, patent_runs, patent_scene
+from gainproof.figures import (
+    patent_drift,
+    patent_errors,
+    patent_gains,
+    patent_limits,
+    patent_runs,
+    patent_scene,
+)
 from gainproof.figures.table import Table
 from gainproof.tracking.conversion import converted
 from gainproof.tracking.gains import kalman
@@ -59,6 +66,46 @@ def test_figures_6_and_7_are_gains_and_slopes_of_the_recursion(which: int) -> No
         if at >= 10:
             expected += first * (index[at - 10] - index[at - 5])
             assert table[f"recursive_{name}"][at - 10] == pytest.approx(expected, rel=1e-6)
+
+
+def test_limits_are_where_the_gains_of_the_recursion_say() -> None:
+    """A tangent reaches 1, and 4 = 2 alpha + beta, at the ratios told."""
+    told = patent_limits.limits().numbers
+    for name, index in told["index at the nominal points"].items():
+        gains, slopes = plain.steady_gains(index), plain.steady_slopes(index)
+        ratios = told[f"ratios at the {name} nominal point"]
+        alpha, beta = (
+            [gains[k] + slopes[k] * index * (ratios[which] - 1) for k in (0, 1)]
+            for which in ("alpha_one_ratio", "unstable_ratio")
+        )
+        assert alpha[0] == pytest.approx(1, rel=1e-6)
+        assert 2 * beta[0] + beta[1] == pytest.approx(4, rel=1e-6)
+        for k, which in enumerate(("alpha_gain_ratio", "beta_gain_ratio")):
+            there = index * ratios[which]
+            exact = plain.steady_gains(there)[k]
+            assert gains[k] + slopes[k] * (there - index) - exact == pytest.approx(
+                exact - gains[k], rel=1e-6
+            )
+    name_of = "range (m) within which the constant update has alpha above 1"
+    shown = patent_gains.figure_6().numbers[name_of]
+    assert [round(shown[name] / 1e3, 1) for name in ("far", "middle", "near")] == [7.5, 4.6, 0.0]
+
+
+def test_the_recursive_update_drifts_upwards() -> None:
+    table = patent_drift.drift()
+    for key in ("40_km_at_5_deg", "80_km_at_2_deg"):
+        median = table[f"alpha_median_{key}"]
+        assert (np.diff(median[::60]) > 0).all()
+    near = table["alpha_high_40_km_at_45_deg"]
+    assert near[-1] - near[0] < 0.02
+    passed = [
+        table["time_s"][np.flatnonzero(table[f"alpha_median_{key}"] > 1)[0]] / 60
+        for key in ("40_km_at_5_deg", "80_km_at_2_deg")
+    ]
+    assert 14 < passed[0] < 22
+    assert 5 < passed[1] < 10
+    shares = table.numbers["share of runs with alpha above 1 or unstable, 40 km at 5°"]
+    assert shares["after 30 min"] == 1
 
 
 def test_one_run_is_that_of_plain_loops() -> None:

@@ -10,10 +10,12 @@ from gainproof.bad_input import unknown_name
 from gainproof.figures import (
     canvas,
     digits_drawing,
+    patent_drift,
     patent_errors,
     patent_errors_drawing,
     patent_gains,
     patent_gains_drawing,
+    patent_limits,
     suzuki_curves,
     suzuki_digits,
     suzuki_drawing,
@@ -196,6 +198,22 @@ CATALOGUE = (
         patent_errors.comparison,
         patent_errors_drawing.draw_comparison,
         patent_errors_drawing.COMPARISON_SIZE,
+    ),
+    Entry(
+        "patent",
+        "limits",
+        "how far from its nominal index the first-order update is of use",
+        patent_limits.limits,
+        patent_limits.draw_limits,
+        patent_limits.SIZE,
+    ),
+    Entry(
+        "patent",
+        "drift",
+        "how the recursive update drifts away while a target stands still",
+        patent_drift.drift,
+        patent_drift.draw_drift,
+        patent_drift.SIZE,
     ),
 )
 

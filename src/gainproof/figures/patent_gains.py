@@ -16,6 +16,7 @@ from gainproof.figures.patent_scene import (
     polar,
 )
 from gainproof.figures.table import Column, Reals, Table
+from gainproof.generated import updated_gains
 from gainproof.tracking.conversion import converted
 from gainproof.tracking.gains import (
     Point,
@@ -95,14 +96,22 @@ def _gains(which: str, meaning: str) -> Table:
                 _stepped(near, name, far, which),
             ),
         ]
-    table = Table(f"{meaning} against the range", tuple(columns), {}, OURS)
-    exceeded = {
-        name: float(far[table[f"constant_{name}"] > 1].max(initial=0.0)) for name in NOMINAL
-    }
     numbers: dict[str, object] = {"nominal gains": _at_nominal(nominal_points(), which)}
     if which == "alpha":
-        numbers["range (m) up to which the constant update has alpha above 1"] = exceeded
-    return Table(table.title, table.columns, numbers, table.notes)
+        numbers["range (m) within which the constant update has alpha above 1"] = {
+            name: _alpha_one(float(point.index[0, 0])) for name, point in nominal_points().items()
+        }
+    return Table(f"{meaning} against the range", tuple(columns), numbers, OURS)
+
+
+def _alpha_one(nominal_index: float) -> float:
+    """Where the index has reached the limit of the derivation updated-gains; 0 where it never does
+    at these ranges.
+    """
+    limit = float(updated_gains.update_limits(nominal_index).alpha_one_ratio) * nominal_index
+    far = np.linspace(NEAREST, FARTHEST, 99_001)
+    beyond = far[_index(far) > limit]
+    return float(beyond.max(initial=0.0))
 
 
 def _stepped(start: Point, name: str, far: Reals, which: str) -> Reals:

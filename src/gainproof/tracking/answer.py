@@ -52,6 +52,9 @@ def answered(options: argparse.Namespace) -> int:
         found = followed(given.scans, settings)
     except NoCovarianceError as error:
         raise given.error(error) from None
+    except ValueError as error:
+        # outside the domain of a kernel: an index beyond 1e12, say
+        raise BadInputError(f"{given.table.file}: {error}") from None
     told = courses(given.scans, found)
     files = _written(options, given, settings, found)
     if options.json:

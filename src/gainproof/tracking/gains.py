@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gainproof.generated import least_squares_line, random_acceleration
+from gainproof.generated import least_squares_line, random_acceleration, updated_gains
 from gainproof.tracking.arrays import Bools, Ints, Reals
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import POSITION, VELOCITY, inverse
@@ -57,8 +57,8 @@ class Sample:
 
 def tracking_index(acceleration: float, interval: Reals | float, variance: Reals) -> Reals:
     """(5)."""
-    found: Reals = acceleration * np.square(interval) / np.sqrt(variance)
-    return found
+    (found,) = updated_gains.tracking_index(acceleration, interval, variance)
+    return np.asarray(found, np.float64)
 
 
 def exact_point(index: Reals) -> Point:
@@ -69,22 +69,15 @@ def exact_point(index: Reals) -> Point:
 
 def constant_point(nominal: Point, index: Reals) -> Point:
     """To first order from the nominal point, (28) to (30) with (32), (33)."""
-    return _along(nominal, index)
+    alpha, beta = updated_gains.first_order_gains(nominal.index, index)
+    return Point(index, np.asarray(alpha, np.float64), np.asarray(beta, np.float64))
 
 
 def recursive_point(last: Point, index: Reals) -> Point:
     """To first order from the point of the last update, (26), (27)."""
-    return _along(last, index)
-
-
-def _along(start: Point, index: Reals) -> Point:
-    slopes = random_acceleration.gain_derivatives(start.index)
-    step = index - start.index
-    return Point(
-        index,
-        start.alpha + np.asarray(slopes.alpha) * step,
-        start.beta + np.asarray(slopes.beta) * step,
-    )
+    found = updated_gains.recursive_gains(last.alpha, last.beta, last.index, index)
+    alpha, beta = (np.asarray(each, np.float64) for each in found)
+    return Point(index, alpha, beta)
 
 
 def young(point: Point, number: Ints) -> Point:
@@ -132,12 +125,14 @@ def line_of_sight(sample: Sample) -> Reals:
     index = tracking_index(sample.acceleration, sample.interval[..., None], sample.seen.sight)
     point = young(exact_point(index), sample.number)
     bearing = sample.seen.polar.bearing
-    sine, cosine = np.sin(bearing), np.cos(bearing)
-    turn = np.stack([np.stack([sine, cosine], -1), np.stack([cosine, -sine], -1)], -2)
-    back = np.swapaxes(turn, -1, -2)
+    # x is along the line of sight at a bearing of 90 degrees
+    cosine, sine = np.sin(bearing), np.cos(bearing)
     found = np.zeros((*point.alpha.shape[:-1], 4, 2))
-    found[..., POSITION, :] = back @ (point.alpha[..., None] * turn)
-    found[..., VELOCITY, :] = back @ (point.beta[..., None] * turn)
+    for rows, gains in ((POSITION, point.alpha), (VELOCITY, point.beta)):
+        xx, xy, yy = updated_gains.line_of_sight_gains(gains[..., 0], gains[..., 1], cosine, sine)
+        block = found[..., rows, :]
+        block[..., 0, 0], block[..., 1, 1] = xx, yy
+        block[..., 0, 1] = block[..., 1, 0] = xy
     found[..., VELOCITY, :] /= sample.interval[..., None, None]
     return found
 
