@@ -81,7 +81,7 @@ def drift() -> Table:
         (
             "Partial derivatives of the last scan, (26), (27); the index is that of each",
             f"measurement, noise of 50 m and 1 degree, {INTERVAL:g} s. Ours: places, {RUNS} runs,",
-            f"seed {SEED}. Each way there and back leaves alpha larger (cycle_drift, updated-gains).",
+            f"seed {SEED}. Each way there and back leaves alpha larger (see updated-gains).",
         ),
     )
 
