@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from gainproof.generated._guards import SIZE, admit, parts_of
+from gainproof.generated._guards import admit, block_length, parts_of
 from gainproof.generated._outputs import checked, overlap
 
 if TYPE_CHECKING:
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from gainproof.generated._signature import Array, Real, Signature
 
-LONG = 4 * SIZE
-"""Elements looked at together where all are looked at first: a few calls more cost a tenth."""
+LONG = 4
+"""Blocks looked at together where all are looked at first: as many more calls cost a tenth."""
 
 
 def evaluate(
@@ -35,7 +35,8 @@ def evaluate(
     """
     inputs = _as_real(kernel, given)
     shape = _common_shape(kernel, inputs)
-    flat = [_constant(x, shape) if x.size == 1 else _flat(x, shape) for x in inputs]
+    length = block_length(kernel)
+    flat = [_constant(x, shape, length) if x.size == 1 else _flat(x, shape) for x in inputs]
     kind = inputs[0].dtype
     with np.errstate(all="ignore"):
         if out is None:
@@ -43,8 +44,8 @@ def evaluate(
         else:
             results = checked(kernel, out, shape, kind)
             size = results[0].size
-            for start in range(0, size, LONG):
-                admit(kernel, flat, start, min(start + LONG, size), inputs, shape)
+            for start in range(0, size, LONG * length):
+                admit(kernel, flat, start, min(start + LONG * length, size), inputs, shape)
             flat = [x.copy() if _elsewhere(x, results) else x for x in flat]
         _run(kernel, flat, results, inputs, out is None)
     if out is None and shape == ():
@@ -61,7 +62,8 @@ def _run(
 ) -> None:
     size, kind = results[0].size, flat[0].dtype
     single = kind == np.float32
-    length = min(size, SIZE)
+    step = block_length(kernel)
+    length = min(size, step)
     # an output that is not contiguous is filled through a buffer
     direct = [y.flags.c_contiguous for y in results]
     targets: list[Array] = [
@@ -75,10 +77,10 @@ def _run(
         for place, x in enumerate(flat)
         if any(overlap(y, x) for y in results)
     }
-    starts = range(0, size, SIZE)
+    starts = range(0, size, step)
     # what was admitted last is still in the cache: it is computed first
     for start in starts if guard else reversed(starts):
-        stop = min(start + SIZE, size)
+        stop = min(start + step, size)
         if guard:
             admit(kernel, flat, start, stop, inputs, results[0].shape)
         parts = parts_of(flat, start, stop, size)
@@ -128,12 +130,12 @@ def _flat(x: Array, shape: tuple[int, ...]) -> Array:
     return contiguous.reshape(-1)
 
 
-def _constant(x: Array, shape: tuple[int, ...]) -> Array:
+def _constant(x: Array, shape: tuple[int, ...], length: int) -> Array:
     """One number as often as a block takes it."""
     size = 1
     for count in shape:
         size *= count
-    return np.full(min(size, SIZE), x.reshape(-1)[0], x.dtype)
+    return np.full(min(size, length), x.reshape(-1)[0], x.dtype)
 
 
 def _elsewhere(x: Array, results: Sequence[Array]) -> bool:

@@ -675,20 +675,20 @@ def _process_noise_variances_of_coordinates_block(
         predicted_22_by_q_12,
         predicted_22_by_q_22,
     ) = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1 = work
     t3 = np.add(quadratic_coefficient, 1.0, w0)
-    t4 = np.add(linear_coefficient, t3, w1)
-    t5 = np.multiply(linear_coefficient, quadratic_coefficient, w2)
+    t4 = np.add(linear_coefficient, t3, predicted_12_by_q_22)
+    t5 = np.multiply(linear_coefficient, quadratic_coefficient, w1)
     t6 = np.divide(t4, t5, predicted_12_by_q_11)
     np.divide(t3, t5, predicted_22_by_q_11)
-    t8 = np.add(predicted_22_by_q_11, 1.0, w3)
-    t9 = np.multiply(t6, t4, w4)
-    t12 = np.multiply(t9, t3, w5)
-    t17 = np.multiply(t4, t8, w1)
+    t8 = np.add(predicted_22_by_q_11, 1.0, predicted_22_by_q_12)
+    t9 = np.multiply(t6, t4, predicted_11_by_q_11)
+    t12 = np.multiply(t9, t3, predicted_11_by_q_22)
+    t17 = np.multiply(t4, t8, predicted_12_by_q_22)
     t21 = np.square(t3, w0)
-    t22 = np.divide(t21, t5, predicted_11_by_q_11)
+    t22 = np.divide(t21, t5, predicted_22_by_q_22)
     t23 = np.add(linear_coefficient, 4.0, w0)
-    t24 = np.add(t22, t23, w0)
+    t24 = np.add(t22, t23, predicted_22_by_q_22)
     np.multiply(t9, 0.25, predicted_11_by_q_11)
     np.multiply(t12, 0.0625, predicted_11_by_q_22)
     np.multiply(t6, 0.5, predicted_12_by_q_11)
@@ -709,7 +709,7 @@ _PROCESS_NOISE_VARIANCES_OF_COORDINATES = Signature(
         "predicted_22_by_q_12",
         "predicted_22_by_q_22",
     ),
-    6,
+    2,
     _process_noise_variances_of_coordinates_block,
 )
 

@@ -362,12 +362,12 @@ def step_two_states(
 def _step_two_states_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     position, velocity, interval, observed, alpha, beta = given
     updated_position, updated_velocity = out
-    w0, w1 = work
+    (w0,) = work
     t6 = np.multiply(interval, velocity, w0)
     t7 = np.add(position, t6, w0)
-    t8 = np.subtract(observed, t7, w1)
+    t8 = np.subtract(observed, t7, updated_position)
     t9 = np.divide(t8, interval, updated_velocity)
-    t10 = np.multiply(alpha, t8, w1)
+    t10 = np.multiply(alpha, t8, updated_position)
     t11 = np.multiply(beta, t9, updated_velocity)
     np.add(t7, t10, updated_position)
     np.add(velocity, t11, updated_velocity)
@@ -384,7 +384,7 @@ _STEP_TWO_STATES = Signature(
         _BETA_DOMAIN,
     ),
     ("updated_position", "updated_velocity"),
-    2,
+    1,
     _step_two_states_block,
 )
 
@@ -462,21 +462,21 @@ def step_three_states(
 def _step_three_states_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     position, velocity, acceleration, interval, observed, alpha, beta, gamma = given
     updated_position, updated_velocity, updated_acceleration = out
-    w0, w1, w2 = work
+    w0, w1 = work
     t9 = np.multiply(interval, 0.5, w0)
     t10 = np.multiply(t9, acceleration, w0)
-    t11 = np.add(velocity, t10, w1)
-    t12 = np.multiply(interval, t11, w2)
-    t13 = np.add(position, t12, w2)
-    t14 = np.add(t11, t10, w1)
-    t15 = np.subtract(observed, t13, w0)
+    t11 = np.add(velocity, t10, updated_position)
+    t12 = np.add(t11, t10, w0)
+    t13 = np.multiply(interval, t11, updated_position)
+    t14 = np.add(position, t13, updated_position)
+    t15 = np.subtract(observed, t14, w1)
     t16 = np.divide(t15, interval, updated_velocity)
     t17 = np.divide(t16, interval, updated_acceleration)
-    t18 = np.multiply(alpha, t15, w0)
+    t18 = np.multiply(alpha, t15, w1)
     t19 = np.multiply(beta, t16, updated_velocity)
     t20 = np.multiply(gamma, t17, updated_acceleration)
-    np.add(t13, t18, updated_position)
-    np.add(t14, t19, updated_velocity)
+    np.add(t14, t18, updated_position)
+    np.add(t12, t19, updated_velocity)
     np.add(acceleration, t20, updated_acceleration)
 
 
@@ -493,7 +493,7 @@ _STEP_THREE_STATES = Signature(
         _GAMMA_DOMAIN,
     ),
     ("updated_position", "updated_velocity", "updated_acceleration"),
-    3,
+    2,
     _step_three_states_block,
 )
 

@@ -1220,14 +1220,13 @@ def cartesian_derivatives_in_plane(
 
 
 def _cartesian_derivatives_in_plane_block(
-    given: Arrays, out: Arrays, work: Arrays, _single: bool
+    given: Arrays, out: Arrays, _work: Arrays, _single: bool
 ) -> None:
     slant_range, bearing = given
     x_D_slant_range, x_D_bearing, y_D_slant_range, y_D_bearing = out
-    (w0,) = work
     np.cos(bearing, y_D_slant_range)
     np.sin(bearing, x_D_slant_range)
-    t5 = np.multiply(slant_range, x_D_slant_range, w0)
+    t5 = np.multiply(slant_range, x_D_slant_range, y_D_bearing)
     np.multiply(slant_range, y_D_slant_range, x_D_bearing)
     np.negative(t5, y_D_bearing)
 
@@ -1236,7 +1235,7 @@ _CARTESIAN_DERIVATIVES_IN_PLANE = Signature(
     "cartesian_derivatives_in_plane",
     (_SLANT_RANGE_DOMAIN, _BEARING_DOMAIN),
     ("x_D_slant_range", "x_D_bearing", "y_D_slant_range", "y_D_bearing"),
-    1,
+    0,
     _cartesian_derivatives_in_plane_block,
 )
 

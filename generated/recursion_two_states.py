@@ -146,12 +146,11 @@ def covariance(
     return Covariance(*evaluate(_COVARIANCE, (diagonal_1, shear, diagonal_2), out))
 
 
-def _covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
+def _covariance_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
     diagonal_1, shear, diagonal_2 = given
     covariance_11, covariance_12, covariance_22 = out
-    (w0,) = work
     np.multiply(shear, diagonal_2, covariance_12)
-    t4 = np.multiply(shear, covariance_12, w0)
+    t4 = np.multiply(shear, covariance_12, covariance_11)
     np.add(diagonal_1, t4, covariance_11)
     np.copyto(covariance_22, diagonal_2)
 
@@ -160,7 +159,7 @@ _COVARIANCE = Signature(
     "covariance",
     (_DIAGONAL_1_DOMAIN, _SHEAR_DOMAIN, _DIAGONAL_2_DOMAIN),
     ("covariance_11", "covariance_12", "covariance_22"),
-    1,
+    0,
     _covariance_block,
 )
 

@@ -32,7 +32,8 @@ def predicted(state: Sequence[Any], interval: Any) -> list[Any]:
     position, velocity, acceleration = state
     half = (interval / 2) * acceleration
     mean = velocity + half
-    return [position + interval * mean, mean + half, acceleration]
+    moved = mean + half  # before the mean is used for the last time: then that is done in place
+    return [position + interval * mean, moved, acceleration]
 
 
 def stepped(state: Sequence[Any], interval: Any, observed: Any, gains: Sequence[Any]) -> list[Any]:

@@ -27,12 +27,14 @@ class Plan:
 def plan(program: Program, outputs: Sequence[int]) -> Plan:
     """Registers for the steps that the outputs need; operands may be overwritten when they die.
 
-    Of two plans the one that first writes an output as a step on the way to that output, if it
-    makes steps touch a tenth fewer arrays: more of them are done in place.
+    Of two plans the one in which an output holds steps on the way to it, if steps touch a tenth
+    fewer arrays by that, more of them being done in place, and no fewer outputs are first written
+    by what hides their way into the cache.
     """
-    plans = [_Planner(program, outputs, straight).run() for straight in (False, True)]
-    usual, straight = (_touched(program, each) for each in plans)
-    return plans[10 * straight <= 9 * usual]
+    usual, straight = (_Planner(program, outputs, straight).run() for straight in (False, True))
+    fewer = 10 * _touched(program, straight) <= 9 * _touched(program, usual)
+    hidden = [_hidden(program, each, len(outputs)) for each in (usual, straight)]
+    return straight if fewer and hidden[1] >= hidden[0] else usual
 
 
 def _touched(program: Program, plan: Plan) -> int:
@@ -40,6 +42,15 @@ def _touched(program: Program, plan: Plan) -> int:
     at = plan.register
     reads = {step: {at[p] for p in program.steps[step].operands if p in at} for step in plan.order}
     return sum(len(reads[step] | {at[step]}) for step in plan.order)
+
+
+def _hidden(program: Program, plan: Plan, outputs: int) -> int:
+    """How many of the output arrays are first written by a slow step."""
+    first: dict[int, int] = {}
+    for step in plan.order:
+        first.setdefault(plan.register[step], step)
+    slow = (program.steps[step].operation in SLOW for at, step in first.items() if at < outputs)
+    return sum(slow)
 
 
 class _Planner:
@@ -92,14 +103,17 @@ class _Planner:
         fits = [r for r in free if r >= places or lasts <= self.filled.get(r, -1)]
         touched = [r for r in fits if r in busy]
         operands = self.program.steps[step].operands
-        best = [register[part] for part in operands if part in register and register[part] in fits]
-        best += [r for r in touched if r >= places] + touched
-        if self.program.steps[step].operation not in SLOW:
-            return best
+        dying = [register[part] for part in operands if part in register and register[part] in fits]
+        best = dying + [r for r in touched if r >= places] + touched
         untouched = sorted((r for r in fits if r not in busy), key=self.filled.__getitem__)
         if self.straight:
             untouched.sort(key=lambda r: r != self._end(step))
-        return untouched + best
+        if self.program.steps[step].operation in SLOW:
+            return untouched + best
+        # what is made of inputs alone comes too early to wait in an output
+        if self.straight and any(part in register for part in operands):
+            return dying + [r for r in untouched if r == self._end(step)] + best
+        return best
 
     def _end(self, step: int) -> int:
         """The output to which the last readers of a step lead, each of the one before."""

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gainproof.derive.printer.shipped._guards import ROW, SIZE, admit
+from gainproof.derive.printer.shipped._guards import ROW, SIZE, admit, block_length
 from gainproof.derive.printer.shipped._runtime import LONG
 from gainproof.derive.printer.shipped._signature import Domain, Signature
 from gainproof.generated import filter_step, range_doppler
 
 HIGHS = (5e-324, 1e-200, 0.5, 1.0, 3.0, 1e4, 1e30, 1e40, 1e153, 1e160, 1.7e308)
 SINGLE_HIGHS = (1e-45, 1e-30, 0.5, 1.0, 3.0, 1e4, 1e8, 1e18, 1e20, 3e38)
+BLOCK = block_length(filter_step._STEP_TWO_STATES)
 SIZES = (1, 2, ROW - 1, ROW, ROW + 1, SIZE + 3)
 
 
@@ -76,10 +77,10 @@ def test_one_number_among_others(form: str, kind: type[Any]) -> None:
 
 def test_the_first_block_with_a_bad_number_is_told_of() -> None:
     """Whether all is looked at first, in long parts, or block by block."""
-    count = LONG + 2 * SIZE + 5
+    count = (LONG + 2) * BLOCK + 5
     given = {name: np.ones(count) for name in ("position", "observed")}
-    given["position"][SIZE + 7] = np.nan
-    given["observed"][SIZE - 1] = 1e41
+    given["position"][BLOCK + 7] = np.nan
+    given["observed"][BLOCK - 1] = 1e41
     out = tuple(np.full(count, -7.0) for _ in range(2))
 
     def step(**options: Any) -> None:
@@ -87,23 +88,27 @@ def test_the_first_block_with_a_bad_number_is_told_of() -> None:
         filter_step.step_two_states(x, 1.0, 1.0, z, 0.5, 0.1, **options)
 
     for options in ({}, {"out": out}):
-        told = rf"observed must be .* got 1e\+41 at index {SIZE - 1}$"
+        told = rf"observed must be .* got 1e\+41 at index {BLOCK - 1}$"
         with pytest.raises(ValueError, match=told):
             step(**options)
-        given["observed"][SIZE - 1] = 1.0
-        with pytest.raises(ValueError, match=rf"position must be .* got nan at index {SIZE + 7}$"):
+        given["observed"][BLOCK - 1] = 1.0
+        with pytest.raises(ValueError, match=rf"position must be .* got nan at index {BLOCK + 7}$"):
             step(**options)
-        given["observed"][SIZE - 1] = 1e41
-    given["position"][SIZE + 7] = given["observed"][SIZE - 1] = 1.0
-    given["observed"][LONG + SIZE] = -np.inf
-    with pytest.raises(ValueError, match=rf"observed must be .* got -inf at index {LONG + SIZE}$"):
+        given["observed"][BLOCK - 1] = 1e41
+    given["position"][BLOCK + 7] = given["observed"][BLOCK - 1] = 1.0
+    given["observed"][(LONG + 1) * BLOCK] = -np.inf
+    with pytest.raises(
+        ValueError, match=rf"observed must be .* got -inf at index {(LONG + 1) * BLOCK}$"
+    ):
         step(out=out)
     assert all((y == -7).all() for y in out)
 
 
 def test_points_that_meet_are_found_among_many() -> None:
     """Where a first difference is 0 the distance itself is asked for, block by block."""
-    count = LONG + SIZE + 5
+    assert block_length(range_doppler._RANGE_DOPPLER_IN_PLANE) == SIZE < BLOCK
+    far = LONG * SIZE + 5 - LONG * SIZE % 5
+    count = (LONG + 1) * SIZE + 5
     place = np.full((2, count), 5.0)
     place[0, ::5] = 1.0  # along x where the station is, and 4 from it
     out: Any = tuple(np.full(count, -7.0) for _ in range(6))
@@ -112,10 +117,10 @@ def test_points_that_meet_are_found_among_many() -> None:
         x, y = place
         return range_doppler.range_doppler_in_plane(x, y, 1.0, 2.0, 1.0, 1.0, 0.0, 0.0, out=out)
 
-    assert seen().slant_range[[0, LONG + 5 - LONG % 5]].tolist() == [4, 4]
+    assert seen().slant_range[[0, far]].tolist() == [4, 4]
     for y in out:
         y[:] = -7
-    where = LONG + SIZE
+    where = (LONG + 1) * SIZE
     place[:, where] = 1.0
     with pytest.raises(ValueError, match=rf"distance .* got 0.0 at index {where}$"):
         seen()
