@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gainproof.derive.printer.shipped._guards import ROW, SIZE, admit, block_length
+from gainproof.derive.printer.shipped._guards import ROW, SIZE, admit
 from gainproof.derive.printer.shipped._runtime import LONG
 from gainproof.derive.printer.shipped._signature import Domain, Signature
 from gainproof.generated import filter_step, range_doppler
+from gainproof.generated._guards import block_length
 
 HIGHS = (5e-324, 1e-200, 0.5, 1.0, 3.0, 1e4, 1e30, 1e40, 1e153, 1e160, 1.7e308)
 SINGLE_HIGHS = (1e-45, 1e-30, 0.5, 1.0, 3.0, 1e4, 1e8, 1e18, 1e20, 3e38)
