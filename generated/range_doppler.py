@@ -4003,7 +4003,8 @@ def range_doppler_difference(
     """Differences of range and range rate at two stations (TDOA, FDOA).
 
         f_1 - f_2 = s'(r_1 + r_2)/(f_1 + f_2), r = target - station, s = second - first station,
-        so that errors are parts of |s| and not of the ranges: terms add up to at most |s|;
+        so that errors are parts of |s| and not of the ranges: terms, those of r_1 and of r_2
+        each for itself, add up to at most |s|;
         u_1 - u_2 = (s - (f_1 - f_2) u_2)/f_1, g_1 - g_2 = u_1's_v + (u_1 - u_2)'w_2,
         h_1 - h_2 = (s_v - (g_1 - g_2) u_1 - g_2 (u_1 - u_2) - (f_1 - f_2) h_2)/f_1 with the
         f, g, u, h of `range_doppler`; derivatives by a station's position and velocity are those
@@ -4810,7 +4811,8 @@ def range_doppler_difference_in_plane(
     """Differences of range and range rate at two stations (TDOA, FDOA) in the plane.
 
         f_1 - f_2 = s'(r_1 + r_2)/(f_1 + f_2), r = target - station, s = second - first station,
-        so that errors are parts of |s| and not of the ranges: terms add up to at most |s|;
+        so that errors are parts of |s| and not of the ranges: terms, those of r_1 and of r_2
+        each for itself, add up to at most |s|;
         u_1 - u_2 = (s - (f_1 - f_2) u_2)/f_1, g_1 - g_2 = u_1's_v + (u_1 - u_2)'w_2,
         h_1 - h_2 = (s_v - (g_1 - g_2) u_1 - g_2 (u_1 - u_2) - (f_1 - f_2) h_2)/f_1 with the
         f, g, u, h of `range_doppler`; derivatives by a station's position and velocity are those

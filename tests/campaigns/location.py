@@ -13,14 +13,11 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 from statistics import NormalDist
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
-
-from location_monte_carlo import Outcome, compared, simulate
+from gainproof.location.monte_carlo import Outcome, compared, simulate
 
 HELP = "example 1 of kosuge-doppler over many draws of noise and several sets of biases"
 SETS = (

@@ -81,7 +81,8 @@ def test_the_shift_of_a_rate_is_that_of_the_printed_kernel() -> None:
     """In space, a target that goes away straight up at 7 m/s, and one that comes."""
     for speed in (7.0, -7.0):
         course = (0.0, 0.0, 500.0, 0.0, 0.0, speed)
-        shift = doppler_shift(*course, *[0.0] * 6, CARRIER).doppler_shift
+        station = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        shift = doppler_shift(*course, *station, CARRIER).doppler_shift
         assert float(shift) / shift_of_rate(CARRIER) == pytest.approx(speed, rel=1e-14)
         assert (float(shift) < 0) is (speed > 0)
 

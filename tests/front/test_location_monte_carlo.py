@@ -6,10 +6,11 @@ from statistics import NormalDist
 
 import numpy as np
 import pytest
-from location_monte_carlo import Compared, compared, simulate
 from samples import samples
 
+from gainproof.location import monte_carlo
 from gainproof.location.example import deviations
+from gainproof.location.monte_carlo import Compared, compared, simulate
 
 FALSE_ALARM = 1e-6
 """How often the comparisons of one simulation, taken together, fail though all is as theory says
@@ -36,17 +37,13 @@ def test_errors_and_detection_rates_are_those_of_theory(biases: tuple[float, ...
 
 def test_another_noise_than_the_covariance_says_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     """A tenth more noise than V has."""
-    import location_monte_carlo
-
-    monkeypatch.setattr(location_monte_carlo, "deviations", lambda: 1.1 * deviations())
+    monkeypatch.setattr(monte_carlo, "deviations", lambda: 1.1 * deviations())
     everything = compared(simulate((0, 0, 0, 0), 2000, 3, 0.05))
     assert max(each.off for each in everything) > allowed(everything)
 
 
 def test_a_wrong_threshold_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     """That of the chi-square of two degrees of freedom."""
-    import location_monte_carlo
-
-    monkeypatch.setattr(location_monte_carlo, "threshold", lambda p: -2 * np.log(p))
+    monkeypatch.setattr(monte_carlo, "threshold", lambda p: -2 * np.log(p))
     everything = compared(simulate((0, 0, 60, 40), 1000, 3, 0.05))
     assert max(each.off for each in everything) > allowed(everything)

@@ -74,21 +74,50 @@ class Compared:
 
 def simulate(biases: Sequence[float], runs: int, seed: int, false_alarm: float) -> Outcome:
     """n_b = 0 (bias detection), 2 (B1 and B2 clean), 4 (no bias), and what the test chooses."""
-    draws = np.random.default_rng(seed).standard_normal((runs, 8))
     given = tuple(float(bias) for bias in biases)
-    observed = true_values() + np.array([*given, *np.zeros(4)]) + draws * deviations()
+    observed = drawn(given, runs, seed)
     every = _asked(range(4))
-    detected, converged = _iterated(every, observed)
-    found = [_errors("n_b = 0", range(4), given, detected, converged)]
+    states, converged = _iterated(every, observed)
+    found = [_errors("n_b = 0", range(4), given, states, converged)]
     for name, biased in (("n_b = 2", (2, 3)), ("n_b = 4", ())):
         found.append(_errors(name, biased, given, *_iterated(_asked(biased), observed)))
-    estimates, spread = all_accuracies(every, detected, observed)
-    called = np.square(estimates / spread) > threshold(false_alarm)
-    found.append(_adaptive(observed, called, detected))
-    exact = [each.deviation for each in accuracy(every, STATE)[1]]
-    theory = [detection(b, s, false_alarm) for b, s in zip(given, exact, strict=True)]
+    called = _called(every, states, observed, false_alarm)
+    estimates, settled = adaptive(observed, called, states)
+    nothing = np.full(len(STATE), np.nan)
+    found.append(Errors("adaptive", _rms(estimates), nothing, float(settled.mean())))
+    theory = [detection(b, s, false_alarm) for b, s in zip(given, bias_deviations(), strict=True)]
     clean = float((~called).sum(axis=1).mean())
     return Outcome(given, runs, tuple(found), called.mean(axis=0), np.array(theory), clean)
+
+
+def drawn(biases: Sequence[float], runs: int, seed: int) -> Reals:
+    """Observations (runs, 8): the true ones with biases of the ranges and noise."""
+    draws = np.random.default_rng(seed).standard_normal((runs, 8))
+    return np.asarray(true_values() + np.array([*biases, *np.zeros(4)]) + draws * deviations())
+
+
+def detected(observed: Reals, false_alarm: float) -> tuple[Reals, NDArray[np.bool_]]:
+    """Bias detection: the states (N, 4), and which ranges are called biased (N, 4)."""
+    every = _asked(range(4))
+    states, _ = _iterated(every, observed)
+    return states, _called(every, states, observed, false_alarm)
+
+
+def bias_deviations() -> list[float]:
+    """Of the four bias estimates, at the true state."""
+    return [each.deviation for each in accuracy(_asked(range(4)), STATE)[1]]
+
+
+def position_covariance(biased: Sequence[int]) -> Reals:
+    """(2, 2), m^2, of position at the true state where the ranges of these stations have biases."""
+    return accuracy(_asked(biased), STATE)[0][:2, :2]
+
+
+def _called(
+    every: Problem, states: Reals, observed: Reals, false_alarm: float
+) -> NDArray[np.bool_]:
+    estimates, spread = all_accuracies(every, states, observed)
+    return np.asarray(np.square(estimates / spread) > threshold(false_alarm))
 
 
 def compared(outcome: Outcome) -> list[Compared]:
@@ -131,15 +160,18 @@ def _errors(
     return Errors(name, _rms(estimates), promised, float(converged.mean()))
 
 
-def _adaptive(observed: Reals, called: NDArray[np.bool_], detected: Reals) -> Errors:
-    """Each pattern of biases iterated at once, from where bias detection ended."""
-    estimates, converged = np.empty_like(detected), np.zeros(len(detected), np.bool_)
+def adaptive(
+    observed: Reals, called: NDArray[np.bool_], begin: Reals
+) -> tuple[Reals, NDArray[np.bool_]]:
+    """States (N, 4) with biases of the ranges called so, and which converged; each pattern of
+    biases is iterated at once, from where bias detection ended.
+    """
+    estimates, converged = np.empty_like(begin), np.zeros(len(begin), np.bool_)
     for pattern in np.unique(called, axis=0):
         rows = (called == pattern).all(axis=1)
         asked = _asked(np.flatnonzero(pattern).tolist())
-        estimates[rows], converged[rows] = _iterated(asked, observed[rows], detected[rows])
-    nothing = np.full(len(STATE), np.nan)
-    return Errors("adaptive", _rms(estimates), nothing, float(converged.mean()))
+        estimates[rows], converged[rows] = _iterated(asked, observed[rows], begin[rows])
+    return estimates, converged
 
 
 def _rms(estimates: Reals) -> Reals:
