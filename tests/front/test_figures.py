@@ -76,8 +76,8 @@ def test_figures_come_out_the_same_and_without_a_date(tmp_path: Path, names: lis
         assert b"Software" not in png
 
 
-ALIKE = ("patent-figure-9", "patent-comparison")
-"""Tables of runs like another one."""
+ALIKE = ("patent-figure-9", "patent-comparison", "doppler-monte-carlo", "doppler-detection")
+"""Tables of runs like another one, or of runs by the thousand that another test looks at."""
 
 
 @pytest.mark.parametrize(

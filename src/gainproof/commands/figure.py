@@ -7,14 +7,16 @@ import argparse
 HELP = "draw a figure of a source from the kernels, as SVG, PNG and CSV"
 DESCRIPTION = """\
 Draws a figure of a source anew: its quantities from the kernels, ranges of our own, noise with a
-seed. SOURCE is suzuki, lecture or patent; without NAME its figures are listed. What a source leaves
-open is said on the figure and in its CSV. Writes SVG, PNG and CSV; pictures need Matplotlib (the
-extra `figures`), --csv alone does without."""
+seed. SOURCE is suzuki, lecture, patent or doppler; without NAME its figures are listed. What a
+source leaves open is said on the figure and in its CSV. Writes SVG, PNG and CSV; pictures need
+Matplotlib (the extra `figures`), --csv alone does without."""
 FOLDER = "figures"
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", metavar="SOURCE", help="whose figure: suzuki, lecture or patent")
+    parser.add_argument(
+        "source", metavar="SOURCE", help="whose figure: suzuki, lecture, patent or doppler"
+    )
     parser.add_argument("name", metavar="NAME", nargs="?", help="which; without it: list them")
     parser.add_argument("--out", metavar="DIR", help=f"where to write; default: {FOLDER}")
     parser.add_argument("--csv", action="store_true", help="write the numbers alone, no picture")
