@@ -18,6 +18,11 @@ from gainproof.derive.sensors.converted_correlated_tower import (
 from gainproof.derive.sensors.converted_graphs import graphs
 from gainproof.derive.sensors.converted_module import kernel_module
 from gainproof.derive.sensors.converted_names import LATEX
+from gainproof.derive.sensors.converted_space_correlated import LATEX as BOTH_CORRELATED
+from gainproof.derive.sensors.converted_space_correlated import (
+    space_correlated_steps,
+    space_correlated_tower,
+)
 from gainproof.derive.sensors.converted_space_graphs import graphs as space_graphs
 from gainproof.derive.sensors.converted_space_kernels import space_kernel_steps
 from gainproof.derive.sensors.converted_space_names import LATEX as IN_SPACE
@@ -70,6 +75,7 @@ def build() -> Subject:
         *space_sign_steps(),
         *space_conversion_steps(),
         *space_growth_steps(),
+        *space_correlated_steps(),
         *kernel_steps(plain),
         *space_kernel_steps(plain),
         *correlated_kernel_steps(plain),
@@ -82,6 +88,7 @@ def build() -> Subject:
         signs_tower(),
         plane_tower(),
         turned_tower(),
+        space_correlated_tower(),
         turned_correlated_tower(),
     )
     return Subject(
@@ -89,7 +96,10 @@ def build() -> Subject:
         title=TITLE,
         model=None,
         derivation=Derivation(
-            OPENING, steps, tuple(each.key for each in sources), LATEX | CORRELATED | IN_SPACE
+            OPENING,
+            steps,
+            tuple(each.key for each in sources),
+            LATEX | CORRELATED | IN_SPACE | BOTH_CORRELATED,
         ),
         towers={tower.name: tower for tower in towers},
         programs={

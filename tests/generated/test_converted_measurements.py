@@ -22,7 +22,7 @@ DTYPES = pytest.mark.parametrize("dtype", list(EPSILON))
 
 @EACH
 @DTYPES
-@pytest.mark.parametrize("count", [20, pytest.param(400, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("count", [12, pytest.param(400, marks=pytest.mark.thorough)])
 def test_errors_are_as_promised(kernel: Callable[..., Any], dtype: str, count: int) -> None:
     given = points(kernel, dtype, count, seed=5)
     name = kernel.__name__

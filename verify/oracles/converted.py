@@ -149,6 +149,35 @@ def _moments(r: Ball, e: flint.acb, a: flint.acb, noises: list[Noise], sign: int
     )
 
 
+def correlated_in_space(
+    at: Sequence[Number],
+    deviations: Sequence[Number],
+    correlations: Sequence[Number],
+    count: int = NODES,
+) -> Moments:
+    """Of the converted measurement of a target at azimuth 0 and this range and elevation, whose
+    noise of the range has these correlations with those of elevation and azimuth, independent.
+    """
+    with flint.ctx.workprec(BITS):
+        r, e, sr, se, sa, up, around = balls([*at, *deviations, *correlations])
+        left = (1 - up * up - around * around).sqrt()
+        means, products_ = [ZERO] * 3, [[ZERO] * 3 for _ in range(3)]
+        turns = [(k, u, direction_of(sa * k)) for k, u in polar.nodes(count)]
+        for m, v in polar.nodes(count):
+            rising = direction_of(e + se * m)
+            for k, u, turn in turns:
+                for n, w in polar.nodes(3):
+                    distance = r + sr * (up * m + around * k + left * n)
+                    level, weight = distance * rising.real, u * v * w
+                    place = [level * turn.real, level * turn.imag, distance * rising.imag]
+                    for i, value in enumerate(place):
+                        means[i] += weight * value
+                        for j in range(3):
+                            products_[i][j] += weight * value * place[j]
+        covariance = [[products_[i][j] - means[i] * means[j] for j in range(3)] for i in range(3)]
+        return Moments(means, covariance)
+
+
 def place_of(polar_place: Vector) -> Vector:
     """x, y, z."""
     return _plain(*polar_place)
