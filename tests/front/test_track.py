@@ -229,7 +229,7 @@ def test_headers_that_cannot_be_used_are_named(head: str, message: str, capsys: 
     [
         (["--filter", "kalmann"], "no filter is called 'kalmann'; nearest: kalman"),
         (["--conversion", "unbiast"], "nearest: unbiased"),
-        (["--gate", "1"], "probability between 0 and 1, got 1"),
+        (["--gate", "1"], "probability between 0 and 1, at least"),
         (["--gate", "x"], "--gate takes a number, got 'x'"),
         (["--acceleration", "nan"], "--acceleration takes a finite number"),
         (["--acceleration", "-1"], "the acceleration is between"),

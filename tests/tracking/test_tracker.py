@@ -11,7 +11,7 @@ from tracker_scene import Scene, drawn, judged
 
 from gainproof.bad_input import BadInputError
 from gainproof.generated import recursion_two_states
-from gainproof.tracking import DetectionError, Measured, Polar, Settings, followed, scans
+from gainproof.tracking import FILTERS, DetectionError, Measured, Polar, Settings, followed, scans
 from gainproof.tracking.motion import Estimate, predicted, started, updated
 
 SIGMAS = 50.0, float(np.deg2rad(0.5))
@@ -66,6 +66,27 @@ def test_the_same_detections_give_the_same_bits() -> None:
     first, second = (followed(scene.scans, Settings()) for _ in range(2))
     assert first.state.tobytes() == second.state.tobytes()
     assert first.deviation.tobytes() == second.deviation.tobytes()
+
+
+@pytest.mark.parametrize("name", FILTERS)
+def test_a_quarter_turn_and_another_clock_change_nothing_else(name: str) -> None:
+    """x becomes y: filters that take them apart, too; times a power of two later stay as exact."""
+    scene = drawn(Scene(targets=10, scans=15, false_alarms=3.0, seed=11))
+    first = followed(scene.scans, Settings(filter=name))
+    polar = scene.scans.polar
+    times = np.repeat(scene.scans.times, np.diff(scene.scans.first))
+    bearing = np.remainder(polar.bearing + np.pi / 2, 2 * np.pi)
+    sigmas = polar.range_deviation, polar.bearing_deviation
+    turned = scans(times + 2.0**20, polar.range, bearing, *sigmas)
+    second = followed(turned, Settings(filter=name))
+    back = np.argsort(turned.row)
+    told = second.track[back]
+    assert np.array_equal(first.track < 0, told < 0)
+    pairs = set(zip(first.track.tolist(), told.tolist(), strict=True))
+    assert len(pairs) == len({a for a, _ in pairs}) == len({b for _, b in pairs})
+    known = np.isfinite(first.state).all(-1)
+    x, vx, y, vy = second.state[back][known].T
+    assert np.allclose(first.state[known], np.stack([-y, -vy, x, vx], -1), rtol=1e-7, atol=1e-6)
 
 
 def test_every_detection_has_one_track_or_none_and_a_track_one_detection_a_scan() -> None:
@@ -213,6 +234,7 @@ def test_detections_that_cannot_be_used_are_named(
         ({"conversion": "unbias"}, "nearest: unbiased"),
         ({"gate": 1.0}, "probability between 0 and 1"),
         ({"gate": float("nan")}, "probability between 0 and 1"),
+        ({"gate": 1e-300}, "at least 1e-12 from both"),
         ({"acceleration": 0.0}, "the acceleration is between"),
         ({"most_speed": float("inf")}, "the speed is between"),
         ({"nominal_range": -1.0}, "the nominal range is between"),

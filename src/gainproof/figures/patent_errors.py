@@ -77,7 +77,8 @@ def comparison() -> Table:
 
 def _along(kind: str, unit: str) -> Table:
     words: list[tuple[str, str]] = []
-    ranges, curves = [], []
+    ranges: list[Reals] = []
+    curves: list[Interval] = []
     numbers: dict[str, object] = {}
     for path, found in all_outcomes().items():
         far = seen(path).range[PLOTTED:]
@@ -89,9 +90,9 @@ def _along(kind: str, unit: str) -> Table:
             name: float(rms(settled(_of(errors, kind))).middle) for name, errors in found.items()
         }
     count = len(curves)
-    times = np.tile(INTERVAL * np.arange(PLOTTED, SAMPLES), count)
+    times = np.tile(INTERVAL * np.arange(float(PLOTTED), float(SAMPLES)), count)
     column = f"rms_{kind}_{unit.replace('/', '_')}"
-    together = [
+    together: list[Reals] = [
         np.concatenate([getattr(curve, end) for curve in curves])
         for end in ("middle", "lower", "upper")
     ]

@@ -173,7 +173,7 @@ def _kalman(given: Seen) -> Errors:
     kept = _start(measured)
     states = np.full((*measured.position.shape[:2], 4), np.nan)
     states[1] = kept.state
-    interval = np.full(states.shape[1], INTERVAL)
+    interval = np.full(len(kept.state), INTERVAL)
     for k in range(2, len(states)):
         before = predicted(kept, interval, ACCELERATION)
         sample = _sample(measured.part(k), np.array([k]), before.covariance)

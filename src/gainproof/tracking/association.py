@@ -34,7 +34,7 @@ def assigned(tracks: int, pairs: Pairs, limit: float) -> Ints:
     found[pairs.track[alone]] = pairs.detection[alone]
     if not alone.all():
         rest = ~alone
-        track, chosen = _matched(Pairs(*(column[rest] for column in pairs)), limit)
+        track, chosen = _matched(pairs.part(rest), limit)
         found[track] = chosen
     return found
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gainproof.tracking.arrays import Ints, Reals
+from gainproof.tracking.arrays import Bools, Ints, Reals
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import POSITION, Estimate, rest
 
@@ -20,6 +20,10 @@ class Pairs(NamedTuple):
     track: Ints
     detection: Ints
     squared: Reals
+
+    def part(self, rows: Bools) -> Pairs:
+        """Those that a mask chooses."""
+        return Pairs(self.track[rows], self.detection[rows], self.squared[rows])
 
 
 def threshold(probability: float) -> float:

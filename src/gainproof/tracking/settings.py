@@ -11,6 +11,7 @@ from gainproof.tracking import conversion, gains
 LARGEST = 1e9
 """Beyond this no acceleration, speed or range of a setting is taken, in m and s."""
 MOST_SCANS = 64
+LEAST_GATE = 1e-12
 
 
 @dataclass(frozen=True)
@@ -44,8 +45,11 @@ class Settings:
         _require_above_zero("speed", self.most_speed)
         if self.nominal_range is not None:
             _require_above_zero("nominal range", self.nominal_range)
-        if not 0 < self.gate <= 1 - 1e-12:
-            raise BadInputError(f"the gate is a probability between 0 and 1, got {self.gate!s}")
+        if not LEAST_GATE <= self.gate <= 1 - LEAST_GATE:
+            raise BadInputError(
+                "the gate is a probability between 0 and 1, at least "
+                f"{LEAST_GATE:g} from both, got {self.gate!s}"
+            )
         needed, scans = self.confirm
         if not 2 <= needed <= scans <= MOST_SCANS:
             raise BadInputError(

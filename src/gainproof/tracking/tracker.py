@@ -135,7 +135,7 @@ def associated(tracks: Tracks, pairs: Pairs, detections: int, limit: float) -> I
         own = (ranks[pairs.track] == turn) & free[pairs.detection]
         if not own.any():
             continue
-        chosen = assigned(len(tracks), Pairs(*(column[own] for column in pairs)), limit)
+        chosen = assigned(len(tracks), pairs.part(own), limit)
         taken = chosen >= 0
         found[taken] = chosen[taken]
         free[chosen[taken]] = False
