@@ -12,6 +12,7 @@ from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, Unusable, conventions
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.matrices.decide import decide
+from gainproof.verify.judge.matrices.layers import Proofs
 from gainproof.verify.judge.pruning import seen_false
 from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.setting.environment import NotEstablished
@@ -41,6 +42,11 @@ class Trial:
 PROOFS = "proofs of claims on matrices"
 
 
+def proofs_in(solved: dict[Any, Any]) -> Proofs:
+    """Those of claims on matrices, in what is kept for other tasks."""
+    return solved.setdefault(PROOFS, {})  # type: ignore[no-any-return]
+
+
 def try_claim(
     claim: Claim,
     setting: Setting,
@@ -51,7 +57,7 @@ def try_claim(
     proofs of claims on matrices for others."""
     start = time.perf_counter()
     if claim.matrices is not None and setting.matrices is not None:
-        finding = decide(claim.matrices, setting.matrices, solved.setdefault(PROOFS, {}))
+        finding = decide(claim.matrices, setting.matrices, proofs_in(solved))
         return Trial(claim, {"": finding}, (), False, time.perf_counter() - start)
     findings: dict[str, Finding] = {}
     found: list[Convention | Unusable] = []

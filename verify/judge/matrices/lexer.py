@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from gainproof.verify.judge.matrices.size import Shape, Sizes
@@ -71,7 +71,8 @@ _ZERO = re.compile(r"(?:\\[a-z]+\{)+0\}+", re.ASCII)
 @dataclass(frozen=True)
 class Token:
     """`kind`: name, number, unit, zero, power, relation, arrow, begin, end, expect, wide, or the
-    character itself. `value` is its text; sizes of units and zeros are in `shape`.
+    character itself. `value` is its text; sizes of units and zeros are in `shape`. It ends before
+    the place `end`.
     """
 
     kind: str
@@ -79,6 +80,7 @@ class Token:
     value: str = ""
     number: Fraction = Fraction(0)
     shape: Shape | None = None
+    end: int = 0
 
 
 def tokens_of(text: str, letters: Collection[str], sizes: Sizes) -> list[Token]:
@@ -90,7 +92,7 @@ def tokens_of(text: str, letters: Collection[str], sizes: Sizes) -> list[Token]:
     while position < len(text):
         token, position = _token(text, position, letters, sizes)
         if token is not None:
-            found.append(token)
+            found.append(replace(token, end=position))
         if len(found) > MOST_TOKENS:
             raise ReaderError(f"more than {MOST_TOKENS} signs", text, position)
         position = skip_blanks(text, position)

@@ -166,7 +166,7 @@ class _Parser:
         place, closing = opening.position, _CLOSING[opening.kind]
         if self.kind == "," and opening.kind == "(":
             self.take()
-            inner = Node("product", (transposed(inner), self.sum()), name=INNER)
+            inner = Node("product", (Node("transpose", (inner,)), self.sum()), name=INNER)
         elif self.kind == "wide":
             cells = [inner]
             while self.kind == "wide":

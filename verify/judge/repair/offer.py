@@ -7,12 +7,16 @@ from dataclasses import replace
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.matrices.repair import MatrixRepairTask
 from gainproof.verify.judge.repair.edit import SLIGHT
 from gainproof.verify.judge.repair.task import RepairTask
+from gainproof.verify.judge.task import Task
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 NOT_TRUE = ("refuted", "conditional")
+UNCHANGED = ("definition", "dimension", "invertible")
+"""Kinds of claims on matrices that no change of a formula makes true."""
 NONE_FOUND = "no misprint-like repair found"
 
 
@@ -21,13 +25,15 @@ def repair_tasks(
     setting: Setting,
     verdicts: Iterable[ClaimVerdict],
     environments: Sequence[str],
-) -> list[RepairTask]:
+) -> list[Task]:
     """One for each claim with a formula that is not true as stated. One that is true wherever it
     has a value has no slip but in its conditions.
     """
     wrong = {v.id: v for v in verdicts if v.verdict in NOT_TRUE}
-    found = []
+    found: list[Task] = []
     for claim in claims:
+        if claim.id in wrong and claim.matrices is not None and claim.kind not in UNCHANGED:
+            found.append(MatrixRepairTask(claim, setting))
         if claim.id in wrong and claim.formula is not None and claim.kind != "definition":
             if wrong[claim.id].only_lacks_values and not _has_conditions(claim):
                 continue

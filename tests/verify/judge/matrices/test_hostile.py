@@ -195,6 +195,11 @@ def test_a_definition_that_stays_closed_has_to_mean_something(latex: str, more: 
     assert Layers(setting).prove(questions[2])
 
 
+def test_an_inner_product_is_of_columns() -> None:
+    found = judged_matrices("(x^T, X x) = x^T X x")
+    assert (found.verdict, found.method) == ("refuted", "shapes")
+
+
 @pytest.mark.parametrize("latex", ["0 B = B", "a^T a B = B a^T a"])
 def test_shapes_that_are_left_open_refute_nothing(latex: str) -> None:
     assert judged_matrices(latex).verdict == "undecided"

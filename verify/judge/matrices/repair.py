@@ -1,0 +1,124 @@
+"""The nearest true statement on matrices: what a misprint, or a slip, made of it.
+
+Single changes of the printed text are tried at exact instances of the hypotheses, which refute
+nearly all of them; of what is left, only what is proved is offered, by the way every claim is.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+from typing import Any
+
+from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.matrices.decide import Case, cases_of, decide
+from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
+from gainproof.verify.judge.matrices.layers import Proofs
+from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
+from gainproof.verify.judge.matrices.reader import read_statement
+from gainproof.verify.judge.matrices.sample import holds, instances
+from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
+from gainproof.verify.judge.matrices.slips import Slip, slips
+from gainproof.verify.judge.matrices.tree import REGULAR, Chain, Statement
+from gainproof.verify.judge.reader.errors import ReaderError
+from gainproof.verify.judge.task import Models, Solved
+from gainproof.verify.judge.trial import Trial, proofs_in
+
+SECONDS = 20.0
+"""Time for the search; more than it needs where proofs are short."""
+OVERTIME = 10.0
+FEW_INSTANCES = 3
+MOST_PROVED = 5
+"""Offers of one weight."""
+
+
+@dataclass(frozen=True)
+class MatrixRepairTask:
+    """A claim on matrices that is not proved."""
+
+    claim: Claim
+    setting: Setting
+    seconds: float = SECONDS
+    most: float = SECONDS + OVERTIME
+
+    def run(self, models: Models, solved: Solved) -> Trial:  # noqa: ARG002 - as every task
+        """A trial without findings whose `repair` lists the offers, all of the least weight."""
+        start = time.perf_counter()
+        offers: list[dict[str, Any]] = []
+        if self.claim.matrices is not None and self.setting.matrices is not None:
+            found = repairs(
+                self.claim.latex,
+                self.claim.matrices,
+                self.setting.matrices,
+                proofs_in(solved),
+                start + self.seconds,
+            )
+            offers = [
+                {"latex": s.latex, "changes": [s.what], "weight": s.weight, "convention": ""}
+                for s in found
+            ]
+        seconds = time.perf_counter() - start
+        return Trial(self.claim, {}, (), False, seconds, repair={"offers": offers})
+
+
+def repairs(
+    latex: str, claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs, deadline: float
+) -> list[Slip]:
+    """The nearest changes that make a claim true, all of one weight; none after the deadline."""
+    found: list[Slip] = []
+    for slip, other in _true_at_instances(latex, claim, setting, deadline):
+        if found and (slip.weight > found[0].weight or len(found) == MOST_PROVED):
+            break
+        if decide(other, setting, proofs).verdict == "proved":
+            found.append(slip)
+    return found
+
+
+def _true_at_instances(
+    latex: str, claim: MatrixClaim, setting: MatrixSetting, deadline: float
+) -> Iterator[tuple[Slip, MatrixClaim]]:
+    shapes = Shapes(setting.letters, setting.sizes)
+    tried: dict[tuple[Any, ...], list[Instance]] = {}
+    for slip in slips(latex, setting):
+        if time.perf_counter() > deadline:
+            return
+        try:
+            statement = read_statement(slip.latex, setting.letters, setting.sizes)
+            other = replace(claim, statement=statement)
+            cases = cases_of(other, shapes)
+        except (ReaderError, ShapeFault):
+            continue
+        if not _says_nothing(statement) and all(_holds(case, setting, tried) for case in cases):
+            yield slip, other
+
+
+def _says_nothing(statement: Statement) -> bool:
+    """Whether a relation has the same on both sides, or both directions do."""
+    chains = (*statement.chains, *statement.after)
+    same = any(
+        one == other
+        for chain in chains
+        for one, other in zip(chain.sides, chain.sides[1:], strict=False)
+    )
+    return same or (bool(statement.connective) and statement.chains == statement.after)
+
+
+def _holds(
+    case: Case, setting: MatrixSetting, tried: dict[tuple[Any, ...], list[Instance]]
+) -> bool:
+    """Whether a case is true at instances of its hypotheses, of which there are some."""
+    question = case.question
+    key = (question.given, question.invertible, case.bounds)
+    if key not in tried:
+        # letters that a change may bring in have values too
+        made = instances(setting, question.given, question.invertible, case.bounds)
+        tried[key] = list(islice(made, FEW_INSTANCES))
+    wanted = (*question.chains, *(Chain((node,), (REGULAR,)) for node in question.existing))
+    try:
+        return bool(tried[key]) and all(
+            holds(chain, instance) for instance in tried[key] for chain in wanted
+        )
+    except (NoValueError, Unsupported):
+        return False
