@@ -76,6 +76,8 @@ ERRORS: list[tuple[Any, tuple[Any, ...], str]] = [
     (interacting.poles, (np.empty((0, 0)), K2, T), "must be a square matrix"),
     (interacting.covariances, (K1, 100 * K2, T, B), "not a stable filter: the eigenvalues of F"),
     (interacting.covariances, (np.zeros((3, 3)), K2, T, B), "not a stable filter"),
+    (interacting.covariances, (K1, np.ones((3, 3)), T, B), "velocity_gain is singular, its det"),
+    (interacting.lag, (K2, T, [1, 1, 1], np.zeros((3, 3))), "the eigenvalues of F"),
     (interacting.covariances, (K1, K2, T, -B), "no eigenvalue below 0, got -"),
     (interacting.covariances, (K1, K2, T, np.triu(B)), "must be symmetric"),
     (interacting.covariances, (K1, K2, T, np.eye(2)), r"must have shape \(3, 3\) as the gains"),

@@ -151,6 +151,11 @@ def lag(
 
 def _require_stable(given: Loop) -> None:
     if not exact_stability.stable(given.position_gain, given.velocity_gain, given.interval):
+        if exact_stability.determinant(given.velocity_gain) == 0:
+            raise ValueError(
+                "not a stable filter: velocity_gain is singular, its determinant is exactly 0; "
+                "velocities that it does not correct stay as they are, with an eigenvalue 1"
+            )
         largest = float(np.abs(_eigenvalues(given)[0]))
         raise ValueError(
             "not a stable filter: the eigenvalues of F (I - K H) must have moduli below 1, which "
