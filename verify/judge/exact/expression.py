@@ -31,11 +31,10 @@ class Expr:
 
     def __post_init__(self) -> None:
         # lengths are written, so that no name can imitate another node
-        text = f"{self.kind}|{len(str(self.value))}|{self.value}|{len(self.parts)}|"
-        digest = hashlib.blake2b(text.encode(), digest_size=32)
-        for part in self.parts:
-            digest.update(part.key)
-        object.__setattr__(self, "key", digest.digest())
+        value = str(self.value)
+        text = f"{self.kind}|{len(value)}|{value}|{len(self.parts)}|".encode()
+        whole = b"".join([text, *[part.key for part in self.parts]])
+        object.__setattr__(self, "key", hashlib.blake2b(whole, digest_size=32).digest())
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Expr) and self.key == other.key
@@ -166,13 +165,13 @@ def walk(*roots: Expr, known: Container[bytes] = ()) -> Iterator[Expr]:
     stack = list(reversed(roots))
     while stack:
         node = stack[-1]
-        if node.key not in seen and node.key not in known:
-            before = [p for p in node.parts if p.key not in seen and p.key not in known]
-            if before:
-                before.reverse()
-                stack += before
+        key = node.key
+        if key not in seen and key not in known:
+            size = len(stack)
+            stack += [p for p in node.parts[::-1] if p.key not in seen and p.key not in known]
+            if len(stack) > size:
                 continue
-            seen.add(node.key)
+            seen.add(key)
             yield node
         stack.pop()
 

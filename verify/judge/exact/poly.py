@@ -28,7 +28,6 @@ def constant(context: Ring, value: Fraction | int) -> Poly:
 
 def rational(value: Fraction | int) -> Any:
     """A fraction as flint.fmpq."""
-    value = Fraction(value)
     return flint.fmpq(value.numerator, value.denominator)
 
 
@@ -67,12 +66,13 @@ def coefficients_in(p: Poly, index: int, least: int = 0) -> list[Poly]:
 def grouped(p: Poly, indices: Sequence[int]) -> dict[tuple[int, ...], Poly]:
     """The polynomial split by its monomials in some variables: exponents -> coefficient."""
     context = p.context()
-    chosen = set(indices)
     parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
     for exponents, coefficient in terms(p):
-        label = tuple(exponents[i] for i in indices)
-        rest = tuple(0 if i in chosen else e for i, e in enumerate(exponents))
-        parts.setdefault(label, {})[rest] = coefficient
+        rest = list(exponents)
+        for i in indices:
+            rest[i] = 0
+        label = tuple([exponents[i] for i in indices])
+        parts.setdefault(label, {})[tuple(rest)] = coefficient
     return {label: from_terms(context, part) for label, part in parts.items()}
 
 

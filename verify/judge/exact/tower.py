@@ -13,7 +13,7 @@ from math import prod
 
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Undecided
-from gainproof.verify.judge.exact.poly import Poly, Ring, degree, text
+from gainproof.verify.judge.exact.poly import Poly, Ring, text
 from gainproof.verify.judge.exact.radicand import (
     Element,
 )
@@ -106,9 +106,11 @@ class Tower:
 
     def reduce(self, p: Poly) -> Poly:
         """Remainder by all relations, from the top down. Raises Undecided if it grows too long."""
+        degrees = p.degrees()  # of 0 they are -1
         for root in reversed(self.roots):
-            if degree(p, root.index) >= root.order:
+            if degrees[root.index] >= root.order:
                 p = divmod(p, root.relation)[1]
+                degrees = p.degrees()
         if len(p) > self.limits.terms:
             raise Undecided(f"a polynomial of more than {self.limits.terms} terms")
         return p

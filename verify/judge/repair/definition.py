@@ -125,12 +125,13 @@ def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
     left = formula.sides[formula.links[0].left]
     table = table_of(setting, formula, suspect.users)
     for change in changes(formula, table, sample_numbers(setting)):
+        if change.printed.sides[formula.links[0].left] != left:
+            continue
         circular = any(
             node.kind in ("symbol", "call") and node.name == suspect.token
             for node in walk(_body(change))
         )
-        kept = change.printed.sides[formula.links[0].left] == left
-        if kept and not circular and not is_more_senseless(change.printed, formula):
+        if not circular and not is_more_senseless(change.printed, formula):
             yield change
 
 

@@ -7,12 +7,11 @@ negative and one is not zero, it is positive on the open triangle. Each sign is 
 
 from __future__ import annotations
 
-from fractions import Fraction
-from math import comb
+from math import comb, lcm
 
 from gainproof.verify.judge.exact.poly import Poly, fraction, terms
 
-Surd = tuple[Fraction, Fraction]
+Surd = tuple[int, int]
 """x + y sqrt(3)."""
 
 
@@ -25,17 +24,20 @@ def sign_on_triangle(p: Poly, low: int, high: int) -> int | None:
 
 
 def _moved(p: Poly, low: int, high: int) -> dict[tuple[int, int], Surd]:
-    """Coefficients by powers of t and s."""
-    entries = [(int(e[low]), int(e[low] + e[high]), fraction(c)) for e, c in terms(p)]
+    """Coefficients by powers of t and s, times one positive number that makes them whole."""
+    known = [(int(e[low]), int(e[low] + e[high]), fraction(c)) for e, c in terms(p)]
+    whole = lcm(*(c.denominator for _, _, c in known))
+    entries = [(i, k, c.numerator * (whole // c.denominator)) for i, k, c in known]
     width = max((i for i, _, _ in entries), default=0)
     height = max((k for _, k, _ in entries), default=0)
-    found: dict[tuple[int, int], list[Fraction]] = {}
+    found: dict[tuple[int, int], list[int]] = {}
     for i, k, c in entries:
         value = c * 3 ** (k // 2)
+        ways = [comb(height - k, b) for b in range(height - k + 1)]
         for a in range(width - i + 1):
-            for b in range(height - k + 1):
-                sums = found.setdefault((a, b), [Fraction(0), Fraction(0)])
-                sums[k % 2] += value * comb(width - i, a) * comb(height - k, b)
+            scaled = value * comb(width - i, a)
+            for b, way in enumerate(ways):
+                found.setdefault((a, b), [0, 0])[k % 2] += scaled * way
     return {key: (x, y) for key, (x, y) in found.items()}
 
 
