@@ -139,6 +139,15 @@ def test_the_picture(capsys: Capture) -> None:
 
 
 @pytest.mark.usefixtures("folder")
+def test_scans_that_would_fill_the_memory_are_refused(capsys: Capture) -> None:
+    rows = [
+        f"{time},{20 + i / 1e4},{10 + i / 1e4},5000,30\n" for time in (0, 5) for i in range(1500)
+    ]
+    Path("d.csv").write_text(HEAD + "".join(rows))
+    assert "pairs of tracks and detections in one scan, at most 2000000" in refused(capsys)
+
+
+@pytest.mark.usefixtures("folder")
 def test_where_nothing_is_followed_the_status_is_1(capsys: Capture) -> None:
     Path("d.csv").write_text(HEAD + GOOD + "5,,,,\n10,,,,\n")
     assert tracked("--out", "t.csv", file="d.csv") == 1

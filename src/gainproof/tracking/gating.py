@@ -11,6 +11,13 @@ from gainproof.tracking.arrays import Bools, Ints, Reals
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import POSITION, Estimate, rest
 
+MOST_PAIRS = 2_000_000
+"""In the bands of x of all gates of a scan: a third of a gigabyte."""
+
+
+class TooManyPairsError(ValueError):
+    """More candidates in a scan than there is memory for."""
+
 
 class Pairs(NamedTuple):
     """Tracks and detections that may belong together, by their places, and how far apart they are:
@@ -37,6 +44,7 @@ def gated(before: Estimate, seen: Measured, limit: float) -> Pairs:
     """All pairs of predicted tracks and detections within the limit, in the order of the tracks.
 
     The distance is never below that of x alone over its variance: a band in x finds the candidates.
+    Raises TooManyPairsError.
     """
     order = np.argsort(seen.position[:, 0], kind="stable")
     x = seen.position[order, 0]
@@ -44,6 +52,11 @@ def gated(before: Estimate, seen: Measured, limit: float) -> Pairs:
     reach = np.sqrt(limit * (before.covariance[:, 0, 0] + widest)) * (1 + 1e-12)
     first = np.searchsorted(x, before.state[:, 0] - reach, "left")
     count = np.searchsorted(x, before.state[:, 0] + reach, "right") - first
+    if count.sum() > MOST_PAIRS:
+        raise TooManyPairsError(
+            f"{count.sum()} pairs of tracks and detections in one scan, at most {MOST_PAIRS} are "
+            "taken; wanted: fewer detections, or a smaller gate or speed"
+        )
     track = np.repeat(np.arange(len(first)), count)
     place = np.arange(track.size) - np.repeat(np.cumsum(count) - count - first, count)
     detection = order[place]
