@@ -46,7 +46,6 @@ def evaluate(
             size = results[0].size
             for start in range(0, size, LONG * length):
                 admit(kernel, flat, start, min(start + LONG * length, size), inputs, shape)
-            flat = [x.copy() if _elsewhere(x, results) else x for x in flat]
         _run(kernel, flat, results, inputs, out is None)
     if out is None and shape == ():
         return tuple(y[()] for y in results)
@@ -55,7 +54,7 @@ def evaluate(
 
 def _run(
     kernel: Signature,
-    flat: Sequence[Array],
+    flat: list[Array],
     results: Sequence[Array],
     inputs: Sequence[Array],
     guard: bool,
@@ -72,11 +71,13 @@ def _run(
     ]
     work: list[Array] = [np.empty(length, kind) for _ in range(kernel.work)]
     # inputs that an output takes the place of: kept block by block, while they are read
-    copies = {
-        place: np.empty(length, kind)
-        for place, x in enumerate(flat)
-        if any(overlap(y, x) for y in results)
-    }
+    copies: dict[int, Array] = {}
+    for place, x in enumerate(() if guard else flat):
+        shared = [y for y in results if overlap(y, x)]
+        if any(_elsewhere(x, y) for y in shared):
+            flat[place] = x.copy()
+        elif shared:
+            copies[place] = np.empty(length, kind)
     starts = range(0, size, step)
     # what was admitted last is still in the cache: it is computed first
     for start in starts if guard else reversed(starts):
@@ -108,7 +109,7 @@ def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
             )
     single = all(x.dtype.type is np.float32 for x in arrays)
     kind: np.dtype[Any] = np.dtype(np.float32 if single else np.float64)
-    return [x.astype(kind, copy=False) for x in arrays]
+    return [x if x.dtype == kind else x.astype(kind) for x in arrays]
 
 
 def _common_shape(kernel: Signature, inputs: Sequence[Array]) -> tuple[int, ...]:
@@ -138,12 +139,8 @@ def _constant(x: Array, shape: tuple[int, ...], length: int) -> Array:
     return np.full(min(size, length), x.reshape(-1)[0], x.dtype)
 
 
-def _elsewhere(x: Array, results: Sequence[Array]) -> bool:
-    """Whether an input shares memory with an output other than by being the same array: then it is
+def _elsewhere(x: Array, y: Array) -> bool:
+    """Whether an output that shares memory with an input is not the same array: then the input is
     not read and written element by element, and the whole of it has to be kept.
     """
-    shared = [y for y in results if overlap(y, x)]
-    return any(
-        y.size != x.size or not y.flags.c_contiguous or y.ctypes.data != x.ctypes.data
-        for y in shared
-    )
+    return y.size != x.size or not y.flags.c_contiguous or y.ctypes.data != x.ctypes.data
