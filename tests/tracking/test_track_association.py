@@ -40,7 +40,7 @@ def least(squared: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> float:
         )
     )
 )
-@settings(max_examples=samples(40), deadline=None)
+@settings(max_examples=samples(20), deadline=None)
 def test_the_sum_of_squares_is_the_least(rows: list[list[float]]) -> None:
     squared = np.array(rows)
     track, detection = np.nonzero(np.isfinite(squared))

@@ -189,10 +189,10 @@ def test_josephs_form_holds_for_any_gain() -> None:
         gain[None],
         measured([0.0, 0.0], noise.tolist()),
     ).covariance[0]
-    errors = draw.standard_normal((200_000, 4)) @ root.T
-    measured_errors = draw.standard_normal((200_000, 2)) @ noise_root.T
+    errors = draw.standard_normal((40_000, 4)) @ root.T
+    measured_errors = draw.standard_normal((40_000, 2)) @ noise_root.T
     left = errors - (errors[:, ::2] - measured_errors) @ gain.T
-    assert np.allclose(left.T @ left / len(left), found, atol=0.03 * found.max())
+    assert np.allclose(left.T @ left / len(left), found, atol=0.06 * found.max())
 
 
 @pytest.mark.parametrize(
