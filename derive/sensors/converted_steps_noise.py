@@ -145,6 +145,13 @@ def measurement_steps() -> list[Step]:
             ),
         ),
         Step(
+            "prior-of-places",
+            "Were every place of the plane as likely before, and not every range and azimuth, the "
+            "mean would lie farther away, by the share `sigma_r^2/r_m^2`:",
+            equal(KEPT * second / R, KEPT * R * (1 + SIGMA_R**2 / R**2)),
+            "Areas grow with the range, which is a weight: the mean of `r^2` over that of `r`.",
+        ),
+        Step(
             "average",
             "A matrix with the entries `a` along and `b` across another line of sight, which is "
             "off by the noise, has on average these along and across the measured one:",

@@ -165,6 +165,18 @@ def test_numbers_of_the_derivation() -> None:
     assert (narrow.radial_variance < narrow.cross_variance).all()
 
 
+@pytest.mark.parametrize("name", [*KERNELS, *CORRELATED])
+@DTYPES
+def test_never_nan(name: str, dtype: str) -> None:
+    kernel = getattr(converted_measurements, name)
+    with np.errstate(all="raise"):
+        given = points(kernel, dtype, 5_000, seed=11)
+        found = kernel(*given)
+        assert all(np.isfinite(each).all() for each in found)
+        assert (found.covariance_xx >= 0).all() or name in CORRELATED
+        assert all(each.dtype == dtype for each in found)
+
+
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf])
 @pytest.mark.parametrize("argument", ["slant_range", "range_deviation", "azimuth_deviation"])
 @EACH
