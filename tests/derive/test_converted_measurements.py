@@ -13,7 +13,9 @@ from catalogue_subjects import certificate, subject
 
 from gainproof.derive.algebra.positive import NoPlainSign
 from gainproof.derive.derivation import Step
-from gainproof.derive.relation import Relation, equal, monotone, positive, same_sign
+from gainproof.derive.relation import Relation, equal, limit, monotone, positive, same_sign
+from gainproof.derive.sensors import converted_correlated_tower as correlated
+from gainproof.derive.sensors import converted_space_correlated as both
 from gainproof.derive.sensors.converted_graphs import graphs
 from gainproof.derive.sensors.converted_names import (
     COS2,
@@ -28,6 +30,8 @@ from gainproof.derive.sensors.converted_names import (
     R,
 )
 from gainproof.derive.sensors.converted_space_graphs import graphs as space_graphs
+from gainproof.derive.sensors.converted_space_names import BOTH, COS_E, ENTRY, LA, LE, SIN_E
+from gainproof.derive.sensors.converted_steps_range import ENDS
 from gainproof.derive.sensors.converted_steps_table import ESTIMATE
 from gainproof.derive.subject import Subject
 from gainproof.verify.certificate import check, check_statement
@@ -81,10 +85,10 @@ def test_an_altered_node_of_a_kernel_is_noticed(name: str, step: int, original: 
         assert check_statement(data, statement).status == "rejected", (name, at, node)
 
 
-def status(relation: Relation, hint: Plain | None = None) -> str:
-    """What becomes of one more statement in the main tower; a sign that is not shown is none."""
+def status(relation: Relation, hint: Plain | None = None, tower: str = "main") -> str:
+    """What becomes of one more statement in a tower; a sign that is not shown is none."""
     made: Subject = subject(NAME)
-    step = Step("claimed", "", relation, "", hint=hint or {})
+    step = Step("claimed", "", relation, "", tower, hint or {})
     alone = replace(
         made, derivation=replace(made.derivation, steps=(step,)), programs={}, settings={}
     )
@@ -136,6 +140,60 @@ FALSE = {
     "they cross at the classical range": same_sign(CROSS - RADIAL, R**2 * SIGMA_A**2 - SIGMA_R**2),
     "they cross without the noise": same_sign(CROSS - RADIAL, R - SIGMA_R),
 }
+
+
+FAR = limit(CROSS / RADIAL, "infinity", (1 + L) / (1 + L), "slant_range")
+MODIFIED, UNBIASED = ENTRY["space_modified"], ENTRY["space_unbiased"]
+ELSEWHERE = {
+    "a limit of 1": ("main", FAR, {"ends": ENDS}),
+    "the height is less certain": ("signs", positive(MODIFIED[2] - MODIFIED[0]), {}),
+    "upwards the bias of both angles": (
+        "space",
+        equal(UNBIASED[2], MODIFIED[2] + (1 / BOTH - BOTH) ** 2 * (R * SIN_E) ** 2),
+        {},
+    ),
+    "the tilt's other sign": (
+        "space",
+        equal(MODIFIED[3], KEPT * COS_E * SIN_E * (LE * R**2 - LE**2 * WHOLE)),
+        {},
+    ),
+    "the azimuth's noise tilts twice": (
+        "space",
+        equal(MODIFIED[3], LA * COS_E * SIN_E * (LE**2 * WHOLE - LE * R**2)),
+        {},
+    ),
+    "identities have no noise to speak of": ("space", positive(1 - LE), {}),
+    "across nothing is off": ("correlated", equal(correlated.MEAN[1], sp.Integer(0)), {}),
+    "it is off to the other side": (
+        "correlated",
+        equal(correlated.MEAN[1], -KEPT * correlated.C),
+        {},
+    ),
+    "correlation leaves the variance along": (
+        "correlated",
+        equal(correlated.SPREAD[0], (R**2 * (1 - L) ** 2 + SIGMA_R**2 * (1 + L**2)) / 2),
+        {},
+    ),
+    "correlated with the elevation it is ahead": (
+        "space_correlated",
+        equal(both.MEAN[0], BOTH * (R * COS_E + both.CE * SIN_E)),
+        {},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ELSEWHERE)
+def test_a_false_statement_is_refused_in_other_towers(name: str) -> None:
+    tower, relation, hint = ELSEWHERE[name]
+    assert status(relation, hint, tower) == "rejected"
+
+
+def test_a_true_statement_passes_in_other_towers() -> None:
+    true = limit(CROSS / RADIAL, "infinity", (1 + L) / (1 - L), "slant_range")
+    assert status(true, {"ends": ENDS}) == "proved"
+    tilt = KEPT * COS_E * SIN_E * (LE**2 * WHOLE - LE * R**2)
+    assert status(equal(MODIFIED[3], tilt), tower="space") == "proved"
+    assert status(equal(correlated.MEAN[1], KEPT * correlated.C), tower="correlated") == "proved"
 
 
 @pytest.mark.parametrize("name", FALSE)
