@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from gainproof.derive.printer.shipped._signature import Array, Real, Signature
 
-LONG = 4
+LONG = 2
 """Blocks looked at together where all are looked at first: as many more calls cost a tenth."""
 
 
