@@ -98,3 +98,27 @@ def test_moments_of_noises_correlated_in_space() -> None:
         for row, true_row in zip(wanted, found.covariance, strict=True):
             for value, true in zip(row, true_row, strict=True):
                 assert abs(flint.arb(str(value)) - true) < abs(true) * flint.arb(10) ** -30
+
+
+def test_the_oracle_is_what_it_says() -> None:
+    """Sums over one noise after the other are those over both at once, in the plane and in space;
+    without noise nothing moves.
+    """
+    at, noises = (5000.0, 0.4, 0.0), (120.0, 0.2, 0.3)
+    one = converted.given_truth(at, noises)
+    flat = converted.given_truth((at[0], 0.0, 0.7), (noises[0], 0.0, noises[2]))
+    plane = converted.correlated((at[0], 0.7), (noises[0], noises[2]), 0.0, 1, 30)
+    space = converted.correlated_in_space(at[:2], noises, (0.0, 0.0), 24)
+    still = converted.given_measurement(at, (0.0, 0.0, 0.0))
+    with flint.ctx.workprec(300):
+        room = flint.arb(10) ** -25
+        for first, second in ((flat, plane), (one, space)):
+            size = len(second.mean)
+            for i in range(size):
+                assert abs(first.mean[i] - second.mean[i]) < room * at[0]
+                for j in range(size):
+                    off = first.covariance[i][j] - second.covariance[i][j]
+                    assert abs(off) < room * at[0] ** 2
+        for place, mean in zip(converted.place_of([*map(flint.arb, at)]), still.mean, strict=True):
+            assert abs(place - mean) < room
+        assert all(abs(value) < room for row in still.covariance for value in row)
