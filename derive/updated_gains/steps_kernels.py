@@ -53,7 +53,7 @@ def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
     ]
 
 
-SQUARED = ("alpha_excess", "beta_excess", "alpha_drift", "beta_drift")
+SQUARED: tuple[str, ...] = ("alpha_excess", "beta_excess", "alpha_drift", "beta_drift")
 
 
 def _kernel(name: str, graph: Graph) -> Step:

@@ -111,7 +111,7 @@ def test_a_false_statement_is_refused(original: Plain, name: str) -> None:
 def turned(angle: float, state: int = 1) -> Reals:
     """D, or D for the state."""
     c, s = math.cos(angle), math.sin(angle)
-    return np.asarray(np.kron([[c, -s], [s, c]], np.eye(state)))
+    return np.asarray(np.kron([[c, -s], [s, c]], np.eye(state)), np.float64)
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.4, math.pi / 2, -2.0, 3.0])
