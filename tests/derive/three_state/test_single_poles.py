@@ -11,7 +11,11 @@ import sympy as sp
 from catalogue_subjects import certificate, derived
 from one_of_each import cases
 
+from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.formats import FLOAT32, FLOAT64
+from gainproof.derive.printer.kernel import Input, Kernel, Output
 from gainproof.derive.three_state import pole_tower
+from gainproof.derive.three_state.kernel_poles import pole_graph
 from gainproof.derive.three_state.spectrum import Spectrum
 from gainproof.verify.certificate import check_statement
 
@@ -89,3 +93,21 @@ def test_the_tower_of_poles_is_tied_to_the_equations_of_the_steady_state(name: s
 def test_noises_within_reach(m1: Fraction, m2: Fraction, known: bool) -> None:
     empty = sp.Integer(0)
     assert pole_tower.within_reach(Spectrum(empty, empty, m1, m2)) is known
+
+
+@pytest.mark.parametrize(
+    ("m1", "m2"), [(Fraction(1), Fraction(1, 10**9)), (Fraction(1), Fraction(99, 100))]
+)
+def test_noises_beside_those_of_the_catalogue_have_a_kernel_too(m1: Fraction, m2: Fraction) -> None:
+    """Where G is the root of a number over many indices, and where it is nowhere."""
+    empty = sp.Integer(0)
+    graph = pole_graph(Spectrum(empty, empty, m1, m2))
+    outputs = tuple(Output(name, name) for name in graph["outputs"])
+    index = (Input("tracking_index", "an index"),)
+    kernel = Kernel("poles", "Poles", "Poles.", ("none",), index, outputs, graph, "a test")
+    for form in (FLOAT64, FLOAT32):
+        for output in prove(kernel, form).outputs:
+            ((low, high),) = output.domain
+            assert output.bound < 60
+            assert low == form.least
+            assert high == form.largest or output.name == "real_pole"
