@@ -12,7 +12,9 @@ from gainproof.verify.judge.matrices.letter import (
     SYMMETRIC,
     MatrixSetting,
 )
+from gainproof.verify.judge.matrices.numbers import factors, settled
 from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word
+from gainproof.verify.judge.matrices.size import ONE as SINGLE
 from gainproof.verify.judge.matrices.size import ZERO, Shape, Size
 
 SYMMETRIC_FACTS = frozenset((SYMMETRIC, DEFINITE, SEMIDEFINITE))
@@ -37,6 +39,7 @@ class Alphabet:
     symmetric: set[int] = field(default_factory=set)
     _numbers: dict[str, int] = field(default_factory=dict)
     _sizes: dict[Size, str] = field(default_factory=dict)
+    _ones: set[int] = field(default_factory=set)
     _lasts: set[int] = field(default_factory=set)
     _met: dict[tuple[int, int], bool | None] = field(default_factory=dict)
 
@@ -54,6 +57,8 @@ class Alphabet:
             name += "x"
         self.names.append(name)
         self.shapes.append(shape)
+        if SINGLE in shape:
+            self._ones.add(len(self.names) - 1)
         return len(self.names) - 1
 
     def number(self, name: str) -> int:
@@ -151,7 +156,17 @@ class Alphabet:
                     continue
             found.append(letter)
             before = letter
-        return tuple(found)
+        short = tuple(found)
+        return short if self._ones.isdisjoint(n >> 1 for n in short) else self._numbered(short)
+
+    def _numbered(self, word: Word) -> Word | None:
+        """With factors of one row and column in their order; what meets then vanishes."""
+        cuts = factors(word, self.shapes)
+        if len(cuts) < 2:
+            return word
+        pieces = settled(word, cuts, self.symmetric, self.base)
+        other = (*word[: cuts[0]], *(n for piece in pieces for n in piece), *word[cuts[-1] :])
+        return word if other == word else self.normal(other)
 
     def last_pair(self, word: Word) -> int | None:
         """Where in a word the last block of a size meets its transpose, if it does: E E' there is

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.instance import NoValueError, Unsupported, is_number
+from gainproof.verify.judge.matrices.numbers import side_by_side
 from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word, reciprocal
 from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.size import ONE as SINGLE
@@ -144,6 +145,12 @@ class Expander:
     ) -> Polynomial | None:
         alphabet = self.alphabet
         first, second = word[at[0]], word[at[1]]
+        together = side_by_side(word, at[0], at[1], alphabet.shapes)
+        if (at[1] != at[0] + 1 or first % 2 or not second % 2) and together is not None:
+            word = together
+            random = {first // 2, second // 2}
+            at = [place for place, letter in enumerate(word) if letter // 2 in random]
+            first, second = word[at[0]], word[at[1]]
         if at[1] != at[0] + 1 or first % 2 or not second % 2:
             raise Unsupported("a mean of words in which the random vectors are not next to another")
         if first // 2 != second // 2:

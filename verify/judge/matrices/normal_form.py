@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Source
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word
+from gainproof.verify.judge.matrices.numbers import factors, settled, without_transposes
+from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word, turned
 from gainproof.verify.judge.matrices.writing import Writing
 
 
@@ -51,10 +53,21 @@ class NormalForm(Writing):
     def _traced(
         self, word: Word, factor: Number, value: Polynomial, trace: list[Cofactor]
     ) -> Word | None:
+        while True:
+            word = self._untransposed(word, factor, value, trace)
+            met = self._met(word, factor, value, trace)
+            if met is None:
+                return None
+            word = self._settled(met, factor, value, trace)
+            if word == met:
+                return word
+
+    def _untransposed(
+        self, word: Word, factor: Number, value: Polynomial, trace: list[Cofactor]
+    ) -> Word:
+        """Symmetric letters lose their transpose."""
         alphabet = self.alphabet
-        at = 0
-        while at < len(word):
-            letter = word[at]
+        for at, letter in enumerate(word):
             if letter % 2 and letter // 2 in alphabet.symmetric:
                 if letter // 2 not in self.symmetric:
                     raise UnprovedError(f"{alphabet.names[letter // 2]} is not shown symmetric")
@@ -62,10 +75,15 @@ class NormalForm(Writing):
                     self.at(word, at, at + 1, self.symmetric[letter // 2], False, factor, value)
                 )
                 word = (*word[:at], letter - 1, *word[at + 1 :])
-            at += 1
+        return word
+
+    def _met(
+        self, word: Word, factor: Number, value: Polynomial, trace: list[Cofactor]
+    ) -> Word | None:
+        """Neighbours that are unit or zero matrices vanish; None for a word that is zero."""
         at = 0
         while at + 1 < len(word):
-            met = alphabet.meeting(word[at], word[at + 1])
+            met = self.alphabet.meeting(word[at], word[at + 1])
             if met is None:
                 at += 1
                 continue
@@ -75,6 +93,38 @@ class NormalForm(Writing):
                 return None
             word = word[:at] + word[at + 2 :]
             at = max(0, at - 1)
+        return word
+
+    def _settled(
+        self, word: Word, factor: Number, value: Polynomial, trace: list[Cofactor]
+    ) -> Word:
+        """Factors of one row and column in their order, by transposes alone: f g = g' f'."""
+        alphabet = self.alphabet
+
+        def turn(word: Word, start: int, end: int) -> Word:
+            piece = word[start:end]
+            if turned(piece) != piece:
+                source = ("number", piece)
+                trace.append(self.at(word, start, end, source, False, factor, value))
+            other = (*word[:start], *turned(piece), *word[end:])
+            return self._untransposed(other, factor, value, trace)
+
+        cuts = factors(word, alphabet.shapes)
+        if len(cuts) < 2:
+            return word
+        for place, wanted in enumerate(settled(word, cuts, alphabet.symmetric, alphabet.base)):
+            cuts = factors(word, alphabet.shapes)
+            here = list(pairwise(cuts))
+            alike = (wanted, without_transposes(turned(wanted), alphabet.symmetric))
+            at = next(n for n in range(place, len(here)) if word[slice(*here[n])] in alike)
+            start, (middle, end) = here[place][0], here[at]
+            if at > place:
+                word = turn(word, start, end)  # (f g)' = g' f'
+                word = turn(word, start + end - middle, end)
+            else:
+                middle, end = here[at]
+            if word[start : start + end - middle] != wanted:
+                word = turn(word, start, start + end - middle)
         return word
 
     def _pair(self, one: int, other: int) -> tuple[Source, bool]:

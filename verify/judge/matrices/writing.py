@@ -10,6 +10,7 @@ from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Known, Source
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget
 from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, Word
+from gainproof.verify.judge.matrices.size import ONE as SINGLE
 from gainproof.verify.judge.matrices.size import Size
 
 
@@ -64,6 +65,9 @@ class Writing:
                 pair = [alphabet.letter(alphabet.blocks[size][at]) for at in (i, j)]
                 product = pair[0].T @ pair[1]
                 return product - alphabet.unit(pair[0].shape[1]) if i == j else product
+            case ("number", tuple(word)):
+                own = Polynomial({word: 1}, (SINGLE, SINGLE))
+                return own - own.T
             case ("inverse", int(number), str(side)):
                 one, other = alphabet.letter(number), alphabet.letter(alphabet.inverse[number])
                 product = one @ other if side == "right" else other @ one
@@ -138,6 +142,8 @@ class Writing:
                 return ["blocks", alphabet.size_name(size), *more]
             case ("unit", Size() as size):
                 return ["unit", alphabet.size_name(size)]
+            case ("number", tuple(word)):
+                return ["number", self.data(Polynomial({word: 1}, (SINGLE, SINGLE)))]
             case ("inverse", int(number), side):
                 return ["inverse", self.invertible[number], side]
             case _:
