@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from typing import Any
 
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Cofactor, Equation
@@ -15,6 +16,11 @@ from gainproof.verify.judge.matrices.inverse_facts import (
 )
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Number, Polynomial, reciprocal
+from gainproof.verify.judge.matrices.products import (
+    add_inverse,
+    inverses_by_products,
+    speak_of_factors,
+)
 from gainproof.verify.judge.matrices.suppose import add_equation
 
 Definite = Callable[[Book, int], tuple[object, ...]]
@@ -45,9 +51,10 @@ def establish(
                 _establish_one(book, number, definite, candidates, eager)
             except UnprovedError as error:
                 reason = error  # perhaps later, when others are established
+                speak_of_factors(book, number)
             else:
                 done.add(number)
-        if len(done) == before:
+        if len(done) == before and len(waiting) == len(alphabet.inverse) - len(done):
             raise reason
     _add_pending(book)
     while book.waiting:
@@ -64,6 +71,8 @@ def _establish_one(
         name = alphabet.names[number]
         book.invertible[number] = f"{name}_is_invertible"
         book.state("matrix_invertible", {"matrix": name}, evidence, book.invertible[number])
+        if "left_inverse" in evidence and number not in alphabet.elements:
+            add_inverse(book, number, evidence["left_inverse"], evidence["cofactors"])
     make_symmetric(book, number)
     if was_given and number in alphabet.elements:
         with suppress(UnprovedError):
@@ -85,7 +94,7 @@ def _add_pending(book: Book) -> None:
 
 def _why_invertible(
     book: Book, number: int, definite: Definite, candidates: Sequence[Polynomial], eager: bool
-) -> dict[str, object]:
+) -> dict[str, Any]:
     if eager:
         try:
             return _left_inverse(book, number, candidates)
@@ -97,7 +106,7 @@ def _why_invertible(
         return _left_inverse(book, number, candidates)
 
 
-def _left_inverse(book: Book, number: int, candidates: Sequence[Polynomial]) -> dict[str, object]:
+def _left_inverse(book: Book, number: int, candidates: Sequence[Polynomial]) -> dict[str, Any]:
     alphabet = book.alphabet
     value = alphabet.elements.get(number)
     if value is not None and len(value.terms) == 1:
@@ -108,7 +117,7 @@ def _left_inverse(book: Book, number: int, candidates: Sequence[Polynomial]) -> 
                 other = alphabet.letter(alphabet.inverse_of(each // 2))
                 total = total @ (other.T if each % 2 else other)
             candidates = [total, *candidates]
-    for left in candidates:
+    for left in (*candidates, *inverses_by_products(book, number)):
         if left.shape != alphabet.shapes[number] or number in _bases(book, left):
             continue
         rest = alphabet.unit(left.shape[0]) - left @ alphabet.letter(number)

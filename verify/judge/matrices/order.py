@@ -124,6 +124,7 @@ def _attempts(book: Book, value: Polynomial) -> Iterator[list[Square]]:
         if set(own.terms) & set(value.terms):
             yield [square]
     yield from _of_inverses(book, known)
+    yield from _of_bases(book, value, known)
 
 
 def _expanded(book: Book, square: Square) -> Polynomial | None:
@@ -228,6 +229,45 @@ def _of_inverses(book: Book, known: Sequence[Known]) -> Iterator[list[Square]]:
                     Square(first, one),
                     Square(alphabet.reduced(gap @ first), other),
                 ]
+
+
+def _of_bases(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterator[list[Square]]:
+    """Y2 - Y1 = Y1 G Y1 + Y1 G Y2 G Y1, from the value: X1 and X2 are what the inverses are of, G
+    their difference, which is shown to be at least 0; a unit matrix is its own inverse.
+    """
+    alphabet = book.alphabet
+    signs = {factor: word for word, factor in value.terms.items()}
+    if len(value.terms) != 2 or set(signs) != {1, -1}:
+        return
+    bases: list[Polynomial] = []
+    for sign in (-1, 1):
+        word = signs[sign]
+        if not word:
+            bases.append(alphabet.unit(value.shape[0]))
+        elif len(word) == 1 and word[0] // 2 in {**alphabet.base, **alphabet.inverse}:
+            number = word[0] // 2
+            base = alphabet.base.get(number, alphabet.inverse.get(number, number))
+            bases.append(alphabet.elements.get(base, alphabet.letter(base)))
+        else:
+            return
+    first, second = (Polynomial({signs[sign]: 1}, value.shape) for sign in (-1, 1))
+    same = [k for k in known if k.strict and k.value.shape == second.shape]
+    last = next((k for k in same if k.value.key == second.key), None)
+    gap = alphabet.reduced(bases[0] - bases[1])
+    if last is None or not gap.terms or gap.key == value.key:
+        return
+    for strict in (True, False):
+        try:
+            evidence = prove_order(book, gap, strict)
+        except (UnprovedError, TooLongError):
+            continue
+        sides = {"larger": book.graph(gap), "smaller": book.graph(gap - gap)}
+        name = book.state("matrix_order", {**sides, "relation": ">" if strict else ">="}, evidence)
+        book.known.append(Known(("statement", name), gap, strict))
+        break
+    else:
+        return
+    yield [Square(first, book.known[-1]), Square(alphabet.reduced(gap @ first), last)]
 
 
 def _inverse_letter(book: Book, number: int) -> Polynomial | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from gainproof.verify.judge.matrices.alphabet import Alphabet
@@ -18,6 +18,7 @@ from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, Unpr
 from gainproof.verify.judge.matrices.opened import opened
 from gainproof.verify.judge.matrices.order import definite, prove_order
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
+from gainproof.verify.judge.matrices.products import suppose_product
 from gainproof.verify.judge.matrices.suppose import (
     add_equation,
     begun,
@@ -84,9 +85,17 @@ def _suppose(question: Question, book: Book, expand: Expander) -> None:
         one, other = expand.of(left), expand.of(right)
         if operator == "=":
             suppose_equal(book, one - other)
+            for product, unit in ((left, other), (right, one)):
+                if product.kind == "product" and unit.key == book.alphabet.unit(unit.shape[0]).key:
+                    first, last = (replace(product, parts=p) for p in _parted(product.parts))
+                    suppose_product(book, expand.of(first), expand.of(last))
         else:
             gap = one - other if operator.startswith(">") else other - one
             suppose_order(book, gap, "=" not in operator)
+
+
+def _parted(parts: tuple[Node, ...]) -> tuple[tuple[Node, ...], tuple[Node, ...]]:
+    return parts[:-1], parts[-1:]
 
 
 def _hints(question: Question, expand: Expander) -> list[Polynomial]:

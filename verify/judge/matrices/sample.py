@@ -26,6 +26,8 @@ SPECIAL = 0.5
 RARE = 0.15
 """How often a letter without facts is 0, which refutes much that is said of all of them."""
 SMALL = fmpq(1, 16)
+EMPTY = 4
+"""In one of so many instances a step of sizes is 0."""
 STEPS = (1, 2, 3, 2, 1, 4, 6, 7, 8)
 """What the steps of sizes are tried with, small ones first; six unknowns want six equations."""
 
@@ -64,6 +66,8 @@ def instances(
     for number in range(tries):
         base = STEPS[number % len(STEPS)]
         steps = {name: max(1, base + source.choice((-1, 0, 0, 1))) for name in setting.sizes.steps}
+        if number % EMPTY == EMPTY - 1 and steps:
+            steps[source.choice(list(steps))] = 0
         if not all(_within(bound, steps) for bound in bounds):
             continue
         try:
@@ -163,7 +167,7 @@ def _simple_values(instance: Instance, given: Sequence[Chain], source: random.Ra
         value = instance.values[name]
         if value.ncols() == 1:
             column = fmpq_mat(value.nrows(), 1)
-            if source.random() < SPECIAL:
+            if value.nrows() and source.random() < SPECIAL:
                 column[source.randrange(value.nrows()), 0] = 1
             instance.values[name] = column
         elif name in equated and value.nrows() == value.ncols():

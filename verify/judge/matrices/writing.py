@@ -19,7 +19,8 @@ class Writing:
     """`hypotheses` by number; `statements` in their order; `invertible`: statements by letter;
     `symmetric`: where it is known that a letter is; `differences`: left less right of each
     equation stated; `waiting`: elements that are symmetric by hypothesis; `hints`: polynomials that
-    squares may be made of, `said`: those that the claim names.
+    squares may be made of, `said`: those that the claim names; `products`: letters, each with what
+    may be its inverse.
     """
 
     alphabet: Alphabet
@@ -35,6 +36,7 @@ class Writing:
     said: list[Polynomial] = field(default_factory=list)
     established: set[int] = field(default_factory=set)
     pending: list[Source] = field(default_factory=list)
+    products: list[tuple[int, Polynomial]] = field(default_factory=list)
     most: int = MOST_PRODUCTS
     budget: Budget = field(default_factory=Budget)
     _used: dict[str, set[int]] = field(default_factory=dict)
