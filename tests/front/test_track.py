@@ -60,6 +60,10 @@ def test_the_example_has_its_four_targets(capsys: Capture) -> None:
 
 @pytest.mark.usefixtures("folder")
 def test_every_detection_is_told_with_its_track_or_unassigned(capsys: Capture) -> None:
+    """Of a file whose scans stand in the order of falling ranges."""
+    head, *rest = Path("detections.csv").read_text().splitlines()
+    rest.sort(key=lambda line: (float(line.split(",")[0]), -float(line.split(",")[1] or 0)))
+    Path("detections.csv").write_text("\n".join([head, *rest]) + "\n")
     assert tracked("--out", "tracks.csv", "--json") == 0
     told = json.loads(capsys.readouterr().out)
     given = Path("detections.csv").read_text().splitlines()
@@ -80,6 +84,9 @@ def test_every_detection_is_told_with_its_track_or_unassigned(capsys: Capture) -
         assert float(row["range [m]"]) == pytest.approx(1e3 * float(far))
         assert float(row["bearing [deg]"]) == pytest.approx(float(bearing))
         assert (row["x [m]"] == "") == (row["track"] == "unassigned")
+    for track in told["tracks"]:
+        scans = round((track["last_s"] - track["first_s"]) / 5) + 1
+        assert track["missed"] == scans - track["detections"]
     counts = {track["track"]: track["detections"] for track in told["tracks"]}
     for number, count in counts.items():
         assert sum(row["track"] == str(number) for row in rows) == count

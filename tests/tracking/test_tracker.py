@@ -13,6 +13,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.generated import recursion_two_states
 from gainproof.tracking import FILTERS, DetectionError, Measured, Polar, Settings, followed, scans
 from gainproof.tracking.motion import Estimate, predicted, started, updated
+from gainproof.tracking.tracker import nominal_point
 
 SIGMAS = 50.0, float(np.deg2rad(0.5))
 SMALL = Scene(targets=25, scans=30, false_alarms=4.0, bearing_deviation=SIGMAS[1], seed=5)
@@ -132,6 +133,23 @@ def test_a_track_ends_after_scans_without_a_detection(
     detected: str, drop: int, expected: list[int]
 ) -> None:
     assert one_by_one([mark == "1" for mark in detected], drop=drop) == expected
+
+
+@pytest.mark.parametrize(("speed", "expected"), [(398.0, [0] * 4), (402.0, [-1] * 4)])
+def test_a_target_faster_than_the_fastest_is_not_begun(speed: float, expected: list[int]) -> None:
+    """Nearly without noise: the gate of a single detection ends at the speed."""
+    t = 5.0 * np.arange(4)
+    found = followed(scans(t, 20e3 + speed * t, np.full(4, 0.7), 0.1, 1e-6), Settings())
+    assert found.track.tolist() == expected
+
+
+def test_the_nominal_point_has_the_mean_of_both_variances() -> None:
+    """To first order in the noise, which is small beside the range."""
+    given = scans([0.0, 4.0], [20e3, 30e3], [0.0, 0.0], 50.0, 0.01)
+    for chosen, far in ((None, 25e3), (40e3, 40e3)):
+        point = nominal_point(given, Settings(nominal_range=chosen))
+        index = 0.98 * 16 / ((50.0**2 + (0.01 * far) ** 2) / 2) ** 0.5
+        assert point.index.tolist() == pytest.approx([index, index], rel=1e-12)
 
 
 def test_nothing_detected_gives_no_track() -> None:
