@@ -60,9 +60,9 @@ def test_the_example_has_its_four_targets(capsys: Capture) -> None:
 
 @pytest.mark.usefixtures("folder")
 def test_every_detection_is_told_with_its_track_or_unassigned(capsys: Capture) -> None:
-    """Of a file whose scans stand in the order of falling ranges."""
+    """Of a file whose scans stand in an order that is not its own inverse: that of bearings."""
     head, *rest = Path("detections.csv").read_text().splitlines()
-    rest.sort(key=lambda line: (float(line.split(",")[0]), -float(line.split(",")[1] or 0)))
+    rest.sort(key=lambda line: [float(cell or 0) for cell in line.split(",")[:3:2]])
     Path("detections.csv").write_text("\n".join([head, *rest]) + "\n")
     assert tracked("--out", "tracks.csv", "--json") == 0
     told = json.loads(capsys.readouterr().out)
