@@ -6,9 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from gainproof.verify.judge.matrices.letter import MatrixSetting
-from gainproof.verify.judge.matrices.opened import names_in
+from gainproof.verify.judge.matrices.opened import is_block, is_random, names_in
 from gainproof.verify.judge.matrices.prove import Question, links
-from gainproof.verify.judge.matrices.sample import is_block, is_random
 from gainproof.verify.judge.matrices.tree import Node
 
 Closing = dict[str, Node | None]

@@ -11,9 +11,9 @@ from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Uns
 from gainproof.verify.judge.matrices.layers import Proofs, proof_in
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.opened import within
+from gainproof.verify.judge.matrices.opened import is_random, within
 from gainproof.verify.judge.matrices.prove import Question
-from gainproof.verify.judge.matrices.sample import holds, instances, is_random
+from gainproof.verify.judge.matrices.sample import holds, instances
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes, UnsaidShapeError
 from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 from gainproof.verify.judge.matrices.witness import witness_of

@@ -18,10 +18,10 @@ from gainproof.verify.judge.matrices.closing import Closing, closings, with_clos
 from gainproof.verify.judge.matrices.instance import NoValueError, Unsupported
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
-from gainproof.verify.judge.matrices.opened import inverted, names_in, within
+from gainproof.verify.judge.matrices.opened import inverted, is_block, names_in, within
 from gainproof.verify.judge.matrices.polynomial import TooLongError
 from gainproof.verify.judge.matrices.prove import Question, proof_of
-from gainproof.verify.judge.matrices.sample import holds, instances, is_block
+from gainproof.verify.judge.matrices.sample import holds, instances
 from gainproof.verify.judge.matrices.shapes import Shapes
 from gainproof.verify.judge.matrices.tree import Chain, Node
 

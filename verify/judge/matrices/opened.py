@@ -61,3 +61,25 @@ def _inverted(node: Node) -> Iterator[Node]:
         yield from _inverted(part)
     if node.kind == "inverse":
         yield node.parts[0]
+
+
+def is_block(node: Node) -> bool:
+    """Whether a definition picks rows and columns of one letter."""
+    return (
+        node.kind == "product"
+        and [part.kind for part in node.parts] == ["transpose", "name", "matrix"]
+        and node.parts[0].parts[0].kind == "matrix"
+    )
+
+
+def is_random(name: str, setting: MatrixSetting) -> bool:
+    """Whether a letter is random or its definition depends on one that is."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        letter = setting.letters[waiting.pop()]
+        if letter.variance is not None:
+            return True
+        if letter.definition is not None and letter.name not in seen:
+            waiting += [p.name for p in letter.definition.walk() if p.kind == "name"]
+        seen.add(letter.name)
+    return False

@@ -57,15 +57,20 @@ def inverses_by_products(book: Book, number: int) -> Iterator[Polynomial]:
 
 
 def speak_of_factors(book: Book, number: int) -> None:
-    """Ask for the inverses of the letters of a product of square matrices."""
+    """Ask for the inverses of the letters of a product of square matrices, and of those beside a
+    letter in one that has an inverse.
+    """
     alphabet = book.alphabet
-    meaning = alphabet.elements.get(number)
-    if meaning is None or len(meaning.terms) != 1:
-        return
-    ((word, _),) = meaning.terms.items()
-    if all(alphabet.shapes[letter // 2] == meaning.shape for letter in word):
-        for letter in word:
-            alphabet.inverse_of(letter // 2)
+    for base, meaning in list(alphabet.elements.items()):
+        if len(meaning.terms) != 1 or (base != number and base not in book.invertible):
+            continue
+        ((word, _),) = meaning.terms.items()
+        letters = {letter // 2 for letter in word}
+        if (base == number or number in letters) and all(
+            alphabet.shapes[letter] == meaning.shape for letter in letters
+        ):
+            for letter in sorted(letters):
+                alphabet.inverse_of(letter)
 
 
 def add_inverse(book: Book, number: int, left: Polynomial, cofactors: Sequence[Cofactor]) -> None:
