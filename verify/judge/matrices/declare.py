@@ -6,11 +6,11 @@ from collections.abc import Mapping
 
 from gainproof.verify.judge.claim.errors import FileText
 from gainproof.verify.judge.claim.fields import Fields
+from gainproof.verify.judge.matrices.block_names import cells_of, picked
 from gainproof.verify.judge.matrices.letter import (
     DEFINITE,
     FACTS,
     SEMIDEFINITE,
-    SYMMETRIC,
     Letter,
     MatrixSetting,
 )
@@ -25,7 +25,6 @@ from gainproof.verify.judge.reader.errors import ReaderError
 
 MOST_LETTERS = 120
 MOST_CHAINS = 10
-MOST_BLOCKS = 6
 MOST_DEEP = 40
 FIELDS = ("meaning", "shape", "is", "definition", "blocks", "variance")
 
@@ -80,7 +79,7 @@ class _Declaring:
         self._shapes = Shapes(self._letters, sizes)
         self._blocks: dict[str, tuple[str, int, int]] = {}
         for owner in entries:
-            for name, place in self._cells(owner):
+            for name, place in cells_of(owner, entries):
                 if name in self._blocks:
                     other = self._blocks[name][0]
                     raise entries[owner].fail("blocks", f"{name} is already a block of {other}")
@@ -91,46 +90,6 @@ class _Declaring:
         for name in self._entries:
             self._declare(name)
         return MatrixSetting(self._sizes, dict(self._letters))
-
-    def _cells(self, owner: str) -> list[tuple[str, tuple[str, int, int]]]:
-        """Names of blocks, each with the matrix it is a block of, its row and column."""
-        fields = self._entries[owner]
-        value = fields.take("blocks")
-        if value is None:
-            return []
-        rows = value if isinstance(value, list) else []
-        width = len(rows[0]) if rows and isinstance(rows[0], list) else 0
-        if (
-            not 1 <= width <= MOST_BLOCKS
-            or len(rows) > MOST_BLOCKS
-            or any(not isinstance(row, list) or len(row) != width for row in rows)
-        ):
-            raise fields.fail("blocks", "rows of names of one length are wanted")
-        found: list[tuple[str, tuple[str, int, int]]] = []
-        mirrored: list[tuple[str, tuple[str, int, int]]] = []
-        for i, row in enumerate(rows):
-            for j, cell in enumerate(row):
-                bare = str(cell).strip()
-                turned = bare.endswith(("^T", "^{T}"))
-                try:
-                    name = canonical(bare.removesuffix("^T").removesuffix("^{T}"))
-                except ReaderError as error:
-                    raise fields.fail("blocks", f"not a symbol: {error.problem}") from error
-                if name not in self._entries:
-                    raise fields.fail("blocks", f"{name} is not declared")
-                (mirrored if turned else found).append(
-                    (name, (owner, *((j, i) if turned else (i, j))))
-                )
-        names = [name for name, _ in found]
-        if len(set(names)) < len(names):
-            raise fields.fail("blocks", "a name stands in two places")
-        for entry in mirrored:
-            if entry not in found:
-                raise fields.fail("blocks", f"{entry[0]}^T is not opposite to {entry[0]}")
-        facts = {DEFINITE, SEMIDEFINITE, SYMMETRIC} & set(fields.texts("is", len(FACTS)))
-        if mirrored and not facts and not fields.has("definition"):
-            raise fields.fail("blocks", f"{owner} is not said to be symmetric")
-        return found
 
     def _declare(self, name: str) -> None:
         if name in self._letters:
@@ -227,7 +186,7 @@ class _Declaring:
         said = self._said_shape(fields)
         if said != (heights[i], widths[j]):
             raise fields.fail("shape", f"a block of {owner} of another shape is wanted")
-        return product(transposed(_pick(heights, i)), Node("name", name=owner), _pick(widths, j))
+        return product(transposed(picked(heights, i)), Node("name", name=owner), picked(widths, j))
 
     def _cuts(self, owner: str) -> tuple[list[Size], list[Size]]:
         fields = self._entries[owner]
@@ -250,12 +209,3 @@ class _Declaring:
         ):
             raise fields.fail("blocks", f"blocks do not fill {self._shapes.said(whole)}")
         return known[: len(heights)], known[len(heights) :]
-
-
-def _pick(sizes: list[Size], at: int) -> Node:
-    """The columns of the unit matrix that belong to one of its blocks."""
-    cells = tuple(
-        Node("unit", shape=(size, size)) if number == at else Node("zero", shape=(size, sizes[at]))
-        for number, size in enumerate(sizes)
-    )
-    return Node("matrix", cells, size=(len(cells), 1))

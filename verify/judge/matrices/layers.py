@@ -8,9 +8,7 @@ as hypotheses; the certificate holds both.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from itertools import islice
 from typing import Any
 
 from gainproof.verify.judge.matrices.certificate import rejected, written
@@ -21,16 +19,13 @@ from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, Unpr
 from gainproof.verify.judge.matrices.opened import inverted, is_block, names_in, within
 from gainproof.verify.judge.matrices.polynomial import TooLongError
 from gainproof.verify.judge.matrices.prove import Question, proof_of
-from gainproof.verify.judge.matrices.sample import holds, instances
-from gainproof.verify.judge.matrices.shapes import Shapes
+from gainproof.verify.judge.matrices.supposed import fails, is_given, positive, supposes_no_more
 from gainproof.verify.judge.matrices.tree import Chain, Node
 
 MOST_DEEP = 3
 """Lemmas for lemmas."""
 FEW_PRODUCTS = 300
 """Where premises did not suffice, all definitions opened are no likelier to."""
-FEW_TRIES, FEW_INSTANCES = 9, 2
-"""To see that what is left of a claim, definitions closed, is false."""
 FAILURES = (UnprovedError, TooLongError, Unsupported, NoValueError)
 
 
@@ -103,7 +98,7 @@ class Layers:
             if (
                 not isinstance(found, str)
                 and (other.chains, other.existing) == (question.chains, question.existing)
-                and _supposes_no_more(other, question)
+                and supposes_no_more(other, question)
             ):
                 return found
         return None
@@ -142,7 +137,7 @@ class Layers:
                     invertible=(*question.invertible, *invertible, *inverses),
                     premises=(),
                 )
-                if closed and _fails(asked, setting):
+                if closed and fails(asked, setting):
                     reasons.append("what is left of it is not true")
                     continue
                 most = MOST_PRODUCTS if closed or not question.premises else FEW_PRODUCTS
@@ -170,14 +165,14 @@ class Layers:
         inverses: list[Node] = []
         for premise in question.premises:
             now = Question((), (*question.given, *given), (*question.invertible, *inverses))
-            if not _supposes_no_more(premise, now):
+            if not supposes_no_more(premise, now):
                 supposed = replace(now, chains=premise.given, existing=premise.invertible)
                 lemmas += self.prove(supposed, deep + 1)
             try:
                 found = proof_in(self.setting, premise, self.proofs)
             except UnprovedError:
                 here = replace(premise, given=question.given, invertible=question.invertible)
-                if here == premise or not _supposes_no_more(premise, question):
+                if here == premise or not supposes_no_more(premise, question):
                     raise
                 found = proof_in(self.setting, here, self.proofs)
             lemmas += found.certificates
@@ -213,9 +208,9 @@ class Layers:
             left: list[Node] = []
             for node in waiting:
                 given = tuple(dict.fromkeys((*question.given, *known, *shown, *facts)))
-                definite = _positive(node, setting)
+                definite = positive(node, setting)
                 asked = Question((definite,), given, question.invertible)
-                if _is_given(definite, given) or question.chains == (definite,):
+                if is_given(definite, given) or question.chains == (definite,):
                     continue
                 try:
                     lemmas += self.prove(asked, deep + 1)
@@ -284,36 +279,3 @@ class Layers:
             and letters[name].definition.parts[0].parts[0] == letters[name].definition.parts[2]  # type: ignore[union-attr]
         ]
         return list(dict.fromkeys([*diagonal, *inverted(question.nodes(), setting)]))
-
-
-def _supposes_no_more(premise: Question, question: Question) -> bool:
-    return set(premise.given) <= set(question.given) and (
-        set(premise.invertible) <= set(question.invertible)
-    )
-
-
-def _fails(question: Question, setting: MatrixSetting) -> bool:
-    """Whether a closed question is false at one of few instances: no proof is looked for then."""
-    if any(part.kind == "expectation" for node in question.nodes() for part in node.walk()):
-        return False  # means take longer than the proof
-    tried = instances(setting, question.given, question.invertible, tries=FEW_TRIES)
-    try:
-        for instance in islice(tried, FEW_INSTANCES):
-            if not all(holds(chain, instance) for chain in question.chains):
-                return True
-            if not all(instance.of(node).det() != 0 for node in question.existing):
-                return True
-    except (Unsupported, NoValueError):
-        return False
-    return False
-
-
-def _is_given(definite: Chain, given: Sequence[Chain]) -> bool:
-    """Whether X > 0 is among the hypotheses, also as 0 < X."""
-    return definite in given or Chain(definite.sides[::-1], ("<",)) in given
-
-
-def _positive(node: Node, setting: MatrixSetting) -> Chain:
-    """The matrix is positive definite."""
-    shape = Shapes(setting.letters, setting.sizes).of(node)
-    return Chain((node, Node("zero", shape=shape)), (">",))

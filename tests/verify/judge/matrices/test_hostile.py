@@ -203,3 +203,39 @@ def test_an_inner_product_is_of_columns() -> None:
 @pytest.mark.parametrize("latex", ["0 B = B", "a^T a B = B a^T a"])
 def test_shapes_that_are_left_open_refute_nothing(latex: str) -> None:
     assert judged_matrices(latex).verdict == "undecided"
+
+
+NAMED = """
+'K' = { definition = 'B C', meaning = "a product" }
+'L' = { definition = 'K v_0', meaning = "a column made of it" }
+'v_0' = { shape = ["n", "1"], variance = 'Q', meaning = "random" }
+'T' = { definition = 'B + C', meaning = "a sum" }
+"""
+
+
+def judged_with(latex: str, premises: list[tuple[str, str]], more: str = "") -> str:
+    """The verdict on a claim that uses others, each a formula with its fields."""
+    before = [claim(t, more=m, name=f"p{n}") for n, (t, m) in enumerate(premises)]
+    names = ", ".join(f"'p{n}'" for n in range(len(premises)))
+    kind = "covariance" if "E[" in latex else "identity"
+    using = f"using = [{names}]\n{more}"
+    return judged_matrices(latex, kind, using, before, SYMBOLS + NAMED).verdict
+
+
+def test_what_a_premise_says_a_letter_is_has_to_be_true() -> None:
+    assert judged_with("K C = B C C", [("K = B C", "")]) == "proved"
+    assert judged_with("K C = C B C", [("K = C B", "")]) == "refuted"
+    assert judged_with("T = C + B", [("T = B + C", ""), ("K = B C", "")]) == "proved"
+    # true only under a hypothesis that the claim does not have
+    given = "given = ['B C = C B']"
+    assert judged_with("K = C B", [("K = C B", given)]) == "refuted"
+    assert judged_with("K B = C B B", [("K = C B", given)], given) == "proved"
+    # a letter that is said to be made of itself, and two that are made of one another
+    assert judged_with("K = K + K", [("K = K B B^{-1} + K", "")]) in ("refuted", "conditional")
+    circle = [("K = T C - C C", ""), ("T = T + K - B C", "")]
+    assert judged_with("K + T = B C + B + C", circle) == "proved"
+    assert judged_with("K + T = C B + B + C", circle) == "refuted"
+    # a random letter stays one
+    assert judged_with("E[L L^T] = K Q K^T", [("L = B C v_0", "")]) == "proved"
+    assert judged_with("E[L L^T] = L L^T", [("L = B C v_0", "")]) != "proved"
+    assert judged_with("E[L] = L", [("L = K v_0", "")]) != "proved"
