@@ -33,7 +33,7 @@ def admitted(domain: Domain, x: NDArray[Any]) -> bool:
 
 def inside(domain: Domain, x: Any) -> bool:
     """One number, in words: nothing of arrays."""
-    low, high = domain.single if isinstance(x, np.float32) else domain.double
+    low, high = domain.single if type(x) is np.float32 else domain.double
     size = abs(float(x)) if domain.signed else float(x)
     fits = low <= size <= high or (domain.zero and size == 0)
     return fits and (not domain.whole or size == int(size))
