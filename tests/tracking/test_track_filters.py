@@ -9,7 +9,7 @@ import pytest
 from gainproof.tracking import FILTERS, Scans, Settings, followed, scans
 from gainproof.tracking.conversion import converted
 from gainproof.tracking.gains import constant_point, exact_point, is_stable, limited
-from gainproof.tracking.tracker import nominal_point
+from gainproof.tracking.nominal import nominal_point
 
 SIGMA = 0.98
 INTERVAL = 5.0

@@ -13,7 +13,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.generated import recursion_two_states
 from gainproof.tracking import FILTERS, DetectionError, Measured, Polar, Settings, followed, scans
 from gainproof.tracking.motion import Estimate, predicted, started, updated
-from gainproof.tracking.tracker import nominal_point
+from gainproof.tracking.nominal import nominal_point
 
 SIGMAS = 50.0, float(np.deg2rad(0.5))
 SMALL = Scene(targets=25, scans=30, false_alarms=4.0, bearing_deviation=SIGMAS[1], seed=5)

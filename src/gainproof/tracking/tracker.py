@@ -16,6 +16,7 @@ from gainproof.tracking.gating import Pairs, gated, threshold
 from gainproof.tracking.management import begun, counted, judged, rank
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import Estimate, predicted, started, updated
+from gainproof.tracking.nominal import nominal_point
 from gainproof.tracking.scans import Scans
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.tracks import Tracks, no_tracks
@@ -61,21 +62,6 @@ def followed(
             at(time, tracks)
     confirmed = np.unique(np.concatenate([*settled, np.zeros(0, np.int64)]))
     return _numbered(number, state, deviation, confirmed, outside)
-
-
-def nominal_point(scans: Scans, settings: Settings) -> Point:
-    """Where the fixed gains are exact: at the nominal range the mean of the variances along and
-    across the line of sight, which is that of x and y at a bearing of 45 degrees; the median
-    deviations and interval.
-    """
-    polar = scans.polar
-    if not polar.range.size:
-        return gains.exact_point(np.ones(2))
-    far = settings.nominal_range or float(np.median(polar.range))
-    along = float(np.median(polar.range_deviation))
-    across = far * float(np.median(polar.bearing_deviation))
-    variance = np.full(2, (along**2 + across**2) / 2)
-    return gains.exact_point(gains.tracking_index(settings.acceleration, scans.interval, variance))
 
 
 @dataclass(frozen=True)
