@@ -72,7 +72,27 @@ def as_json(findings: Findings) -> str:
             "changes": {name: list(lines) for name, lines in findings.changes.items()},
         },
     }
-    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+    return _in_lines(data, 4) + "\n"
+
+
+def _in_lines(value: Any, depth: int, indent: str = "") -> str:
+    """JSON with the entries of so many levels on lines of their own, what is deeper on one line:
+    the encoder that indents everything is written in Python and takes twenty times as long.
+    """
+    if not depth or not value or not isinstance(value, (dict, list)):
+        return json.dumps(value, ensure_ascii=False)
+    inner = indent + " "
+    if isinstance(value, dict):
+        entries = [
+            f"{json.dumps(key, ensure_ascii=False)}: {_in_lines(entry, depth - 1, inner)}"
+            for key, entry in value.items()
+        ]
+        opened, closed = "{", "}"
+    else:
+        entries = [_in_lines(entry, depth - 1, inner) for entry in value]
+        opened, closed = "[", "]"
+    lines = f",\n{inner}".join(entries)
+    return f"{opened}\n{inner}{lines}\n{indent}{closed}"
 
 
 def as_text(findings: Findings) -> str:
