@@ -49,7 +49,7 @@ def jobs(
     Raises BadInputError for a file that cannot be read.
     """
     texts = {file: read(file) for file in files}
-    models = [entry["model"] for entry in derivations.overview(shop) if entry["model"]]
+    models = _models(shop)
     shared = {"models": models, "seconds": seconds}
     # one file has all processors for its claims; many files share them
     also = {"processes": max(1, workers.processors() // max(1, len(files)))}
@@ -59,6 +59,17 @@ def jobs(
         )
         for file in sorted(files, key=lambda file: len(texts[file]), reverse=True)
     }
+
+
+def _models(shop: Workshop) -> list[dict[str, Any]]:
+    """The models of the subjects; one on which several rest is there once, or it would be judged
+    as often and be taken for a choice.
+    """
+    found: list[dict[str, Any]] = []
+    for entry in derivations.overview(shop):
+        if entry["model"] and entry["model"] not in found:
+            found.append(entry["model"])
+    return found
 
 
 def proofs_job(judgement: dict[str, Any]) -> workers.Job | None:

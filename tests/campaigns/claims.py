@@ -44,7 +44,8 @@ def main() -> int:
     parser.add_argument("--state", type=Path, default=Path("claims.state.json"))
     parser.add_argument("--only", default="", help="text that the name of a claim must contain")
     options = parser.parse_args()
-    models = [data for entry in CATALOGUE if (data := entry.build().model_data)]
+    every = [data for entry in CATALOGUE if (data := entry.build().model_data)]
+    models = list({data["name"]: data for data in every}.values())
     state = load(options.state, f"{digest()} {options.mutants} {options.seed}")
     names = [name for name in names_proved_before() if options.only in name]
     todo = [name for name in names if name not in state["records"]]

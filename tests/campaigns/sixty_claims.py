@@ -44,7 +44,8 @@ def main() -> int:
     text = drawn(options.claims, Random(options.seed))
     if options.out is not None:
         options.out.write_text(text, encoding="utf-8")
-    models = [data for entry in CATALOGUE if (data := entry.build().model_data)]
+    every = [data for entry in CATALOGUE if (data := entry.build().model_data)]
+    models = list({data["name"]: data for data in every}.values())
     start = time.monotonic()
     claim_file = read_claim_text(text)
     read = time.monotonic() - start

@@ -73,8 +73,9 @@ def certificate(name: str) -> Mapping[str, Any]:
 
 
 def models() -> list[Mapping[str, Any]]:
-    """The models of all subjects that have one, in the order of the catalogue."""
-    return [data for entry in CATALOGUE if (data := derived(entry.name).model)]
+    """The models of all subjects that have one, in the order of the catalogue, each once."""
+    found = {data["name"]: data for entry in CATALOGUE if (data := derived(entry.name).model)}
+    return list(found.values())
 
 
 def prepare_all() -> None:
