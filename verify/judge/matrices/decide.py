@@ -19,7 +19,7 @@ from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 from gainproof.verify.judge.matrices.witness import witness_of
 from gainproof.verify.judge.verdict import Finding
 
-TRIED = 5
+TRIED = 3
 """Instances before a proof is looked for."""
 MORE_TRIED = 12
 """Instances where no proof was found."""
