@@ -18,6 +18,7 @@ from gainproof.location.ambiguity import (
 from gainproof.location.failure import no_estimate
 from gainproof.location.gauss_newton import Iterated, iterate
 from gainproof.location.levenberg_marquardt import damped
+from gainproof.location.newton import newton
 from gainproof.location.problem import Problem
 from gainproof.location.starts import with_velocity
 from gainproof.location.stations import Observations
@@ -43,7 +44,7 @@ class Settled:
 
 def settle(asked: Problem, observed: Observations, begin: Reals, near: Reals | None) -> Settled:
     """From starts (N, k), and from the mirror images of the best. Raises LocationError."""
-    first = damped(asked, begin, iterate(asked, begin, asked.used.values))
+    first = _iterated(asked, begin)
     found = candidates(asked, first)
     if not found:
         raise no_estimate(asked, begin, first)
@@ -51,7 +52,7 @@ def settle(asked: Problem, observed: Observations, begin: Reals, near: Reals | N
     # the image as it is, and with the velocity that the range rates ask for there
     moved = with_velocity(asked, observed, image[:, : asked.stations.dimension])
     images = np.concatenate([image, moved])
-    again = damped(asked, images, iterate(asked, images, asked.used.values))
+    again = _iterated(asked, images)
     everything = Iterated(
         *(np.concatenate([getattr(first, name), getattr(again, name)]) for name in vars(first))
     )
@@ -60,3 +61,9 @@ def settle(asked: Problem, observed: Observations, begin: Reals, near: Reals | N
     others = [each for each in found if each is not best and each.cost <= best.cost + AS_GOOD]
     open_ends = unsettled(asked, everything, found, best)
     return Settled(asked, everything, best, tuple(others[:MOST_OTHERS]), open_ends)
+
+
+def _iterated(asked: Problem, begin: Reals) -> Iterated:
+    """By Gauss-Newton; else by damped steps, and near the least cost by Newton's."""
+    plain = iterate(asked, begin, asked.used.values)
+    return newton(asked, damped(asked, begin, plain))
