@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gainproof.location import DivergedError, diagonal, locate, observations, stations
+from gainproof.location import DivergedError, diagonal, locate, newton, observations, stations
 from gainproof.location import levenberg_marquardt as damping
 from gainproof.location import unsettled as ends
 from gainproof.location.methods import method_of
@@ -59,6 +59,7 @@ def test_a_place_in_a_bent_valley_is_found(method: str) -> None:
 
 def test_a_place_that_was_not_reached_is_a_warning(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(damping, "MOST_DAMPED", 0)
+    monkeypatch.setattr(newton, "MOST_STARTS", 0)
     for method in ("bias-detection", "unknown-reduction"):
         found = locate(*far_and_slow(), method)
         told, *_ = (each for each in found.warnings if each.startswith("unsettled"))
@@ -71,6 +72,7 @@ def test_a_place_that_is_far_better_and_was_not_reached_is_no_answer(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(damping, "MOST_DAMPED", 0)
+    monkeypatch.setattr(newton, "MOST_STARTS", 0)
     monkeypatch.setattr(ends, "AS_GOOD", 0.5)
     with pytest.raises(
         DivergedError, match=r"the best place that it settled at, \(12949"

@@ -165,10 +165,11 @@ def test_a_target_on_a_station(method: str) -> None:
 
 
 def test_an_iteration_that_does_not_settle_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
-    from gainproof.location import gauss_newton, levenberg_marquardt
+    from gainproof.location import gauss_newton, levenberg_marquardt, newton
 
     monkeypatch.setattr(gauss_newton, "MOST_ITERATIONS", 1)
     monkeypatch.setattr(levenberg_marquardt, "MOST_DAMPED", 0)
+    monkeypatch.setattr(newton, "MOST_STARTS", 0)
     with pytest.raises(DivergedError, match="did not converge from any of") as caught:
         locate(*seen(AROUND, [6e3, 9e3], [100, 50], noise=3.0), "range-doppler")
     assert caught.value.report.iterations == 1

@@ -24,14 +24,26 @@ both are tried, as heights of stations that are nearly level lose the digits of 
 """
 NO_LENGTH = 1e-6
 MOST_SUBSETS = 16
+TURNS = 720
+"""Places on the circle that stations nearly on a line leave open in space: where they move, or are
+not quite on it, the rest of the observations tells them apart; the best are begun from.
+"""
 DISTANCES = np.geomspace(0.05, 30.0, 14)
 """Over the stations' spread."""
 KEPT = 8
 """Places of the grid from which it is iterated."""
 
 
-def direct(given: Stations, ranges: Reals, where: NDArray[np.intp], flat: float = FLAT[0]) -> Reals:
-    """Positions (1 or 2, d) from ranges of the stations with these numbers, on each side if two."""
+def direct(
+    given: Stations,
+    ranges: Reals,
+    where: NDArray[np.intp],
+    flat: float = FLAT[0],
+    turns: int = 0,
+) -> Reals:
+    """Positions (1 or 2, d) from ranges of the stations with these numbers, on each side if two;
+    in space, where stations on a line leave a circle, on so many places of it.
+    """
     places = given.positions[where]
     d = given.dimension
     centre = places.mean(axis=0)
@@ -54,6 +66,14 @@ def direct(given: Stations, ranges: Reals, where: NDArray[np.intp], flat: float 
     normal[int(np.flatnonzero(~inside)[0])] = 1.0
     if (normal @ axes)[np.flatnonzero(np.abs(normal @ axes) > NO_LENGTH)[-1]] < 0:
         normal = -normal  # the side of larger z, in a plane of larger y, comes first
+    if turns and height > 0 and d == 3 and inside.sum() == 1:
+        first, second = (
+            normal @ axes,
+            np.cross(axes[int(np.flatnonzero(inside)[0])], normal @ axes),
+        )
+        angle = 2 * np.pi * np.arange(turns) / turns
+        circle = np.outer(np.cos(angle), first) + np.outer(np.sin(angle), second)
+        return np.asarray(centre + offset @ axes + height * circle)
     sides = (1.0, -1.0) if height > 0 else (0.0,)
     return np.stack([centre + (offset + side * height * normal) @ axes for side in sides])
 
@@ -85,7 +105,10 @@ def starts(asked: Problem, observed: Observations, near: Reals | None = None) ->
     ranges, where = observed.values[rows], observed.station[rows]
     if len(ranges):
         first = direct(given, ranges, where)
-        places += [first, direct(given, ranges, where, FLAT[1])]
+        circle = direct(given, ranges, where, FLAT[1], TURNS)
+        if len(circle) > 2:
+            circle = circle[_best(asked, with_velocity(asked, observed, circle))]
+        places += [first, circle]
         if len(first) == 1:
             places += [_beside(given, first[0])]
         size = given.dimension + 1
