@@ -50,7 +50,7 @@ class Alphabet:
                 number = self._new(f"block_{self.size_name(size)}_{at + 1}", (size, width))
                 self.blocks[size].append(number)
                 self.place[number] = (size, at)
-            self._lasts.add(2 * number)
+            self._lasts.add(2 * self.blocks[size][-1])
 
     def _new(self, name: str, shape: Shape) -> int:
         while name in self.names:

@@ -53,10 +53,14 @@ def definite(book: Book, number: int) -> tuple[object, ...]:
     return reference
 
 
-def prove_order(book: Book, difference: Polynomial, strict: bool) -> dict[str, Any]:
-    """Evidence that a matrix is positive (semi)definite. Raises UnprovedError."""
+def prove_order(
+    book: Book, difference: Polynomial, strict: bool, by_bases: bool = True
+) -> dict[str, Any]:
+    """Evidence that a matrix is positive (semi)definite; `by_bases`: also by what inverses are of.
+    Raises UnprovedError.
+    """
     value = book.alphabet.reduced(book.without_elements(difference)[0])
-    for squares in _attempts(book, value):
+    for squares in _attempts(book, value, by_bases):
         rest = difference
         for square in squares:
             middle = square.factor.T @ square.known.value @ square.factor
@@ -88,7 +92,7 @@ def _positive(book: Book, factor: Polynomial) -> Polynomial:
     return -factor if str(book.data(factor)[0][0]).startswith("-") else factor
 
 
-def _attempts(book: Book, value: Polynomial) -> Iterator[list[Square]]:
+def _attempts(book: Book, value: Polynomial, by_bases: bool) -> Iterator[list[Square]]:
     """Lists of squares whose sum may be the value."""
     known = [*book.known, *units(book, value)]
     if not value.terms:
@@ -120,7 +124,8 @@ def _attempts(book: Book, value: Polynomial) -> Iterator[list[Square]]:
         if set(own.terms) & set(value.terms):
             yield [square]
     yield from of_inverses(book, known)
-    yield from _of_bases(book, value, known)
+    if by_bases:
+        yield from _of_bases(book, value, known)
 
 
 def _of_bases(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterator[list[Square]]:
@@ -150,7 +155,7 @@ def _of_bases(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterator
         return
     for strict in (True, False):
         try:
-            evidence = prove_order(book, gap, strict)
+            evidence = prove_order(book, gap, strict, by_bases=False)
         except (UnprovedError, TooLongError):
             continue
         sides = {"larger": book.graph(gap), "smaller": book.graph(gap - gap)}

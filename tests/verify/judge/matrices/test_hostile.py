@@ -195,6 +195,11 @@ def test_a_definition_that_stays_closed_has_to_mean_something(latex: str, more: 
     assert Layers(setting).prove(questions[2])
 
 
+@pytest.mark.parametrize("latex", ["Q \\geq Q^{-1}", "Q^{-1} \\geq Q", "Q^{-1} \\geq V"])
+def test_a_matrix_and_its_inverse_are_not_compared_for_ever(latex: str) -> None:
+    assert judged_matrices(latex, "inequality").verdict in ("refuted", "conditional")
+
+
 def test_an_inner_product_is_of_columns() -> None:
     found = judged_matrices("(x^T, X x) = x^T X x")
     assert (found.verdict, found.method) == ("refuted", "shapes")
