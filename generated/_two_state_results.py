@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from typing import NamedTuple
+
     from gainproof.generated._signature import Real
+else:
+    from gainproof.generated._result import NamedTuple
 
 
 class Gains(NamedTuple):

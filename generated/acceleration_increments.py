@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,9 +13,13 @@ from gainproof.generated._runtime import evaluate
 from gainproof.generated._signature import Domain, Signature
 
 if TYPE_CHECKING:
+    from typing import NamedTuple
+
     from numpy.typing import ArrayLike
 
     from gainproof.generated._signature import Arrays, Real
+else:
+    from gainproof.generated._result import NamedTuple
 
 __all__ = [
     "ClosedLoopPoles",

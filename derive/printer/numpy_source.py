@@ -13,6 +13,9 @@ from gainproof.derive.printer.layout import WIDTH, call, listed, row
 from gainproof.derive.printer.requirements import requirements
 from gainproof.derive.printer.together import prove_all
 
+NAMED = ("else:", "    from gainproof.generated._result import NamedTuple")
+"""Results are what type checkers know well; when kernels are imported, what is made fast."""
+
 
 def module_source(module: Module) -> str:
     """The text of one generated module; PrintingError where a kernel's bound cannot be proved."""
@@ -36,7 +39,7 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         "from __future__ import annotations",
         "",
-        f"from typing import TYPE_CHECKING{'' if module.results else ', NamedTuple'}",
+        "from typing import TYPE_CHECKING",
         "",
         "import numpy as np",
         "",
@@ -46,9 +49,11 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         *(_imported(module.results, results) if module.results else ()),
         "",
         "if TYPE_CHECKING:",
+        *([] if module.results else ["    from typing import NamedTuple", ""]),
         "    from numpy.typing import ArrayLike",
         "",
         "    from gainproof.generated._signature import Arrays, Real",
+        *([] if module.results else NAMED),
         "",
         *_all(results + names),
         "",
@@ -70,10 +75,13 @@ def results_source(module: Module) -> str:
         "",
         "from __future__ import annotations",
         "",
-        "from typing import TYPE_CHECKING, NamedTuple",
+        "from typing import TYPE_CHECKING",
         "",
         "if TYPE_CHECKING:",
+        "    from typing import NamedTuple",
+        "",
         "    from gainproof.generated._signature import Real",
+        *NAMED,
     ]
     for kernel in module.kernels:
         lines += ["", "", *_result(kernel)]
