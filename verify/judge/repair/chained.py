@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from gainproof.verify.judge.claim.record import Claim, Setting
@@ -16,7 +16,7 @@ from gainproof.verify.judge.repair.printed import Printed, printed
 from gainproof.verify.judge.repair.values import Values, truth
 from gainproof.verify.judge.scope import Scope
 
-BY_VALUES = ("identity", "inequality")
+BY_VALUES = ("identity", "inequality", "equivalence")
 PLAIN = ("add", "mul", "neg", "div", "pow")
 """Nodes that have a value by those of their parts; others have one by the source's definitions,
 and none is known where the changed one is among these.
@@ -106,16 +106,39 @@ class Chain:
         """Whether every claim is seen to hold at its points with the changed definition, one at
         least having a value there.
         """
-        bodies = {**self._bodies, self._token: body}
         seen = False
-        for claim in self._claims:
-            told = self._printed[claim.id]
-            for known in self._known[claim.id]:
-                found = truth(_Changed(known, self._reach, bodies), told)
-                if found is False:
-                    return False
-                seen = seen or found is True
+        for found in self._found(body):
+            if found is False:
+                return False
+            seen = seen or found is True
         return seen
+
+    def is_denied(self, body: Expr) -> bool:
+        """Whether a claim is seen to fail at one of its points with the changed definition."""
+        return any(found is False for found in self._found(body))
+
+    def _found(self, body: Expr) -> Iterator[bool | None]:
+        """Whether each claim holds, point after point."""
+        bodies = {**self._bodies, self._token: body}
+        for claim in self._claims:
+            for known in self._known[claim.id]:
+                values = _Changed(known, self._reach, bodies)
+                yield _holds(values, self._printed[claim.id])
+
+
+def _holds(values: Values, told: Printed) -> bool | None:
+    """Whether a claim holds at a point; an equivalence, if both its parts hold or neither does,
+    which is not known where a side has no value.
+    """
+    if told.connective != "iff":
+        return truth(values, told)
+    parts = []
+    for links in (told.links, told.conditions):
+        found = [truth(values, told, (link,)) for link in links]
+        if None in found:
+            return None
+        parts.append(all(found))
+    return parts[0] == parts[1]
 
 
 def _told(claim: Claim) -> Printed | None:

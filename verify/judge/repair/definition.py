@@ -12,12 +12,12 @@ from typing import Any
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.formula import Formula
-from gainproof.verify.judge.reach import reached
 from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.chained import Chain, printed_bodies
-from gainproof.verify.judge.repair.points import Point, free_points
+from gainproof.verify.judge.repair.definition_points import far_points, near_points
+from gainproof.verify.judge.repair.points import Point
 from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
 from gainproof.verify.judge.repair.senseless import is_more_senseless
@@ -26,16 +26,13 @@ from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
 from gainproof.verify.judge.repair.whole import Change
 from gainproof.verify.judge.repair.words import in_words
-from gainproof.verify.judge.scope import Scope, UndefinedSymbol
-from gainproof.verify.judge.setting.environment import NotEstablished
+from gainproof.verify.judge.scope import Scope
 from gainproof.verify.judge.task import Models, Solved
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import ClaimVerdict
 
 MOST_TRIED = 4_000
 """So many changed definitions are looked at, whatever the machine's speed."""
-POINTS = 2
-Errors = (Undecided, Malformed, NotEstablished, UndefinedSymbol, ArithmeticError)
 
 
 @dataclass(frozen=True)
@@ -72,13 +69,19 @@ class DefinitionTask:
         points: dict[str, list[Point]] = {}
         for suspect in self.suspects:
             users = [c for c in suspect.users if c.id not in points]
-            points |= {c.id: _points(c, convention) for c in users}
+            points |= {c.id: near_points(c, convention) for c in users}
             chain = Chain(suspect.token, suspect.users, points, scope, bodies)
+            far: Chain | None = None
             for change in _changes(suspect, convention.setting):
                 tried += 1
                 if tried > MOST_TRIED or time.perf_counter() > deadline:
                     break
-                if chain.agrees(_body(change)):
+                if not chain.agrees(_body(change)):
+                    continue
+                if far is None:
+                    at = {c.id: far_points(c, suspect.token, convention) for c in suspect.users}
+                    far = Chain(suspect.token, suspect.users, at, scope, bodies)
+                if not far.is_denied(_body(change)):
                     survivors.append((suspect, change))
         survivors.sort(key=lambda pair: (pair[1].weight, -len(pair[0].wrong), _size(pair[1])))
         for suspect, change in survivors:
@@ -141,18 +144,6 @@ def _body(change: Change) -> Expr:
 
 def _size(change: Change) -> int:
     return sum(1 for _ in walk(_body(change)))
-
-
-def _points(claim: Claim, convention: Convention) -> list[Point]:
-    scope = Scope(convention.setting, convention.environment)
-    if claim.formula is None:
-        return []
-    try:
-        for token in reached(claim, convention.setting):
-            scope.symbol(token)
-        return free_points(claim, claim.formula.readings[0].conditions, scope, POINTS)
-    except Errors:
-        return []
 
 
 def changed_definition(setting: Setting, token: str, formula: Formula) -> Setting:

@@ -43,7 +43,12 @@ def generic_points(
 
 
 def free_points(
-    claim: Claim, conditions: Sequence[Relation], scope: Scope, count: int
+    claim: Claim,
+    conditions: Sequence[Relation],
+    scope: Scope,
+    count: int,
+    *,
+    far: bool = False,
 ) -> list[Point]:
     """The points of `generic_points` if no equation among the conditions says what a variable is;
     else none. Raises Undecided.
@@ -53,7 +58,7 @@ def free_points(
     if any(r.operator == "=" and symbols_of(r.left, r.right) for r in rest):
         return []
     left = [r for r in rest if r.operator != "="]
-    return _where(left, boxes, count, far=False)
+    return _where(left, boxes, count, far=far)
 
 
 def _conditions(
