@@ -17,6 +17,7 @@ from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.closings import closings
 from gainproof.verify.judge.repair.conditions import changed_conditions
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
+from gainproof.verify.judge.repair.empty import Empty
 from gainproof.verify.judge.repair.further_bound import with_further_bound
 from gainproof.verify.judge.repair.merge import same_equation
 from gainproof.verify.judge.repair.points import generic_points
@@ -71,6 +72,7 @@ class Search:
         if self.by_values:
             self._prepare()
         self.off = OffTheModel(self.scope, frozenset(symbols_of(*self.formula.sides)))
+        self.empty = Empty(self.claim, self.formula, self.off)
 
     def _by_values(self) -> bool:
         plain = all(link.operator in COMPARED for link in self.formula.links)
@@ -181,9 +183,7 @@ class Search:
         formula = reread(change.printed, self.setting.symbols)
         if formula is None or reading_fault(formula.readings[0], self.setting) is not None:
             return None
-        if any(symbols_of(side) for side in self.formula.sides) and self.off.is_trivial(
-            printed(formula.readings[0])
-        ):
+        if self.empty.is_empty(printed(formula.readings[0])):
             return None
         if self.by_values and not is_sharp(self.formula, change.printed, self.far):
             return None
@@ -192,8 +192,7 @@ class Search:
         return Offer(formula, change, self.environment.name)
 
     def _judged(self, formula: Printed) -> Finding | None:
-        read = reread(formula, self.setting.symbols)
-        if read is None:
+        if (read := reread(formula, self.setting.symbols)) is None:
             return None
         return judge_claim(with_formula(self.claim, read), self.setting, self.environment)
 

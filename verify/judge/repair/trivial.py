@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from random import Random
 
 import flint
@@ -17,6 +18,7 @@ from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 
 SEED = 11
 SAMPLES = 12
+MANY_SAMPLES = 60
 
 
 class OffTheModel:
@@ -28,13 +30,29 @@ class OffTheModel:
 
     def __init__(self, scope: Scope, names: frozenset[str]) -> None:
         self.names = frozenset(name for name in names if _means_something(scope, name))
+        self._scope = scope
         source = Random(SEED)
         tokens = sorted(scope.setting.symbols)
-        draws = [
+        self._draws = [
             {name: _draw(source, positive=sample % 2 == 0) for name in tokens}
-            for sample in range(SAMPLES)
+            for sample in range(MANY_SAMPLES)
         ]
-        self.values = [Values(scope, {}, {}, overriding=draw) for draw in draws]
+        self.values = [self._at(draw) for draw in self._draws[:SAMPLES]]
+
+    def _at(self, draw: dict[str, Ball]) -> Values:
+        return Values(self._scope, {}, {}, overriding=draw)
+
+    @cached_property
+    def many(self) -> list[Values]:
+        """More points than `values`, for what is looked at where something holds."""
+        return [self._at(draw) for draw in self._draws]
+
+    def moved(self, name: str) -> Iterator[tuple[Values, Values]]:
+        """Points, each with one at which this symbol alone has another value."""
+        for n, values in enumerate(self.values):
+            if name in self._draws[n]:
+                other = self._draws[n + SAMPLES][name]
+                yield values, self._at({**self._draws[n], name: other})
 
     def is_trivial(self, formula: Printed) -> bool:
         """Whether the formula needs neither the model nor the source's definitions."""
