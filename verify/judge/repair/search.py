@@ -30,7 +30,7 @@ from gainproof.verify.judge.repair.sharp import is_sharp, is_weaker
 from gainproof.verify.judge.repair.table import sample_numbers, table_of
 from gainproof.verify.judge.repair.trivial import OffTheModel
 from gainproof.verify.judge.repair.two import two_changes
-from gainproof.verify.judge.repair.values import COMPARED, Values, truth
+from gainproof.verify.judge.repair.values import COMPARED, Values, truth, values_at
 from gainproof.verify.judge.repair.whole import Change
 from gainproof.verify.judge.scope import Scope, UndefinedSymbol
 from gainproof.verify.judge.setting.environment import Environment
@@ -92,7 +92,7 @@ class Search:
         points, put_in = generic_points(self.claim, self.reading.conditions, self.scope, POINTS)
         if not points:
             raise Undecided("no generic point of the domain was found")
-        self.points = [Values(self.scope, point, put_in) for point in points]
+        self.points = values_at(self.scope, points, put_in)
 
     @cached_property
     def far(self) -> list[Values]:
@@ -100,7 +100,7 @@ class Search:
         points, put_in = generic_points(
             self.claim, self.reading.conditions, self.scope, FAR_POINTS, far=True
         )
-        return [Values(self.scope, point, put_in) for point in points]
+        return values_at(self.scope, points, put_in)
 
     def offers(self, stage: int) -> list[Offer]:
         """The proved formulas of the least weight at which there is one, best first: one edit

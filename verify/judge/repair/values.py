@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 import flint
@@ -26,7 +26,8 @@ COMPARED = frozenset(("=", "!=", "<", "<=", ">", ">="))
 
 class Values:
     """Values at one point. `put_in` are variables that equations among the conditions fix;
-    `overriding` gives symbols another value than the source's.
+    `overriding` gives symbols another value than the source's; `resolved` keeps formulas in base
+    variables, which are the same at all points of one scope, by what is printed.
     """
 
     def __init__(
@@ -36,12 +37,14 @@ class Values:
         put_in: Mapping[str, Expr],
         precision: int = PRECISION,
         overriding: Mapping[str, Ball] | None = None,
+        resolved: dict[bytes, Expr | None] | None = None,
     ) -> None:
         self.scope, self.point, self.put_in, self.precision = scope, point, put_in, precision
         self._balls = Balls(point, precision)
         self._symbols: dict[str, Ball | None] = dict(overriding or {})
         self._own = frozenset(overriding or {})
         self._kept: dict[bytes, Ball | None] = {}
+        self._in_base = {} if resolved is None else resolved
 
     def symbol(self, name: str) -> Ball | None:
         """A symbol's value, or None."""
@@ -95,13 +98,30 @@ class Values:
         """Derivatives, substitutions, sums and functions: in base variables only."""
         if self._own:
             return None
+        if expr.key not in self._in_base:
+            self._in_base[expr.key] = self._read(expr)
+        found = self._in_base[expr.key]
+        try:
+            return None if found is None else self._enclosed(found)
+        except (Undecided, Malformed, UndefinedSymbol):
+            return None
+
+    def _read(self, expr: Expr) -> Expr | None:
         fresh = Scope(
             self.scope.setting, self.scope.environment, self.scope.choice, self.scope.held
         )
         try:
-            return self._enclosed(fresh.expression(graph_of(expr)))
+            return fresh.expression(graph_of(expr))
         except (Undecided, Malformed, UndefinedSymbol):
             return None
+
+
+def values_at(
+    scope: Scope, points: Sequence[Mapping[str, Fraction]], put_in: Mapping[str, Expr]
+) -> list[Values]:
+    """Values at several points, for which a printed formula is put in base variables once."""
+    resolved: dict[bytes, Expr | None] = {}
+    return [Values(scope, point, put_in, resolved=resolved) for point in points]
 
 
 def combined(expr: Expr, parts: list[Ball]) -> Ball | None:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
-from claim_texts import MODELS, claim_file, judged, memory, steady
+from claim_texts import MODELS, algebra, claim_file, judged, memory, steady
 
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.reader.reader import read_formula
+from gainproof.verify.judge.repair.points import free_points
 from gainproof.verify.judge.repair.printed import printed
 from gainproof.verify.judge.repair.trivial import OffTheModel
+from gainproof.verify.judge.repair.values import Values, values_at
 from gainproof.verify.judge.scope import Scope
 
 
@@ -56,3 +60,24 @@ def test_arithmetic_in_print_is_repaired_too() -> None:
     assert verdict.verdict == "refuted"
     assert verdict.repair is not None
     assert "1030 + " in verdict.repair["latex"]
+
+
+def test_formula_is_put_in_base_variables_once_for_all_points() -> None:
+    found = claim_file(
+        algebra("'x' = { unit = '1', domain = 'x > 0', meaning = 'a number' }\n"),
+        [("identity", r"\exp(x) = \frac{\partial}{\partial x} \frac{x^2}{2}")],
+    )
+    (convention,) = conventions(found.settings["s"], MODELS, {})
+    assert isinstance(convention, Convention)
+    scope = Scope(convention.setting, convention.environment)
+    scope.symbol("x")
+    assert found.claims[0].formula is not None
+    sides = printed(found.claims[0].formula.readings[0]).sides
+    at = free_points(found.claims[0], (), scope, 3)
+    assert len(at) == 3
+    for values, point in zip(values_at(scope, at, {}), at, strict=True):
+        for side, expected in zip(sides, (math.exp(*point.values()), *point.values()), strict=True):
+            found_here, alone = values.ball(side), Values(scope, point, {}).ball(side)
+            assert found_here is not None
+            assert abs(float(found_here.mid()) - expected) < 1e-12
+            assert str(found_here) == str(alone)
