@@ -11,6 +11,7 @@ from gainproof.verify.judge.formula import Graph, Relation
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.domains import domains, is_whole
 from gainproof.verify.judge.meaning.evaluation import number_of
+from gainproof.verify.judge.meaning.noises import holds_noise
 from gainproof.verify.judge.meaning.sequences import is_term, terms_of, with_variables
 from gainproof.verify.judge.meaning.symbols import UndefinedSymbol
 from gainproof.verify.judge.meaning.table import Table
@@ -37,6 +38,8 @@ class Scope(Table):
         UndefinedSymbol.
         """
         found = self.under(graph, self.root if bindings is None else bindings)
+        self.outside += [e for e in entries(found) if holds_noise([e], self.setting.symbols)]
+        self._refuse_noise(*self.outside)
         if sum(1 for _ in walk(*entries(found))) > MOST_NODES:
             raise Undecided(
                 f"a formula of more than {MOST_NODES} parts once its definitions are put in"

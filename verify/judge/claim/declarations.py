@@ -93,6 +93,10 @@ def _declaration(fields: Fields, name: str) -> Declaration:
     variance = fields.text_or_none("variance")
     if variance is not None and role != "free":
         raise fields.fail("variance", "only a free symbol can be a noise")
+    if variance is not None and (integer or domain is not None or fields.has("shape")):
+        raise fields.fail(
+            "variance", "a noise is any real number: no `domain`, no `integer`, no `shape`"
+        )
     normal = _normal(fields, variance)
     if arguments and role != "definition":
         raise fields.fail("arguments", "only a definition can have arguments")

@@ -91,6 +91,7 @@ def framed(
         for token in pending:
             done.add(token)
             stated += [scope.relation(r) for r in scope.setting.symbols[token].domain]
+    stated += scope.supposed
     if scope.uses_steady() and scope.environment.region is not None:
         # without stability a steady covariance or lag has no value
         stated += scope.environment.region.relations
@@ -175,8 +176,8 @@ def _with_required(frame: Frame, required: Iterable[Rel]) -> Frame:
             frame = replace(frame, boxes=_later(frame.boxes, narrowed))
         elif not frame.holds(rel):
             raise Undecided(
-                "a sum with its bounds turned round, or a sum or integral without a value, is not "
-                "excluded by the domain that is stated"
+                "a sum with its bounds turned round, a sum or integral without a value, or a "
+                "variance below 0 is not excluded by the domain that is stated"
             )
     return frame
 

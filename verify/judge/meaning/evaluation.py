@@ -149,7 +149,7 @@ def _call(node: Expr, names: Names, bindings: Bindings) -> Value:
         return _bound(node, names, bindings)
     values = [evaluated(p, names, bindings) for p in node.parts]
     if name == "expectation" and len(values) == 1:
-        return names.expectation(values[0])
+        return names.expectation(values[0], bindings)
     if name in OF_MATRICES and len(values) == 1:
         return OF_MATRICES[name](values[0])
     numbers = [number_of(v) for v in values]

@@ -58,7 +58,7 @@ def _combined(node: Expr, parts: list[Polynomial], wanted: int) -> Polynomial | 
         case "div" if set(parts[1]) <= {0}:
             bottom = node.parts[1]
             return {k: div(c, bottom) for k, c in parts[0].items()}
-        case "pow" if node.fraction == 0 and not _always_defined(node.parts[0]):
+        case "pow" if node.fraction == 0 and not always_defined(node.parts[0]):
             return None  # the number 1 would hide where the base has no value
         case "pow" if node.fraction.denominator == 1 and 0 <= node.fraction <= MOST_DEGREE:
             product = {0: number(1)}
@@ -69,8 +69,13 @@ def _combined(node: Expr, parts: list[Polynomial], wanted: int) -> Polynomial | 
             return None
 
 
-def _always_defined(expr: Expr) -> bool:
-    return all(n.kind in ("number", "symbol", "add", "mul", "neg") for n in walk(expr))
+def always_defined(expr: Expr) -> bool:
+    """Whether an expression has a value wherever its symbols have."""
+    return all(
+        n.kind in ("number", "symbol", "add", "mul", "neg")
+        or (n.kind == "pow" and n.fraction.denominator == 1 and n.fraction > 0)
+        for n in walk(expr)
+    )
 
 
 def _plus(a: Polynomial, b: Polynomial) -> Polynomial:

@@ -9,27 +9,27 @@ from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.meaning.expansion import products
-from gainproof.verify.judge.meaning.normal_moments import Turn, moments
+from gainproof.verify.judge.meaning.expansion import always_defined, products
+from gainproof.verify.judge.meaning.normal_moments import Turn, linear_parts, moments
 
 TURNS = ("cos", "sin")
 
 
 def expectation_of(
-    expr: Expr, variances: Mapping[str, Expr], normal: Set[str] = frozenset()
+    expr: Expr, variances: Mapping[str, Expr], normal: Set[str], needed: list[Expr]
 ) -> Expr:
     """The expectation; symbols without a variance are no random variables. Raises Undecided.
 
     Noises are independent of one another: E[v w] = 0. Only first and second moments are known but
-    of those that are `normal`.
+    of those that are `normal`. What has to have a value although its term is 0 is added to
+    `needed`: E[v/x] has none at x = 0.
     """
     if not symbols_of(expr) & set(variances):
         raise Undecided("an expectation of something in which no symbol is declared a noise")
-    if any(symbols_of(variance) & set(variances) for variance in variances.values()):
-        raise Undecided("an expectation with a variance that is random itself")
     terms: list[Expr] = []
     for product in products(expr, variances):
         sorted_out = _sorted_out(product, variances, normal)
+        needed += sorted_out.needed(variances)
         terms += sorted_out.expectation(variances, normal)
     return add(*terms) if terms else number(0)
 
@@ -41,6 +41,14 @@ class _Product:
     rest: tuple[Expr, ...]
     powers: Mapping[str, int]
     turns: tuple[Turn, ...]
+
+    def needed(self, variances: Mapping[str, Expr]) -> list[Expr]:
+        """What may have no value, of all that has no noise."""
+        parts = [
+            *self.rest,
+            *(p for _, angle in self.turns for p in linear_parts(angle, variances)),
+        ]
+        return [part for part in parts if not always_defined(part)]
 
     def expectation(self, variances: Mapping[str, Expr], normal: Set[str]) -> list[Expr]:
         """Its terms; none if it is zero."""

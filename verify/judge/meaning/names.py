@@ -51,6 +51,6 @@ class Names(Protocol):
         """A sum or an integral of `body` over the bound name `token`."""
         ...
 
-    def expectation(self, value: Value) -> Value:
-        """The expectation."""
+    def expectation(self, value: Value, bindings: Bindings) -> Value:
+        """The expectation, with variances under the bindings."""
         ...

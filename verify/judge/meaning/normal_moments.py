@@ -80,6 +80,15 @@ def _one(
     return [mul(number(sign * c), *factors, turned)]
 
 
+def linear_parts(angle: Expr, variances: Mapping[str, Expr]) -> list[Expr]:
+    """What an angle is made of beside noises. Raises Undecided if it is not linear in them."""
+    slopes = []
+    for noise in sorted(symbols_of(angle) & set(variances)):
+        angle, slope = _linear(angle, noise, variances)
+        slopes.append(slope)
+    return [angle, *slopes]
+
+
 def _linear(angle: Expr, noise: str, variances: Mapping[str, Expr]) -> tuple[Expr, Expr]:
     """The angle without the noise, and the coefficient of the noise."""
     found = coefficients(angle, noise)

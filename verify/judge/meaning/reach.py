@@ -40,10 +40,12 @@ class Reach:
             entry = self._symbols.get(token)
             definition = None if entry is None else entry.definition
             readings = () if definition is None else definition.readings
+            graphs = [reading.relations[0].right for reading in readings]
+            if entry is not None and entry.variance is not None:
+                # an expectation of a noise is made of its variance
+                graphs.append(entry.variance)
             self._direct[token] = frozenset(
-                name
-                for reading in readings
-                for name in names_in(read_tree(reading.relations[0].right))
+                name for graph in graphs for name in names_in(read_tree(graph))
             )
         return self._direct[token]
 

@@ -43,7 +43,7 @@ class Symbols(ABC):
 
     `needed` collects what was differentiated: a derivative has a value only where its function has
     one. `required` collects what sums and integrals rest on: bounds in order, convergence; `whole`
-    what must be a whole number.
+    what must be a whole number. `supposed` is that symbols declared to be variances are at least 0.
     `bound_domains` are the domains of bound names that occur in these.
     """
 
@@ -55,6 +55,7 @@ class Symbols(ABC):
     needed: list[Expr] = field(default_factory=list)
     required: list[Rel] = field(default_factory=list)
     whole: list[Expr] = field(default_factory=list)
+    supposed: list[Rel] = field(default_factory=list)
     bound_domains: dict[str, Box] = field(default_factory=dict)
     used: dict[str, Value] = field(default_factory=dict)
     root: Bindings = field(default_factory=Bindings)

@@ -8,11 +8,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
+from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
-from gainproof.verify.judge.exact.free_names import free_name
+from gainproof.verify.judge.exact.free_names import free_name, is_free
 from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
@@ -25,8 +26,10 @@ from gainproof.verify.judge.meaning.derivatives import (
     total_derivative,
 )
 from gainproof.verify.judge.meaning.evaluation import evaluated, number_of
+from gainproof.verify.judge.meaning.expansion import always_defined
 from gainproof.verify.judge.meaning.expectation import expectation_of
 from gainproof.verify.judge.meaning.integrals import integral_of
+from gainproof.verify.judge.meaning.noises import holds_noise, noises_in, refuse_bound
 from gainproof.verify.judge.meaning.reach import names_in
 from gainproof.verify.judge.meaning.sequences import indexed
 from gainproof.verify.judge.meaning.sums import INFINITE, range_of, sum_of
@@ -46,9 +49,14 @@ _Item = TypeVar("_Item")
 
 @dataclass
 class Table(Symbols):
-    """Everything that an evaluation asks for."""
+    """Everything that an evaluation asks for.
+
+    `averages` counts expectations, `outside` holds what else in the formulas has noises.
+    """
 
     sequences: set[str] = field(default_factory=set)
+    averages: int = 0
+    outside: list[Expr] = field(default_factory=list)
     _count: int = 0
     _calls: int = 0
 
@@ -80,11 +88,14 @@ class Table(Symbols):
         body = self.defining(name, entry.definition).right
         for token in entry.arguments:
             self.reach.refuse_free_index(read_tree(body), token)
+        before = self.averages
         self.opened.append(name)
         try:
             found = self.under(body, bindings.having(inner))
         finally:
             self.opened.pop()
+        if self.averages > before:
+            self._refuse_noise(*given.values())
         for token in entry.arguments:
             self.refuse_own_terms(found, token)
         self._put_in(given, marks)
@@ -117,6 +128,7 @@ class Table(Symbols):
         _without_repeated(self.needed, marks[0])
         _without_repeated(self.required, marks[1])
         _without_repeated(self.whole, marks[2])
+        self._refuse_noise(symbol(free_name(token)), *values.values())
         if max(len(self.needed), len(self.required), len(self.whole)) > MOST_CALLS:
             raise Undecided("a formula with too many sums in which a symbol is replaced")
         if self.setting.symbols[token].integer:
@@ -188,6 +200,7 @@ class Table(Symbols):
         derivatives.
         """
         target = number_of(self.symbol(token, bindings), "the variable of a derivative")
+        self._refuse_noise(target)
         self.refuse_own_terms(value, token)
         environment, own = self.environment, self.environment.parameter or ""
         self.needed += entries(value)
@@ -222,15 +235,44 @@ class Table(Symbols):
         (name,) = names
         return None, {name: number(1) / differentiated(plain, name)}
 
-    def expectation(self, value: Value) -> Value:
-        """The expectation over the symbols that are declared noises."""
+    def expectation(self, value: Value, bindings: Bindings) -> Value:
+        """The expectation over the symbols that are declared noises, with variances under the
+        bindings: a function's argument or an index may stand in them. Raises Undecided.
+        """
+        found = noises_in(value, self.setting.symbols)
+        refuse_bound(found, bindings)
         variances = {
-            free_name(token): number_of(self.under(entry.variance, self.root))
-            for token, entry in self.setting.symbols.items()
-            if entry.variance is not None
+            token: self._variance(token, entry, bindings) for token, entry in found.items()
         }
-        normal = {free_name(t) for t, entry in self.setting.symbols.items() if entry.normal}
-        return mapped(value, lambda entry: expectation_of(entry, variances, normal))
+        self.averages += 1
+        known = {free_name(token): variance for token, variance in variances.items()}
+        normal = {free_name(token) for token, entry in found.items() if entry.normal}
+        return mapped(value, lambda entry: expectation_of(entry, known, normal, self.needed))
+
+    def _variance(self, token: str, entry: SymbolEntry, bindings: Bindings) -> Expr:
+        """The variance of a noise, at least 0: a symbol is supposed to be, else it is required."""
+        if entry.variance is None or "variance" in self.opened:
+            raise Undecided("a variance that is an expectation itself")
+        self.opened.append("variance")
+        try:
+            variance = number_of(self.under(entry.variance, bindings), f"the variance of {token}")
+        finally:
+            self.opened.pop()
+        if holds_noise([variance], self.setting.symbols):
+            raise Undecided(f"the variance of {token} is random itself")
+        at_least_0 = Rel(">=", variance, number(0))
+        if is_free(variance):
+            self.supposed.append(at_least_0)
+        elif at_least_0 not in self.required:
+            self.required.append(at_least_0)
+        if not always_defined(variance):
+            self.needed.append(variance)
+        return variance
+
+    def _refuse_noise(self, *outside: Expr) -> None:
+        """Raises Undecided for a noise that stands outside of an expectation, beside one."""
+        if self.averages and holds_noise(outside, self.setting.symbols):
+            raise Undecided("a noise outside of an expectation, beside one: no fixed number")
 
 
 def _without_repeated(found: list[_Item], start: int) -> None:
