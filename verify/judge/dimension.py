@@ -17,6 +17,7 @@ from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.formula import Formula, Graph, Reading, Relation
 
 ONE = Unit()
+VARIANCES = "the variances of noises"
 MOST_CALLS = 500
 """Calls of functions looked into: inside one another they double with every definition. What is
 beyond has an unknown dimension.
@@ -147,6 +148,9 @@ def _node(node: Expr, parts: list[Dimension], names: _Names) -> Dimension:
 def _call(node: Expr, parts: list[Dimension], names: _Names) -> Dimension:
     if node.name == "sum":
         return parts[0]
+    if node.name == "expectation":
+        _agree_with_variances(names)
+        return parts[0]
     entry = names.setting.symbols.get(node.name)
     if entry is None or entry.definition is None or node.name in names.open:
         return ANY
@@ -165,6 +169,19 @@ def _call(node: Expr, parts: list[Dimension], names: _Names) -> Dimension:
     finally:
         names.open.discard(node.name)
     return names.calls[call]
+
+
+def _agree_with_variances(names: _Names) -> None:
+    """Raises Mismatch if the variance of a noise has not the dimension of its square."""
+    if VARIANCES in names.open:
+        return  # a variance that is an expectation, which is refused where it is evaluated
+    names.open.add(VARIANCES)
+    for token, entry in names.setting.symbols.items():
+        if entry.variance is not None:
+            square = _times(ONE, names.of(token), 2)
+            variance = dimension(read_graph(entry.variance), names)
+            _agree([square, variance], f"the square of {token} and its variance")
+    names.open.discard(VARIANCES)
 
 
 def _times(a: Dimension, b: Dimension, exponent: int | Fraction) -> Dimension:

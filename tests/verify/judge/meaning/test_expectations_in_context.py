@@ -104,3 +104,12 @@ def test_a_noise_is_any_number(field: str) -> None:
     noise = f"{{ unit = '1', variance = 's^2', {field}, meaning = 'noise' }}"
     with pytest.raises(ClaimFileError, match="a noise is any real number"):
         judged("identity", "E[n] = 0", {**SYMBOLS, "n": noise})
+
+
+def test_a_variance_has_the_dimension_of_a_square() -> None:
+    units = "{{ unit = 'm', variance = '{}', meaning = 'noise' }}"
+    length = {"p": "{ unit = 'm', meaning = 'deviation' }"}
+    check(judged("identity", "E[n^2] = p^2", {**length, "n": units.format("p^2")}), "proved")
+    found = judged("identity", "E[n^2] = p", {**length, "n": units.format("p")})
+    assert found.verdict == "refuted"
+    assert "the square of n and its variance" in found.reason
