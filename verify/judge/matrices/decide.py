@@ -24,6 +24,7 @@ TRIED = 3
 MORE_TRIED = 12
 """Instances where no proof was found."""
 METHOD = "words"
+TOO_DEEP = "definitions stand too deep inside one another"
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,13 @@ def decide(claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs | None = N
     """The verdict; nothing is raised for what cannot be decided. `proofs` keeps those of claims
     for others that use them.
     """
-    proofs = {} if proofs is None else proofs
+    try:
+        return _found(claim, setting, {} if proofs is None else proofs)
+    except RecursionError:  # definitions of definitions: each formula for itself is short
+        return Finding("undecided", TOO_DEEP)
+
+
+def _found(claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs) -> Finding:
     shapes = Shapes(setting.letters, setting.sizes)
     try:
         cases = cases_of(claim, shapes)

@@ -66,6 +66,7 @@ class Layers:
     proofs: Proofs = field(default_factory=dict)
     _known: dict[Question, list[dict[str, Any]] | str] = field(default_factory=dict)
     _facts: dict[Question, list[Chain]] = field(default_factory=dict)
+    _asked: set[Question] = field(default_factory=set)
     _budget: Budget = field(default_factory=Budget)
 
     def facts_of(self, question: Question) -> tuple[Chain, ...]:
@@ -73,20 +74,27 @@ class Layers:
         return tuple(self._facts.get(replace(question, hints=()), ()))
 
     def prove(self, question: Question, deep: int = 0) -> list[dict[str, Any]]:
-        """Certificates, lemmas first. Raises UnprovedError."""
+        """Certificates, lemmas first. Raises UnprovedError, also where a question comes up again on
+        the way to its own proof: that is none then, and as a claim has finitely many it ends.
+        """
         if deep == 0:
             self._budget = Budget()
         bare = replace(question, hints=())
+        if bare in self._asked:
+            raise UnprovedError("the proof would rest on itself")
         before = self._under_less(bare)
         if before is not None:
             return before
         if bare not in self._known or question.hints:
+            self._asked.add(bare)
             try:
                 self._known[bare] = self._proved(question, deep)
             except UnprovedError as reason:
                 if deep == 0:
                     raise
                 self._known[bare] = str(reason)
+            finally:
+                self._asked.remove(bare)
         found = self._known[bare]
         if isinstance(found, str):
             raise UnprovedError(found)

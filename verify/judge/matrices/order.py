@@ -12,7 +12,7 @@ from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
 from gainproof.verify.judge.matrices.groups import groups_with_sum
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
-from gainproof.verify.judge.matrices.size import Size
+from gainproof.verify.judge.matrices.size import Shape, Size
 from gainproof.verify.judge.matrices.squares import (
     Square,
     by_equations,
@@ -26,6 +26,8 @@ MOST_CANDIDATES = 60
 MOST_SEARCHED = 12
 MOST_PRODUCTS = 500
 """Fewer than for an equation, as there are many attempts."""
+Asked = tuple[Shape, object]
+"""A matrix: its shape and the key of its polynomial."""
 
 
 def definite(book: Book, number: int) -> tuple[object, ...]:
@@ -54,13 +56,13 @@ def definite(book: Book, number: int) -> tuple[object, ...]:
 
 
 def prove_order(
-    book: Book, difference: Polynomial, strict: bool, by_bases: bool = True
+    book: Book, difference: Polynomial, strict: bool, asked: frozenset[Asked] = frozenset()
 ) -> dict[str, Any]:
-    """Evidence that a matrix is positive (semi)definite; `by_bases`: also by what inverses are of.
-    Raises UnprovedError.
+    """Evidence that a matrix is positive (semi)definite; `asked` are matrices of which that is
+    being looked for already, which helps with none of them. Raises UnprovedError.
     """
     value = book.alphabet.reduced(book.without_elements(difference)[0])
-    for squares in _attempts(book, value, by_bases):
+    for squares in _attempts(book, value, asked | {(value.shape, value.key)}):
         rest = difference
         for square in squares:
             middle = square.factor.T @ square.known.value @ square.factor
@@ -92,7 +94,7 @@ def _positive(book: Book, factor: Polynomial) -> Polynomial:
     return -factor if str(book.data(factor)[0][0]).startswith("-") else factor
 
 
-def _attempts(book: Book, value: Polynomial, by_bases: bool) -> Iterator[list[Square]]:
+def _attempts(book: Book, value: Polynomial, asked: frozenset[Asked]) -> Iterator[list[Square]]:
     """Lists of squares whose sum may be the value."""
     known = [*book.known, *units(book, value)]
     if not value.terms:
@@ -124,13 +126,16 @@ def _attempts(book: Book, value: Polynomial, by_bases: bool) -> Iterator[list[Sq
         if set(own.terms) & set(value.terms):
             yield [square]
     yield from of_inverses(book, known)
-    if by_bases:
-        yield from _of_bases(book, value, known)
+    yield from _of_bases(book, value, known, asked)
 
 
-def _of_bases(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterator[list[Square]]:
+def _of_bases(
+    book: Book, value: Polynomial, known: Sequence[Known], asked: frozenset[Asked]
+) -> Iterator[list[Square]]:
     """Y2 - Y1 = Y1 G Y1 + Y1 G Y2 G Y1, from the value: X1 and X2 are what the inverses are of, G
-    their difference, which is shown to be at least 0; a unit matrix is its own inverse.
+    their difference, which is shown to be at least 0; a unit matrix is its own inverse. Of G the
+    same may be asked, whose answer often is the value: it ends as there are finitely many pairs of
+    letters, none of which is asked about on the way to itself.
     """
     alphabet = book.alphabet
     signs = {factor: word for word, factor in value.terms.items()}
@@ -151,11 +156,11 @@ def _of_bases(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterator
     same = [k for k in known if k.strict and k.value.shape == second.shape]
     last = next((k for k in same if k.value.key == second.key), None)
     gap = alphabet.reduced(bases[0] - bases[1])
-    if last is None or not gap.terms or gap.key == value.key:
+    if last is None or not gap.terms or (gap.shape, gap.key) in asked:
         return
     for strict in (True, False):
         try:
-            evidence = prove_order(book, gap, strict, by_bases=False)
+            evidence = prove_order(book, gap, strict, asked)
         except (UnprovedError, TooLongError):
             continue
         sides = {"larger": book.graph(gap), "smaller": book.graph(gap - gap)}

@@ -88,7 +88,7 @@ def _true_at_instances(
             statement = read_statement(slip.latex, setting.letters, setting.sizes)
             other = replace(claim, statement=statement)
             cases = cases_of(other, shapes)
-        except (ReaderError, ShapeFault):
+        except (ReaderError, ShapeFault, RecursionError):
             continue
         if not _says_nothing(statement) and all(_holds(case, setting, tried) for case in cases):
             yield slip, other
@@ -120,5 +120,5 @@ def _holds(
         return bool(tried[key]) and all(
             holds(chain, instance) for instance in tried[key] for chain in wanted
         )
-    except (NoValueError, Unsupported):
+    except (NoValueError, Unsupported, RecursionError):
         return False
