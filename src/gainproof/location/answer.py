@@ -7,9 +7,8 @@ import json
 import math
 import sys
 from pathlib import Path
-from typing import Any
 
-from gainproof import places
+from gainproof import named_files, places
 from gainproof.bad_input import BadInputError
 from gainproof.location.doppler import carrier_of
 from gainproof.location.errors import LocationError
@@ -40,6 +39,12 @@ def answered(options: argparse.Namespace) -> int:
     false_alarm = _false_alarm(options)
     if options.plot:
         _require_ending(options.plot)
+        inputs = {
+            "OBSERVATIONS": options.observations,
+            "STATIONS": options.stations,
+            "--covariance": options.covariance,
+        }
+        named_files.require_apart(inputs, {"--plot": options.plot})
     given, observed = read_files(
         Path(options.observations),
         Path(options.stations),
@@ -54,11 +59,14 @@ def answered(options: argparse.Namespace) -> int:
         if options.json:
             print(json.dumps(plain_failure(error), indent=1))
         return 1
-    drawn = _drawn(options.plot, found, given)
+    contents = _drawn(options.plot, found, given)
+    files = [places.shown(path) for path in contents]
     if options.json:
-        print(json.dumps({**plain(found), **({"files": drawn} if drawn else {})}, indent=1))
+        text = json.dumps({**plain(found), **({"files": files} if files else {})}, indent=1)
     else:
-        print("\n".join([page(found), *drawn]))
+        text = "\n".join([page(found), *files])
+    named_files.write(contents)
+    print(text)
     return 0
 
 
@@ -109,9 +117,9 @@ def _require_ending(name: str) -> None:
         raise BadInputError(f"--plot takes a name that ends in .svg or .png, got {name!r}")
 
 
-def _drawn(name: str | None, found: Location, given: Stations) -> list[Any]:
+def _drawn(name: str | None, found: Location, given: Stations) -> dict[Path, bytes]:
     if not name:
-        return []
-    from gainproof.location.plot_file import write_plot
+        return {}
+    from gainproof.location.plot_file import plotted
 
-    return [write_plot(found, given, Path(name))]
+    return {Path(name): plotted(found, given, Path(name))}

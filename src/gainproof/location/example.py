@@ -11,8 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from gainproof import atomic_file, places
-from gainproof.bad_input import BadInputError
+from gainproof import named_files
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.measurement import seen
 from gainproof.location.noise import diagonal
@@ -56,7 +55,10 @@ def deviations() -> Reals:
 
 
 def write_example(folder: Path) -> list[Path]:
-    """observations.csv and stations.csv in the folder, made as needed. Raises BadInputError."""
+    """observations.csv and stations.csv in the folder, made as needed.
+
+    Raises BadInputError, also where one of them exists.
+    """
     observed = example_observations()
     rows = ["station,range [km],range_rate [m/s],sigma_range [m],sigma_range_rate [m/s]"]
     standing = ["station,x [km],y [km]"]
@@ -66,13 +68,8 @@ def write_example(folder: Path) -> list[Path]:
         rows.append(f"{name},{distance:.6f},{rate:.4f},{RANGE_DEVIATION:g},{RATE_DEVIATION:g}")
         x, y = given.positions[i] / 1e3
         standing.append(f"{name},{x:g},{y:g}")
-    written = []
-    for name, lines in zip(FILES, (rows, standing), strict=True):
-        path = folder / name
-        try:
-            atomic_file.write_text(path, "\n".join(lines) + "\n")
-        except OSError as error:
-            shown = places.shown(path)
-            raise BadInputError(f"{shown}: cannot be written: {error.strerror or error}") from None
-        written.append(path)
-    return written
+    paths = [folder / name for name in FILES]
+    named_files.require_new(paths)
+    texts = [("\n".join(lines) + "\n").encode() for lines in (rows, standing)]
+    named_files.write(dict(zip(paths, texts, strict=True)))
+    return paths

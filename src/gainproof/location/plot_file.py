@@ -1,12 +1,10 @@
-"""The picture of an estimate as a file."""
+"""The picture of an estimate as the bytes of a file."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from gainproof import places
 from gainproof.figures import canvas
-from gainproof.figures.writing import write
 from gainproof.location.drawing import SIZE, draw
 from gainproof.location.result import Location
 from gainproof.location.stations import Stations
@@ -14,8 +12,7 @@ from gainproof.location.stations import Stations
 ENDINGS = (".svg", ".png")
 
 
-def write_plot(found: Location, given: Stations, path: Path) -> str:
-    """Write it; its name as shown. BadInputError without Matplotlib or a place to write to."""
+def plotted(found: Location, given: Stations, path: Path) -> bytes:
+    """For a file of that name, which ends in .svg or .png. BadInputError without Matplotlib."""
     drawn = canvas.pictures(lambda sheet: draw(found, given, sheet), *SIZE)
-    (written,) = write({path.name: drawn[path.suffix.lower()[1:]]}, path.parent)
-    return places.shown(written)
+    return drawn[path.suffix.lower()[1:]]

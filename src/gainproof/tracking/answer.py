@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from gainproof import atomic_file, places
+from gainproof import named_files, places
 from gainproof.bad_input import BadInputError
 from gainproof.tables.cell_text import decimal
 from gainproof.tracking.association import require_scipy
@@ -44,6 +44,9 @@ def answered(options: argparse.Namespace) -> int:
         )
     if options.plot and Path(options.plot).suffix.lower() not in ENDINGS:
         raise BadInputError(f"--plot takes a name that ends in .svg or .png, got {options.plot!r}")
+    named_files.require_apart(
+        {"DETECTIONS": options.detections}, {"--out": options.out, "--plot": options.plot}
+    )
     settings = _settings(options)
     require_scipy()
     sigmas = _sigma(options, "sigma_range"), _sigma(options, "sigma_bearing")
@@ -56,12 +59,15 @@ def answered(options: argparse.Namespace) -> int:
         # outside the domain of a kernel: an index beyond 1e12, say
         raise BadInputError(f"{given.table.file}: {error}") from None
     told = courses(given.scans, found)
-    files = _written(options, given, settings, found)
+    contents = _contents(options, given, settings, found)
+    files = [places.shown(path) for path in contents]
     if options.json:
         data = plain(given, settings, found, told)
-        print(json.dumps({**data, **({"files": files} if files else {})}, indent=1))
+        text = json.dumps({**data, **({"files": files} if files else {})}, indent=1)
     else:
-        print("\n".join([page(given.scans, settings, found, told), *files]))
+        text = "\n".join([page(given.scans, settings, found, told), *files])
+    named_files.write(contents)
+    print(text)
     return 0 if told else 1
 
 
@@ -121,22 +127,17 @@ def _number(name: str, text: str) -> float:
     return value
 
 
-def _written(
+def _contents(
     options: argparse.Namespace, given: FromFile, settings: Settings, found: Followed
-) -> list[str]:
-    """The names of the files."""
-    names = []
+) -> dict[Path, bytes]:
+    """The files that are asked for."""
+    contents = {}
     if options.out:
-        path = Path(options.out)
-        try:
-            atomic_file.write_text(path, csv_text(given, found))
-        except OSError as error:
-            reason = error.strerror or error
-            raise BadInputError(f"{places.shown(path)}: cannot be written: {reason}") from None
-        names.append(places.shown(path))
+        contents[Path(options.out)] = csv_text(given, found).encode()
     if options.plot:
-        from gainproof.tracking.plot_file import write_plot
+        from gainproof.tracking.plot_file import plotted
 
         title = f"{settings.filter} filter, {settings.conversion} conversion"
-        names.append(write_plot(given.scans, found, title, Path(options.plot)))
-    return names
+        path = Path(options.plot)
+        contents[path] = plotted(given.scans, found, title, path)
+    return contents

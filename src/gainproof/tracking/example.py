@@ -9,8 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from gainproof import atomic_file, places
-from gainproof.bad_input import BadInputError
+from gainproof import named_files
 from gainproof.tracking.arrays import Reals
 
 FILE = "detections.csv"
@@ -72,11 +71,8 @@ def lines() -> list[str]:
 
 
 def write_example(folder: Path) -> Path:
-    """detections.csv in the folder, made as needed. Raises BadInputError."""
+    """detections.csv in the folder, made as needed. Raises BadInputError, also where it exists."""
     path = folder / FILE
-    try:
-        atomic_file.write_text(path, "\n".join(lines()) + "\n")
-    except OSError as error:
-        shown = places.shown(path)
-        raise BadInputError(f"{shown}: cannot be written: {error.strerror or error}") from None
+    named_files.require_new([path])
+    named_files.write({path: ("\n".join(lines()) + "\n").encode()})
     return path
