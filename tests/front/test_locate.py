@@ -11,8 +11,11 @@ import pytest
 from one_of_each import cases
 
 from gainproof import cli
+from gainproof.location.errors import DivergedError
 from gainproof.location.example import BIASES, POSITION, VELOCITY
 from gainproof.location.methods import METHODS
+from gainproof.location.plain import plain_failure
+from gainproof.location.result import Convergence
 
 Capture = pytest.CaptureFixture[str]
 HEAD = "station,range [km],range_rate [m/s],sigma_range [m],sigma_range_rate [m/s]"
@@ -340,3 +343,10 @@ def test_without_files_it_is_said_how_to_get_some(capsys: Capture) -> None:
     assert "`gainproof locate --example DIR`" in capsys.readouterr().err
     assert cli.main(["locate", "nowhere.csv", "nothing.csv"]) == 2
     assert "nowhere.csv: cannot be read: No such file" in capsys.readouterr().err
+
+
+def test_data_hold_no_number_that_json_has_not() -> None:
+    """An iteration without a step has an infinite length of the last one."""
+    ended = Convergence("ran away", 3, 0, float("inf"), float("nan"), 4, 0.5)
+    told = plain_failure(DivergedError("no", ended))["convergence"]
+    assert (told["step"], told["cost"], told["ratio"]) == (None, None, 0.5)

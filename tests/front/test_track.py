@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 from gainproof import cli
-from gainproof.tracking import CONVERSIONS, FILTERS
+from gainproof.tracking import CONVERSIONS, FILTERS, tracker
 from gainproof.tracking.example import truth
+from gainproof.tracking.motion import Estimate
 
 Capture = pytest.CaptureFixture[str]
 HEAD = "time [s],range [km],bearing [deg],sigma_range [m],sigma_bearing [deg]\n"
@@ -273,3 +274,32 @@ def test_without_a_file_or_scipy_it_is_said_how_to_get_them(
     assert "nowhere.csv: cannot be read: No such file" in refused(capsys, file="nowhere.csv")
     monkeypatch.setitem(sys.modules, "scipy", None)
     assert "pip install 'gainproof[tracking]'" in refused(capsys, file="detections.csv")
+
+
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize("name", FILTERS)
+@pytest.mark.parametrize("conversion", CONVERSIONS)
+def test_variances_that_no_digits_hold_are_refused(
+    name: str, conversion: str, capsys: Capture
+) -> None:
+    """A range to a micrometre, across it 10 km: the smaller variance is lost in x and y, and a
+    filter's own fell below 0.
+    """
+    rows = [f"{5 * i},1e9,{10 * i},50,6e-7\n" for i in range(3)]
+    rows += [f"{5 * i},1e9,{10 * i},1e-6,6e-7\n" for i in range(3, 9)]
+    Path("d.csv").write_text(HEAD + "".join(rows))
+    told = refused(capsys, "--json", "--filter", name, "--conversion", conversion)
+    assert "d.csv, line 5, column 5 (sigma_bearing): " in told
+    assert "at most 1e+13 times" in told
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_variance_below_0_is_refused_with_its_detection(
+    capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A filter that goes wrong: gains that leave no variance, in the third scan."""
+    monkeypatch.setattr(tracker, "updated", lambda before, *_: Estimate(before.state, -before[1]))
+    Path("d.csv").write_text(HEAD + "".join(f"{5 * i},20,10,50,1\n" for i in range(5)))
+    told = refused(capsys, "--json")
+    assert "d.csv, line 4: the variance of x after this detection is to be above 0" in told
+    assert "got -" in told

@@ -57,12 +57,13 @@ def answered(options: argparse.Namespace) -> int:
     except LocationError as error:
         print(f"gainproof: no estimate: {error}", file=sys.stderr)
         if options.json:
-            print(json.dumps(plain_failure(error), indent=1))
+            print(json.dumps(plain_failure(error), indent=1, allow_nan=False))
         return 1
     contents = _drawn(options.plot, found, given)
     files = [places.shown(path) for path in contents]
     if options.json:
-        text = json.dumps({**plain(found), **({"files": files} if files else {})}, indent=1)
+        data = {**plain(found), **({"files": files} if files else {})}
+        text = json.dumps(data, indent=1, allow_nan=False)
     else:
         text = "\n".join([page(found), *files])
     named_files.write(contents)

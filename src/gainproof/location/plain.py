@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict
 from typing import Any
 
@@ -14,11 +15,11 @@ from gainproof.location.errors import (
     TooFewError,
     UnobservableError,
 )
-from gainproof.location.result import Bias, Location, Place
+from gainproof.location.result import Bias, Convergence, Location, Place
 
 
 def plain(found: Location) -> dict[str, Any]:
-    """Metres and metres a second; null for what the method does not estimate."""
+    """Metres and metres a second; null for what the method does not estimate or is not finite."""
     d = len(found.position)
     deviations = np.sqrt(np.diag(found.covariance))
     moving = found.velocity is not None
@@ -36,7 +37,7 @@ def plain(found: Location) -> dict[str, Any]:
             *(f"bias_{each.station}_m" for each in found.biases),
         ],
         "biases": [_bias(each) for each in found.biases],
-        "convergence": asdict(found.convergence),
+        "convergence": _convergence(found.convergence),
         "rank": found.rank,
         "others": [_place(each) for each in found.others],
         "warnings": list(found.warnings),
@@ -65,7 +66,7 @@ def plain_failure(error: LocationError) -> dict[str, Any]:
     elif isinstance(error, OnStationError):
         told |= {"error": "target on a station", "station": error.station}
     elif isinstance(error, DivergedError):
-        told |= {"error": "not converged", "convergence": asdict(error.report)}
+        told |= {"error": "not converged", "convergence": _convergence(error.report)}
     return told
 
 
@@ -76,3 +77,11 @@ def _bias(each: Bias) -> dict[str, Any]:
 def _place(each: Place) -> dict[str, Any]:
     velocity = None if each.velocity is None else each.velocity.tolist()
     return {"position_m": each.position.tolist(), "velocity_m_s": velocity, "cost": each.cost}
+
+
+def _convergence(each: Convergence) -> dict[str, Any]:
+    """JSON has no infinity, as of the last step where there was none."""
+    return {
+        name: None if isinstance(value, float) and not math.isfinite(value) else value
+        for name, value in asdict(each).items()
+    }

@@ -63,7 +63,9 @@ def answered(options: argparse.Namespace) -> int:
     files = [places.shown(path) for path in contents]
     if options.json:
         data = plain(given, settings, found, told)
-        text = json.dumps({**data, **({"files": files} if files else {})}, indent=1)
+        text = json.dumps(
+            {**data, **({"files": files} if files else {})}, indent=1, allow_nan=False
+        )
     else:
         text = "\n".join([page(given.scans, settings, found, told), *files])
     named_files.write(contents)

@@ -33,9 +33,9 @@ class FromFile:
     rows: Ints
 
     def error(self, problem: NoCovarianceError) -> BadInputError:
-        """What a conversion says of a detection, with file, line and column."""
+        """What is said of a detection, with file, line and column."""
         row = int(self.rows[self.scans.row[problem.place]])
-        return self.table.error(row, "sigma_bearing", str(problem))
+        return self.table.error(row, problem.field, str(problem))
 
 
 def read_file(path: Path, given: tuple[float | None, float | None] = (None, None)) -> FromFile:

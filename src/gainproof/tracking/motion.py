@@ -7,7 +7,7 @@ tracks: states (..., 4), covariances (..., 4, 4), gains (..., 4, 2).
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,6 +22,10 @@ class Estimate(NamedTuple):
 
     state: Reals
     covariance: Reals
+
+    def part(self, rows: Any) -> Estimate:
+        """Those that an index chooses."""
+        return Estimate(self.state[rows], self.covariance[rows])
 
 
 def predicted(before: Estimate, interval: Reals, acceleration: float) -> Estimate:

@@ -10,7 +10,8 @@ import numpy as np
 from gainproof.tracking import gains
 from gainproof.tracking.arrays import Bools, Ints, Reals
 from gainproof.tracking.association import assigned
-from gainproof.tracking.conversion import converted
+from gainproof.tracking.conversion import NoCovarianceError, converted
+from gainproof.tracking.deviations import deviations
 from gainproof.tracking.gains import Point, Sample
 from gainproof.tracking.gating import Pairs, gated, threshold
 from gainproof.tracking.management import begun, counted, judged, rank
@@ -42,7 +43,8 @@ def followed(
 ) -> Followed:
     """All scans, one after the other. ``at`` is called with time and tracks after each.
 
-    Raises ValueError where a conversion is outside its domain, BadInputError without SciPy.
+    Raises ValueError where a conversion is outside its domain or an estimate has a variance that is
+    not above 0, BadInputError without SciPy.
     """
     seen = converted(scans.polar, settings.conversion)
     nominal = nominal_point(scans, settings)
@@ -52,7 +54,11 @@ def followed(
     state, deviation = np.full((n, 4), np.nan), np.full((n, 4), np.nan)
     tracks, born, outside, settled = no_tracks(), 0, 0, []
     for time, places in scans:
-        done = after_scan(tracks, seen.part(places), time, nominal, settings, limit, born)
+        try:
+            done = after_scan(tracks, seen.part(places), time, nominal, settings, limit, born)
+        except NoCovarianceError as error:
+            place = places.start + error.place
+            raise NoCovarianceError(str(error), place, error.field) from None
         tracks, born = done.tracks, done.born
         number[places] = done.number
         state[places], deviation[places] = done.state, done.deviation
@@ -100,7 +106,7 @@ def after_scan(
     used = detection[hit]
     number[used] = tracks.number[hit]
     state[used] = tracks.state[hit]
-    deviation[used] = np.sqrt(np.diagonal(tracks.covariance[hit], axis1=1, axis2=2))
+    deviation[used] = deviations(tracks.estimate.part(hit), used)
     free = np.flatnonzero(number < 0)
     new = begun(seen.part(free), time, born, settings, limit)
     number[free] = new.number
