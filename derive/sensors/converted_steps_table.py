@@ -181,12 +181,18 @@ def _estimate() -> list[Step]:
         ),
         Step(
             "estimate-limit",
-            "But it is none beyond a limit: along the line of sight it is negative where "
-            "`(1 - lambda^2)^2 r_m^2 > (1 + lambda^4) sigma_r^2`, that is where "
-            "`cosh(sigma_theta^2) (1 - sigma_r^2/r_m^2) > 1`.",
+            "But it is a covariance only between two ranges. Along the line of sight it is "
+            "negative where `(1 - lambda^2)^2 r_m^2 > (1 + lambda^4) sigma_r^2`, that is where "
+            "`cosh(sigma_theta^2) (1 - sigma_r^2/r_m^2) > 1`; across it, where `r_m < sigma_r`.",
             same_sign(ESTIMATE[0], SIGMA_R**2 * (1 + L**2) - R**2 * (1 - L) ** 2),
-            "The factor between them is `1/(2 lambda^4)`. For small noise this is "
+            "The factors between them are `1/(2 lambda^4)` and, as `lambda < 1`, "
+            "`(1 - lambda^4) (r_m + sigma_r)/(2 lambda^4)`. For small noise the first is "
             "`r_m sigma_theta^2 > sqrt(2) sigma_r`: at 50 m and 1 degree beyond 232 km.",
             hint={"form": 1 / (2 * L**2)},
+        ),
+        joined(
+            "estimate-limit-across",
+            same_sign(ESTIMATE[1], R - SIGMA_R),
+            hint={"form": (1 - L) * (1 + L) * (R + SIGMA_R) / (2 * L**2)},
         ),
     ]

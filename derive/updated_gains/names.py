@@ -17,6 +17,8 @@ ALPHA_SLOPE, BETA_SLOPE = map(real, ("alpha_slope", "beta_slope"))
 NEXT_ALPHA_SLOPE, NEXT_BETA_SLOPE = map(real, ("next_alpha_slope", "next_beta_slope"))
 FIRST_ALPHA, FIRST_BETA = map(real, ("first_order_alpha", "first_order_beta"))
 ALPHA_EXCESS, BETA_EXCESS = map(real, ("alpha_excess", "beta_excess"))
+RATIO = real("index_ratio")
+"""Of the index to the nominal one."""
 DEVIATION = real("innovation_deviation")
 ENTRIES = ("11", "12", "22")
 
@@ -29,9 +31,9 @@ LATEX = {
     "u": "u",
     "v": "v",
     "k": "k",
-    "variance_bound": r"\Lambda_v",
+    "variance_ratio": "c_v",
+    "index_ratio": "c",
     "d": r"\sigma_i",
-    "c": "c",
     "half_tangent": r"\tau",
     "acceleration_deviation": r"\sigma_w",
     "interval": "T",
@@ -55,6 +57,11 @@ LATEX = {
     "following_beta": r"\beta_2",
     "position_variance": "R",
     "nominal_variance": "R_0",
+    "following_variance": "R_2",
+    "variance_along": "R_r",
+    "variance_across": r"R_\theta",
+    "alpha_so_far": "A",
+    "beta_so_far": "B",
     "alpha_bound": r"\Lambda_\alpha",
     "beta_bound": r"\Lambda_\beta",
     "alpha_along": r"\alpha_r",
@@ -63,8 +70,11 @@ LATEX = {
     "beta_across": r"\beta_\theta",
     "alpha_place": r"e_\alpha",
     "beta_place": r"e_\beta",
-    "cosine": "c",
-    "sine": "s",
+    "cosine": r"c_\theta",
+    "sine": r"s_\theta",
+    "later_cosine": "c_2",
+    "later_sine": "s_2",
+    "later_half_tangent": r"\tau_2",
     **{f"held_predicted_{ij}": f"P_{{{ij}}}" for ij in ENTRIES},
     **{f"held_updated_{ij}": f"Y_{{{ij}}}" for ij in ENTRIES},
     **{f"followed_predicted_{ij}": f"S_{{{ij}}}" for ij in ENTRIES},

@@ -21,6 +21,7 @@ from gainproof.derive.updated_gains.names import (
     NOMINAL,
     NOMINAL_ALPHA,
     NOMINAL_BETA,
+    RATIO,
     K,
     N,
 )
@@ -28,7 +29,8 @@ from gainproof.derive.updated_gains.steps_held import tends
 from gainproof.derive.updated_gains.steps_mismatch import held_equations, with_gains
 from gainproof.derive.updated_gains.towers import BOUNDS, WITHIN, V
 
-BOUND = real("variance_bound")
+BOUND = real("variance_ratio")
+SIGN = 1 + RATIO * (1 + 2 / N) - RATIO**2
 REST = NOMINAL**2 + 2 * INDEX * N * (2 + N) / (1 + N) - INDEX**2
 
 
@@ -120,35 +122,38 @@ def _against() -> list[Step]:
         ),
         *(gained(kind, ij) for kind, ij in (("updated", "22"), ("predicted", "11"))),
         gained("predicted", "22"),
+        _quiet("within-ratio", equal(RATIO, INDEX / NOMINAL)),
     ]
 
 
 def _bound() -> list[Step]:
-    index = real("nominal_index")
-    p = N * (2 + N) / (1 + N)
-    lam = real("c")
-    ratio = BOUND / index
+    ratio = BOUND
     return [
         Step(
+            "followed-ratio",
+            "With the ratio `c` of `Lambda` to the nominal index, as in step @held-predicted, the "
+            "last factor is the square of the nominal index times a quadratic of `c`:",
+            equal(REST, NOMINAL**2 * SIGN),
+            "`n (2 + n)/(1 + n)` is `1/2 + 1/n` times the nominal index.",
+            tower=WITHIN,
+        ),
+        Step(
             "variance-bound",
-            "So the update lowers all four variances up to one ratio `c` of the indices, and "
-            "raises all four beyond it, as far as it is stable: the ratio with `c - 1/c = sqrt(1 + "
-            "8/L)`, `L` the nominal index. With `v = sqrt(5 n^2 + 4 n + 4)`:",
-            equal(
-                index**2 + 2 * p * lam - lam**2,
-                (BOUND - lam) * (lam + index**2 / BOUND),
-                free=("c",),
-            ),
-            "The quadratic's roots have the product `-L^2`.",
+            "So the update lowers all four variances while this ratio is below one number, `c_v`, "
+            "and raises all four where it is above, as far as it is stable. Over `v = sqrt(5 n^2 + "
+            "4 n + 4)`:",
+            equal(SIGN, (BOUND - RATIO) * (RATIO + 1 / BOUND), free=(str(RATIO),)),
+            "The quadratic's roots have the product -1 and the sum `1 + 2/n`, which is `sqrt(1 + "
+            "8/L)` for the nominal index `L`.",
             tower=BOUNDS,
         ),
         joined("variance-bound-value", equal(ratio, (N + 2 + V) / (2 * N)), tower=BOUNDS),
         joined("variance-bound-ratio", equal(ratio - 1 / ratio, 1 + 2 / N), tower=BOUNDS),
         Step(
             "variance-bound-between",
-            "This ratio is beyond that from which on `alpha` exceeds 1, and below that at which "
-            "the filter becomes unstable. So as long as the updated `alpha` is at most 1, it is "
-            "better to update than to hold.",
+            "The ratio `c_v` is beyond that from which on `alpha` exceeds 1, and below that at "
+            "which the filter becomes unstable. So as long as the updated `alpha` is at most 1, it "
+            "is better to update than to hold.",
             positive(ratio - (sp.Rational(3, 2) + 1 / N)),
             "`v > 2 n` and `v < 3 n + 2`.",
             tower=BOUNDS,

@@ -91,7 +91,7 @@ def _meant(kernel: str, output: str) -> sp.Expr:
         "next_beta": real("nominal_beta") + NEXT_BETA_SLOPE * step,
         "alpha_one_ratio": sp.Rational(3, 2) + 1 / N,
         "unstable_ratio": 2 + 2 / N,
-        "variance_ratio": real("variance_bound") / bound,
+        "variance_ratio": real("variance_ratio"),
         "alpha_gain_ratio": real("alpha_bound") / bound,
         "beta_gain_ratio": real("beta_bound") / bound,
         "alpha_drift": DRIFT_ALPHA,

@@ -17,13 +17,13 @@ from gainproof.derive.updated_gains.names import (
     NOMINAL,
     NOMINAL_ALPHA,
     NOMINAL_BETA,
+    RATIO,
     E,
     N,
 )
 
 LOOP = Loop(2)
 SHAPE = sp.ImmutableDenseMatrix([[sp.Rational(1, 4), sp.Rational(1, 2)], [sp.Rational(1, 2), 1]])
-RATIO = real("c")
 
 
 def mismatch_steps() -> list[Step]:
@@ -48,7 +48,6 @@ def _entries(prefix: str) -> sp.ImmutableDenseMatrix:
 
 def _variances() -> list[Step]:
     forms = held_covariances(N, RATIO)
-    inserted = {RATIO: INDEX / NOMINAL}
     return [
         *held_equations(),
         Step(
@@ -62,19 +61,23 @@ def _variances() -> list[Step]:
         ),
         Step(
             "held-predicted",
-            "With the ratio `c` of `Lambda` to the nominal index:",
-            equal(
-                _entries("held_predicted"),
-                row(*(forms[f"held_predicted_{ij}"].subs(inserted) for ij in ENTRIES)),
-            ),
+            "With the ratio `c` of `Lambda` to the nominal index, in `n`:",
+            equal(RATIO, INDEX / NOMINAL),
             "Solve the linear equations. What has no `c` is the noise of the measurement, all that "
             "is left of a target that goes straight.",
+        ),
+        joined(
+            "held-predicted-value",
+            equal(
+                _entries("held_predicted"),
+                row(*(forms[f"held_predicted_{ij}"] for ij in ENTRIES)),
+            ),
         ),
         joined(
             "held-updated-value",
             equal(
                 _entries("held_updated"),
-                row(*(forms[f"held_updated_{ij}"].subs(inserted) for ij in ENTRIES)),
+                row(*(forms[f"held_updated_{ij}"] for ij in ENTRIES)),
             ),
         ),
     ]

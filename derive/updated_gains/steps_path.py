@@ -33,6 +33,8 @@ from gainproof.derive.updated_gains.names import (
 THERE = INDEX - NOMINAL
 ON = FOLLOWING - INDEX
 BACK_ALPHA, BACK_BETA = real("backward_alpha_excess"), real("backward_beta_excess")
+SO_FAR = real("alpha_so_far"), real("beta_so_far")
+FREE = tuple(map(str, SO_FAR))
 DRIFT_ALPHA = (ALPHA_SLOPE - NEXT_ALPHA_SLOPE) * THERE
 DRIFT_BETA = (BETA_SLOPE - NEXT_BETA_SLOPE) * THERE
 
@@ -47,18 +49,21 @@ def _sum() -> list[Step]:
     return [
         Step(
             "path",
-            "The recursive update takes the slopes at the last index each time. Its errors add "
-            "up: after a second step, to `Lambda_2`, its gains are too large by the error of the "
-            "first tangent and that of the second.",
+            "The recursive update takes the slopes at the last index each time. Whatever its gains "
+            "`A` and `B` are at `Lambda`: at the next index, `Lambda_2`, of which `e` is `g`, they "
+            "are too large by what they were before and the error of the tangent.",
             equal(
                 row(
-                    FIRST_ALPHA + NEXT_ALPHA_SLOPE * ON - FOLLOWING_ALPHA,
-                    FIRST_BETA + NEXT_BETA_SLOPE * ON - FOLLOWING_BETA,
+                    SO_FAR[0] + NEXT_ALPHA_SLOPE * ON - FOLLOWING_ALPHA,
+                    SO_FAR[1] + NEXT_BETA_SLOPE * ON - FOLLOWING_BETA,
                 ),
-                row(ALPHA_EXCESS + second[0], BETA_EXCESS + second[1]),
+                row(SO_FAR[0] - ALPHA + second[0], SO_FAR[1] - BETA + second[1]),
+                free=FREE,
             ),
-            "Insert. The exact gains between cancel, for any number of steps: the error after `k` "
-            "steps is the sum of `k` tangent errors, none of them negative (step @never-below).",
+            "Insert; the tangents' errors are those of step @excess with `e` and `g` for `n` and "
+            "`e`. From this follows, by induction: from exact gains on, the error after any number "
+            "of steps is the sum of that many tangent errors, none of them negative (step "
+            "@never-below).",
             heading="Derivatives taken anew at each step",
         )
     ]
@@ -68,14 +73,15 @@ def _cycle() -> list[Step]:
     return [
         Step(
             "cycle",
-            "So the gains do not come back with the index. From the nominal index to `Lambda` and "
-            "back they have grown by",
+            "So the gains do not come back with the index. Whatever `A` and `B` they are at the "
+            "nominal index, from there to `Lambda` and back they grow by the last terms:",
             equal(
                 row(
-                    FIRST_ALPHA + NEXT_ALPHA_SLOPE * (NOMINAL - INDEX) - NOMINAL_ALPHA,
-                    FIRST_BETA + NEXT_BETA_SLOPE * (NOMINAL - INDEX) - NOMINAL_BETA,
+                    SO_FAR[0] + ALPHA_SLOPE * THERE + NEXT_ALPHA_SLOPE * (NOMINAL - INDEX),
+                    SO_FAR[1] + BETA_SLOPE * THERE + NEXT_BETA_SLOPE * (NOMINAL - INDEX),
                 ),
-                row(DRIFT_ALPHA, DRIFT_BETA),
+                row(SO_FAR[0] + DRIFT_ALPHA, SO_FAR[1] + DRIFT_BETA),
+                free=FREE,
             ),
             "Both steps are inserted.",
             heading="What a cycle leaves behind",
@@ -83,12 +89,10 @@ def _cycle() -> list[Step]:
         joined("cycle-value", equal(row(DRIFT_ALPHA, DRIFT_BETA), row(*drifts(N, E)))),
         Step(
             "cycle-grows",
-            "That is positive whatever the two indices are, and the same every time. After `k` "
-            "cycles the gains are too large by `k` times that: however small the changes of the "
-            "index, if they go on the gains leave the region of "
-            "stability.",
+            "That is positive whatever the two indices are, as long as they differ.",
             same_sign(DRIFT_ALPHA, THERE**2),
-            "Slopes fall with the index.",
+            "Slopes fall with the index. From this follows with step @cycle: any number of cycles "
+            "between the same two indices makes the gains too large by that many times this.",
         ),
         joined("cycle-grows-beta", same_sign(DRIFT_BETA, THERE**2)),
         Step(
@@ -96,7 +100,9 @@ def _cycle() -> list[Step]:
             "Each cycle takes `2` and `1` of these from `4 - 2 alpha - beta`, which is `4/(1 + "
             "n)` at the start.",
             equal(4 - 2 * NOMINAL_ALPHA - NOMINAL_BETA, 4 / (1 + N)),
-            "Step @margin.",
+            "Step @margin. From this follows: cycles between the same two indices, however near to "
+            "each other these are, make the filter unstable once there are enough of them. (Of "
+            "cycles that become ever smaller nothing is said.)",
         ),
     ]
 
@@ -129,12 +135,14 @@ def _bound() -> list[Step]:
         ),
         Step(
             "bound",
-            "So one step of the index by `h` leaves an error of at most `h` times the change of "
-            "the slope. Along a path on which the index only grows or only falls, in steps of at "
-            "most `h`, these changes add up to that between its ends: the error of the recursive "
-            "update is at most `h` times it, and vanishes with `h`.",
+            "So one step of the index leaves an error of at most its size times the change of the "
+            "slope.",
             same_sign(DRIFT_ALPHA - ALPHA_EXCESS, THERE**2),
-            "Step @halves: what is left is the other error, which is not negative.",
+            "Step @halves: what is left is the other error, which is not negative. From this "
+            "follows with step @path, for a path on which the index only grows or only falls, from "
+            "exact gains on in steps of at most `h`: the slopes' changes have one sign and add up "
+            "to that between the ends, and so the error of the recursive update is at most `h` "
+            "times that. For given ends it vanishes with `h`.",
         ),
         joined("bound-beta", same_sign(DRIFT_BETA - BETA_EXCESS, THERE**2)),
     ]

@@ -19,6 +19,7 @@ from gainproof.derive.updated_gains.steps_mismatch import mismatch_steps
 from gainproof.derive.updated_gains.steps_path import path_steps
 from gainproof.derive.updated_gains.steps_sight import sight_steps
 from gainproof.derive.updated_gains.steps_update import update_steps
+from gainproof.derive.updated_gains.steps_variance import variance_steps
 from gainproof.derive.updated_gains.towers import (
     axis_tower,
     bounds_tower,
@@ -49,6 +50,7 @@ def build() -> Subject:
         *mismatch_steps(),
         *followed_steps(scaled),
         *sight_steps(),
+        *variance_steps(),
         *kernel_steps(made),
     )
     towers = (

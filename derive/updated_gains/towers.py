@@ -22,10 +22,12 @@ from gainproof.derive.updated_gains.names import (
     BETA_SLOPE,
     FIRST_ALPHA,
     FIRST_BETA,
+    FOLLOWING,
     INDEX,
     NOMINAL,
     NOMINAL_ALPHA,
     NOMINAL_BETA,
+    RATIO,
     E,
     G,
     K,
@@ -59,7 +61,9 @@ def main_tower() -> Tower:
         "backward_beta_excess": backward[1],
         "position_variance": 1 / INDEX**2,
         "nominal_variance": 1 / NOMINAL**2,
-        **held_covariances(N, INDEX / NOMINAL),
+        "following_variance": 1 / FOLLOWING**2,
+        "index_ratio": INDEX / NOMINAL,
+        **held_covariances(N, RATIO),
     }
     return Tower("main", tuple(Parameter(name) for name in "eng"), (), elements)
 
@@ -72,7 +76,8 @@ def within_tower() -> Tower:
     elements |= {
         "first_order_alpha": NOMINAL_ALPHA + ALPHA_SLOPE * (INDEX - NOMINAL),
         "first_order_beta": NOMINAL_BETA + BETA_SLOPE * (INDEX - NOMINAL),
-        **held_covariances(N, INDEX / NOMINAL),
+        "index_ratio": INDEX / NOMINAL,
+        **held_covariances(N, RATIO),
         **followed_covariances(),
     }
     return Tower(WITHIN, (Parameter("n"), Parameter("k")), (), elements)
@@ -99,16 +104,21 @@ def bounds_tower() -> Tower:
         "beta_place": (U + 2 * N + 1) / 2,
         "alpha_bound": (S + N - 1) ** 2 / (S + N + 1),
         "beta_bound": (U + 2 * N + 1) ** 2 / (U + 2 * N + 3),
-        "variance_bound": N * (N + 2 + V) / (1 + N),
+        "variance_ratio": (N + 2 + V) / (2 * N),
     }
     return Tower(BOUNDS, (Parameter("n"),), generators, elements)
 
 
 def circle_tower() -> Tower:
-    """The angle of the line of sight, from 0 to below half a turn, by the tangent of its half."""
-    tau = sp.Symbol("half_tangent", real=True)
-    elements = {"cosine": (1 - tau**2) / (1 + tau**2), "sine": 2 * tau / (1 + tau**2)}
-    return Tower(CIRCLE, (Parameter("half_tangent", above=None, start="0"),), (), elements)
+    """Two angles of the line of sight, from 0 to below half a turn, by the tangents of halves."""
+    elements: Elements = {}
+    parameters = []
+    for prefix in ("", "later_"):
+        tau = sp.Symbol(f"{prefix}half_tangent", real=True)
+        elements[f"{prefix}cosine"] = (1 - tau**2) / (1 + tau**2)
+        elements[f"{prefix}sine"] = 2 * tau / (1 + tau**2)
+        parameters.append(Parameter(str(tau), above=None, start="0"))
+    return Tower(CIRCLE, tuple(parameters), (), elements)
 
 
 def sight_tower() -> Tower:

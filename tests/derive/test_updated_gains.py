@@ -66,10 +66,14 @@ def scaled(data: Plain, tower: str, name: str, factor: int) -> None:
         ("main", "nominal_variance", {"variance", "convex"}),
         ("within", "followed_updated_22", {"followed-updated"}),
         ("within", "first_order_alpha", {"within-first-order"}),
-        ("bounds", "variance_bound", {"variance-bound", "variance-bound-ratio"}),
+        ("bounds", "variance_ratio", {"variance-bound", "variance-bound-ratio"}),
         ("bounds", "alpha_bound", {"bound-indices", "alpha-bound-small"}),
         ("axis", "axis_index", {"axis-index", "axis-index-root"}),
-        ("circle", "cosine", {"circle", "sight-decoupled", "sight-loop"}),
+        ("circle", "cosine", {"circle", "sight-decoupled", "sight-loop", "mixture"}),
+        ("circle", "later_sine", {"later-circle", "sight-turning"}),
+        ("main", "following_variance", {"between", "between-variances"}),
+        ("main", "index_ratio", {"held-predicted", "held-predicted-value"}),
+        ("within", "index_ratio", {"followed-ratio"}),
         ("sight", "cosine", {"sight-signs"}),
     ],
 )
@@ -91,6 +95,9 @@ FALSE: dict[str, Relation] = {
     "rising-alpha": same_sign(ALPHA - ALPHA_EXCESS, (INDEX - NOMINAL) * (N + E - E**2)),
     "second": equal(sp.Derivative(ALPHA, (INDEX, 2)), sp.Derivative(BETA, (INDEX, 2))),
     "cycle-grows": same_sign(sp.Symbol("alpha_slope", real=True), NOMINAL - INDEX),
+    "between": same_sign(
+        sp.Symbol("alpha", real=True), sp.Symbol("nominal_variance", real=True) - 1
+    ),
     "followed-updated-11": same_sign(
         sp.Symbol("held_updated_11", real=True) - sp.Symbol("followed_updated_11", real=True),
         (INDEX - NOMINAL) ** 2,
