@@ -201,8 +201,8 @@ def test_gains_that_are_not_stable_are_told(capsys: Capture) -> None:
         ),
         ("0,20,370,50,1\n", "line 2, column 3 (bearing): wanted a bearing within one turn"),
         ("0,1e15,10,50,1\n", "line 2, column 2 (range): wanted a number above 0, from"),
-        ("1e10,20,10,50,1\n", "line 2, column 1 (time): wanted a time of magnitude up to 1e+09 s"),
-        ("1e10,,,,\n", "line 2, column 1 (time): wanted a time of magnitude up to 1e+09 s"),
+        ("1e12,20,10,50,1\n", "line 2, column 1 (time): wanted a time of magnitude up to 1e+11 s"),
+        ("1e12,,,,\n", "line 2, column 1 (time): wanted a time of magnitude up to 1e+11 s"),
         (GOOD + "1e-9,20,11,50,1\n", "line 3, column 1 (time): scans are at least 1e-06 s apart"),
         (GOOD + "1e-9,,,,\n", "line 3, column 1 (time): scans are at least 1e-06 s apart"),
         ("", "there is no line below the column names"),
@@ -303,3 +303,41 @@ def test_a_variance_below_0_is_refused_with_its_detection(
     told = refused(capsys, "--json")
     assert "d.csv, line 4: the variance of x after this detection is to be above 0" in told
     assert "got -" in told
+
+
+@pytest.mark.usefixtures("folder")
+def test_times_are_told_as_they_were_read(capsys: Capture) -> None:
+    times = (
+        "999999999.1",
+        "999999999.2",
+        "999999999.3",
+        "1700000000",
+        "1700000000.25",
+        "99999999999",
+    )
+    Path("d.csv").write_text(HEAD + "".join(f"{time},20,10,50,1\n" for time in times))
+    assert tracked("--out", "t.csv", "--json", file="d.csv") == 0
+    (track,) = json.loads(capsys.readouterr().out)["tracks"][:1]
+    assert [track["first_s"], track["last_s"]] == [999999999.1, 99999999999]
+    with Path("t.csv").open() as stream:
+        assert tuple(row["time [s]"] for row in csv.DictReader(stream)) == times
+    assert tracked(file="d.csv") == 0
+    assert "999999999.1  99999999999  " in capsys.readouterr().out
+
+
+@pytest.mark.usefixtures("folder")
+def test_the_time_of_the_first_scan_changes_nothing(capsys: Capture) -> None:
+    """Unix time, in steps that float64 has exactly."""
+    head, *rest = Path("detections.csv").read_text().splitlines()
+    cells = [line.split(",", 1) for line in rest]
+    moved = [f"{int(time) + 1_700_000_000},{others}" for time, others in cells]
+    Path("d.csv").write_text("\n".join([head, *moved]) + "\n")
+    told = []
+    for file in ("detections.csv", "d.csv"):
+        assert tracked("--json", file=file) == 0
+        told.append(json.loads(capsys.readouterr().out))
+    for first, second in zip(*(each["tracks"] for each in told), strict=True):
+        for name in ("first_s", "last_s"):
+            assert second.pop(name) == first.pop(name) + 1_700_000_000
+        assert first == second
+    assert told[0]["detections"] == told[1]["detections"]

@@ -12,7 +12,14 @@ from gainproof.tables.csv_table import CsvTable, read
 from gainproof.tables.kind import ANGLES, LENGTHS, TIMES, Kind
 from gainproof.tracking.arrays import Ints, Reals
 from gainproof.tracking.conversion import NoCovarianceError
-from gainproof.tracking.scans import LEAST_INTERVAL, DetectionError, Scans, TwiceError, scans
+from gainproof.tracking.scans import (
+    LEAST_INTERVAL,
+    MOST_TIME,
+    DetectionError,
+    Scans,
+    TwiceError,
+    scans,
+)
 
 COLUMNS = {
     "time": Kind(TIMES, needed=True),
@@ -60,7 +67,7 @@ def read_file(path: Path, given: tuple[float | None, float | None] = (None, None
         raise table.error(int(rows[error.row]), "range", message) from None
     except DetectionError as error:
         if error.field == "empty":
-            row = int(empty[np.argmin(np.abs(time[empty]) <= 1e9)])
+            row = int(empty[np.argmin(np.abs(time[empty]) <= MOST_TIME)])
             raise table.error(row, "time", str(error)) from None
         raise table.error(int(rows[error.row]), error.field, str(error)) from None
     return FromFile(found, table, rows)

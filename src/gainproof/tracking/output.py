@@ -12,6 +12,7 @@ import numpy as np
 from gainproof.tracking.files import FromFile
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import Course
+from gainproof.tracking.time_text import time_text
 from gainproof.tracking.tracker import Followed
 
 UNASSIGNED = "unassigned"
@@ -38,7 +39,7 @@ def csv_text(given: FromFile, found: Followed) -> str:
     for row, i in enumerate(place.tolist()):
         cells = [
             str(given.table.lines[int(given.rows[row])]),
-            f"{times[i]:.9g}",
+            time_text(times[i]),
             f"{scans.polar.range[i]:.9g}",
             f"{degrees[i]:.9g}",
             _name(int(found.track[i])),

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from gainproof.tracking.scans import Scans
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import Course
+from gainproof.tracking.time_text import time_text
 from gainproof.tracking.tracker import Followed
 
 WIDTH = 96
@@ -51,8 +52,8 @@ def _row(each: Course) -> tuple[str, ...]:
     deviation = max(float(each.deviation[0]), float(each.deviation[2]))
     return (
         str(each.number),
-        f"{each.first:g}",
-        f"{each.last:g}",
+        time_text(each.first),
+        time_text(each.last),
         str(each.detections),
         str(each.missed),
         f"{each.state[0]:.0f}",

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 from gainproof.tracking.arrays import Ints, Reals
 from gainproof.tracking.measured import Polar
 
-MOST_TIME = 1e9
+MOST_TIME = 1e11
+"""s, of either sign: Unix time is taken; only differences enter."""
 LEAST_INTERVAL = 1e-6
 MOST_RANGE = 1e12
 FULL_TURN = 2 * np.pi
