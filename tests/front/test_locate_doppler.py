@@ -135,3 +135,31 @@ def test_cells_that_are_missing_or_twice_are_named(
         assert "d.csv, line 2, column" in message
         assert why in message
     assert rows
+
+
+@pytest.mark.parametrize(
+    ("shift", "carrier"), [("-9400", "9.4 kHz"), ("9400", "9.4 kHz"), ("2e6", "9.4 kHz")]
+)
+def test_a_shift_of_the_carrier_or_more_is_refused(
+    rows: list[dict[str, str]], shift: str, carrier: str, capsys: Capture
+) -> None:
+    """No target goes as fast as light; the usual mistake is the unit of the carrier."""
+    lines = as_shifts(rows).splitlines()
+    lines[0] = lines[0].replace("doppler [kHz]", "doppler [Hz]", 1)
+    cells = [line.split(",") for line in lines[1:]]
+    for row, cell in zip(cells, ("1", "-2", shift, "3"), strict=True):
+        row[3] = cell
+    Path("d.csv").write_text("\n".join([lines[0], *(",".join(row) for row in cells)]) + "\n")
+    assert cli.main(["locate", "d.csv", "stations.csv", "--carrier", carrier]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "d.csv, line 4, column 4 (doppler): wanted a shift below the carrier" in captured.err
+    assert f"got {float(shift):g} Hz at a carrier of 9400 Hz" in captured.err
+
+
+def test_a_shift_just_below_the_carrier_is_taken(rows: list[dict[str, str]]) -> None:
+    head = "station,doppler [Hz],sigma_doppler [Hz],carrier [kHz]"
+    Path("d.csv").write_text(
+        f"{head}\n" + "".join(f"{row['station']},9399,1,9.4\n" for row in rows)
+    )
+    assert cli.main(["locate", "d.csv", "stations.csv", "--method", "doppler-only"]) != 2

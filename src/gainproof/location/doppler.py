@@ -72,7 +72,16 @@ def with_rates(seen: CsvTable, carrier: float | None, *, own_covariance: bool) -
             continue
         if rates[row] is not None:
             raise seen.error(row, "doppler", "there is a range_rate too: one of them")
-        per_rate = shift_of_rate(_carrier(seen, row, carrier))
+        own = _carrier(seen, row, carrier)
+        if abs(shift) >= own:
+            # then the range rate is that of light or more
+            raise seen.error(
+                row,
+                "doppler",
+                f"wanted a shift below the carrier, got {shift:g} Hz at a carrier of {own:g} Hz; "
+                "are the units of both right?",
+            )
+        per_rate = shift_of_rate(own)
         deviation = seen.numbers("sigma_doppler")[row]
         if deviation is None:
             raise seen.error(row, "sigma_doppler", "the cell is empty, doppler has a number")
