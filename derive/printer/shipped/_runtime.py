@@ -33,12 +33,13 @@ def evaluate(
     outside their domain (NaN included), shapes that do not fit, or arrays in `out` that are not as
     many as the outputs, of another shape or type, read-only, or that share memory.
     """
-    inputs = _as_real(kernel, given)
-    shape = _common_shape(kernel, inputs)
-    length = block_length(kernel)
-    flat = [_constant(x, shape, length) if x.size == 1 else _flat(x, shape) for x in inputs]
-    kind = inputs[0].dtype
     with np.errstate(all="ignore"):
+        # a signalling NaN warns as soon as it is widened
+        inputs = _as_real(kernel, given)
+        shape = _common_shape(kernel, inputs)
+        length = block_length(kernel)
+        flat = [_constant(x, shape, length) if x.size == 1 else _flat(x, shape) for x in inputs]
+        kind = inputs[0].dtype
         if out is None:
             results = [np.empty(shape, kind) for _ in kernel.outputs]
         else:

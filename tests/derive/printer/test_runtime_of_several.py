@@ -171,3 +171,13 @@ def test_three_inputs_are_taken() -> None:
     found = function_of(kernel)(np.ones((2, 1, 1)), np.ones((3, 1)), [3.0, 8.0])
     assert found[0].shape == (2, 3, 2)
     assert found[0][1, 2].tolist() == [2, 3]
+
+
+def test_no_warning_of_a_number_that_signals() -> None:
+    """float32 beside float64 is widened, where a signalling NaN is an invalid operation."""
+    signals = np.array([0x7F800001], np.uint32).view(np.float32)
+    with warnings.catch_warnings(), np.errstate(all="raise"):
+        warnings.simplefilter("error")
+        for bad in (signals, signals[0], [signals[0], 1.0]):
+            with pytest.raises(ValueError, match=r"x must be .*got nan"):
+                pair()(bad, 1.0)
