@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -143,13 +145,40 @@ def test_a_target_faster_than_the_fastest_is_not_begun(speed: float, expected: l
     assert found.track.tolist() == expected
 
 
-def test_the_nominal_point_has_the_mean_of_both_variances() -> None:
-    """To first order in the noise, which is small beside the range."""
-    given = scans([0.0, 4.0], [20e3, 30e3], [0.0, 0.0], 50.0, 0.01)
+def spread_of_draws(far: float, sigmas: tuple[float, float]) -> float:
+    """Deviation of x of a target at 45 degrees, from draws: what the modified one is about."""
+    noise = np.random.default_rng(8).standard_normal((2, 200_000))
+    drawn_range, angle = far + sigmas[0] * noise[0], np.pi / 4 + sigmas[1] * noise[1]
+    return float(np.std(np.concatenate([drawn_range * np.sin(angle), drawn_range * np.cos(angle)])))
+
+
+def spread_of_differences(far: float, sigmas: tuple[float, float]) -> float:
+    """The same to first order in the noise, by differences: what the classical one is about."""
+    h = 1e-4
+    along = (far * (1 + h) - far * (1 - h)) / (2 * h * far) * np.sin(np.pi / 4)
+    across = far * (np.sin(np.pi / 4 + h) - np.sin(np.pi / 4 - h)) / (2 * h)
+    return float(np.hypot(along * sigmas[0], across * sigmas[1]))
+
+
+@pytest.mark.parametrize("bearing_deviation", [0.01, 0.5])
+@pytest.mark.parametrize(
+    ("conversion", "spread", "rel"),
+    [
+        ("modified-unbiased", spread_of_draws, 5e-3),
+        ("classical", spread_of_differences, 1e-7),
+    ],
+)
+def test_the_nominal_point_is_that_of_the_chosen_conversion(
+    conversion: str,
+    spread: Callable[[float, tuple[float, float]], float],
+    rel: float,
+    bearing_deviation: float,
+) -> None:
+    given = scans([0.0, 4.0], [20e3, 30e3], [0.0, 0.0], 50.0, bearing_deviation)
     for chosen, far in ((None, 25e3), (40e3, 40e3)):
-        point = nominal_point(given, Settings(nominal_range=chosen))
-        index = 0.98 * 16 / ((50.0**2 + (0.01 * far) ** 2) / 2) ** 0.5
-        assert point.index.tolist() == pytest.approx([index, index], rel=1e-12)
+        point = nominal_point(given, Settings(nominal_range=chosen, conversion=conversion))
+        index = 0.98 * 16 / spread(far, (50.0, bearing_deviation))
+        assert point.index.tolist() == pytest.approx([index, index], rel=rel)
 
 
 def test_nothing_detected_gives_no_track() -> None:

@@ -12,6 +12,7 @@ from gainproof.figures.patent_scene import (
     INTERVAL,
     NOMINAL,
     SPEED,
+    diagonal_index,
     nominal_points,
     polar,
 )
@@ -104,14 +105,14 @@ def _gains(which: str, meaning: str) -> Table:
     return Table(f"{meaning} against the range", tuple(columns), numbers, OURS)
 
 
-def _alpha_one(nominal_index: float) -> float:
-    """Where the index has reached the limit of the derivation updated-gains; 0 where it never does
-    at these ranges.
+def _alpha_one(nominal_index: float) -> float | str:
+    """Where the index has reached the limit of the derivation updated-gains; "never" where it does
+    so at none of these ranges.
     """
     limit = float(updated_gains.update_limits(nominal_index).alpha_one_ratio) * nominal_index
     far = np.linspace(NEAREST, FARTHEST, 99_001)
     beyond = far[_index(far) > limit]
-    return float(beyond.max(initial=0.0))
+    return float(beyond.max()) if beyond.size else "never"
 
 
 def _stepped(start: Point, name: str, far: Reals, which: str) -> Reals:
@@ -130,8 +131,7 @@ def _stepped(start: Point, name: str, far: Reals, which: str) -> Reals:
 
 def _index(far: Reals) -> Reals:
     """Of x at 45 degrees."""
-    found = converted(polar(far, np.full_like(far, np.pi / 4)), CONVERSION)
-    return tracking_index(ACCELERATION, INTERVAL, found.variances)[..., 0]
+    return diagonal_index(far)[..., 0]
 
 
 def _of(point: Point, which: str) -> Reals:

@@ -13,8 +13,9 @@ import numpy as np
 
 from gainproof.figures.table import Reals
 from gainproof.tracking.conversion import DEFAULT, converted
-from gainproof.tracking.gains import Point, exact_point, tracking_index
+from gainproof.tracking.gains import Point, exact_point
 from gainproof.tracking.measured import Measured, Polar
+from gainproof.tracking.nominal import diagonal, index_of
 
 ACCELERATION = 0.98
 """sigma_w, m/s^2."""
@@ -114,10 +115,14 @@ def polar(far: Reals, bearing: Reals) -> Polar:
 
 def nominal_points() -> dict[str, Point]:
     """The gains of each nominal point, arrays (1, 2)."""
-    far = np.array([*NOMINAL.values()])
-    found = converted(polar(far, np.full_like(far, np.pi / 4)), CONVERSION)
-    point = exact_point(tracking_index(ACCELERATION, INTERVAL, found.variances))
+    point = exact_point(diagonal_index(np.array([*NOMINAL.values()])))
     return {name: point.part([i]) for i, name in enumerate(NOMINAL)}
+
+
+def diagonal_index(far: Reals) -> Reals:
+    """(n, 2): of x and y at these ranges and a bearing of 45 degrees."""
+    given = diagonal(far, RANGE_DEVIATION, BEARING_DEVIATION)
+    return index_of(given, ACCELERATION, INTERVAL, CONVERSION)
 
 
 def _times() -> Reals:
