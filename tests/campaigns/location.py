@@ -2,7 +2,7 @@
 
     python tests/campaigns/location.py [--runs N] [--seed N] [--false-alarm P] [--trust P]
 
-For every set of biases of B1 to B4 in m: RMS errors with n_b = 0, 2 and 4 ranges taken as clean and
+For every set of biases of B1 to B4 in m: RMS errors with 0, 2 and 4 ranges taken as clean and
 with those that the test (55) chooses, beside the deviations of the covariance; how often each range
 is called biased, beside the noncentral chi-square distribution. What theory says something of is
 compared with it; if all is as theory says, `--trust` is how often the campaign, all comparisons

@@ -30,7 +30,7 @@ def test_errors_are_those_that_the_covariance_promises() -> None:
         share = table[f"rms_{name}"][known] / table[f"promised_{name}"][known]
         assert known.sum() == 11
         assert np.abs(share - 1).max() < 4.5 / np.sqrt(2 * 200)
-    biased = [row for row, name in enumerate(table.words("ranges")) if name == "n_b = 4"]
+    biased = [row for row, name in enumerate(table.words("ranges")) if name == "4 clean ranges"]
     assert np.isfinite(table["promised_x_m"][biased]).tolist() == [True] + [False] * 5
 
 
@@ -50,7 +50,7 @@ def test_detection_rates_are_those_of_the_noncentral_chi_square() -> None:
 
 
 def test_ellipses_hold_the_draws() -> None:
-    """Of bias detection 95 %, off by the sampling; of n_b = 4 the area is the least."""
+    """Of bias detection 95 %, off by the sampling; of 4 clean ranges the area is the least."""
     table = example.geometry()
     what = np.array(table.words("what"))
     points = np.stack([table["x_m"], table["y_m"]], axis=1)

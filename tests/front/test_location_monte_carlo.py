@@ -32,7 +32,7 @@ def test_errors_and_detection_rates_are_those_of_theory(biases: tuple[float, ...
     assert worst.off < allowed(everything), worst
     assert all(each.converged == 1 for each in outcome.errors)
     rms = {each.name: each.rms for each in outcome.errors}
-    assert (rms["n_b = 2"][:2] < rms["n_b = 0"][:2]).all()
+    assert (rms["2 clean ranges"][:2] < rms["0 clean ranges"][:2]).all()
 
 
 def test_another_noise_than_the_covariance_says_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.result import Location
 from gainproof.location.stations import Stations
+from gainproof.tracking.gating import threshold
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
 SIZE = (7.4, 3.9)
 TARGET, BIASED, CLEAN, FIRST = "#b5482a", "#b5482a", "#1f4e79", "0.5"
-LEVELS = ((1.0, "39 %"), (2.4477, "95 %"))
+LEVELS = ((1.0, "39 %"), (threshold(0.95) ** 0.5, "95 %"))
 """Radii of an ellipse in deviations, with the probability inside, of two coordinates."""
 
 

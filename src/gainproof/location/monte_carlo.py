@@ -73,13 +73,13 @@ class Compared:
 
 
 def simulate(biases: Sequence[float], runs: int, seed: int, false_alarm: float) -> Outcome:
-    """n_b = 0 (bias detection), 2 (B1 and B2 clean), 4 (no bias), and what the test chooses."""
+    """0 (bias detection), 2 (B1 and B2) and 4 clean ranges (no bias), and what the test chooses."""
     given = tuple(float(bias) for bias in biases)
     observed = drawn(given, runs, seed)
     every = _asked(range(4))
     states, converged = _iterated(every, observed)
-    found = [_errors("n_b = 0", range(4), given, states, converged)]
-    for name, biased in (("n_b = 2", (2, 3)), ("n_b = 4", ())):
+    found = [_errors("0 clean ranges", range(4), given, states, converged)]
+    for name, biased in (("2 clean ranges", (2, 3)), ("4 clean ranges", ())):
         found.append(_errors(name, biased, given, *_iterated(_asked(biased), observed)))
     called = _called(every, states, observed, false_alarm)
     estimates, settled = adaptive(observed, called, states)

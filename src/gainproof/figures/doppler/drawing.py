@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 ERRORS_SIZE, RATES_SIZE, GEOMETRY_SIZE = (7.6, 4.3), (6.3, 4.2), (7.6, 4.2)
-MARKS = {"n_b = 0": "s", "n_b = 2": "^", "n_b = 4": "v", "adaptive": "o"}
+MARKS = {"0 clean ranges": "s", "2 clean ranges": "^", "4 clean ranges": "v", "adaptive": "o"}
 COLOURS = dict(zip(MARKS, (look.DARK, look.LIGHT, look.GREY, look.MIDDLE), strict=True))
 MEANT = {
-    "n_b = 0": "$n_b=0$: bias detection",
-    "n_b = 2": "$n_b=2$: B1, B2 known to be clean",
-    "n_b = 4": "$n_b=4$: no bias",
+    "0 clean ranges": "none known to be clean: bias detection",
+    "2 clean ranges": "B1, B2 known to be clean",
+    "4 clean ranges": "all four known to be clean: no bias",
     "adaptive": "adaptive: what the test finds",
 }
 
@@ -58,7 +58,7 @@ def _errors(axes: Axes, table: Table, names: tuple[str, str], title: str) -> Non
         wanted = np.hypot(*(table[f"promised_{each}"][rows] for each in names))
         at = places + 0.17 * (number - 1.5)
         axes.plot(at, found, MARKS[name], color=COLOURS[name], ms=5.5, label=MEANT[name], zorder=3)
-        told = "by the covariance" if name == "n_b = 0" else None
+        told = "by the covariance" if name == "0 clean ranges" else None
         axes.plot(at, wanted, "_", color="black", ms=12, mew=1.1, label=told, zorder=2)
     axes.grid(True, axis="y")
     axes.set_title(f"RMS error of the {title}")
@@ -108,7 +108,7 @@ def draw_geometry(table: Table, sheet: Figure) -> None:
     dashes = (look.SOLID, look.DASHED, look.DOTTED)
     for (name, _), each, colour in zip(MODELS, dashes, ("0.25", look.DARK, "black"), strict=True):
         rows = what == name
-        label = f"95 %, {MEANT[name].replace('no bias', 'all clean')}"
+        label = f"95 %, {MEANT[name].replace(': no bias', '')}"
         line = look.Look(colour, each, label, 1.5).line
         right.plot(table["x_m"][rows], table["y_m"][rows], zorder=4, **line)
     look.framed(right, "x less the truth (m)", "y less the truth (m)")

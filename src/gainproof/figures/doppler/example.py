@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gainproof.figures.table import Column, Table, Words
-from gainproof.location.drawing import ellipse
+from gainproof.location.drawing import LEVELS, ellipse
 from gainproof.location.example import POSITION, STATIONS, VELOCITY
 from gainproof.location.monte_carlo import (
     adaptive,
@@ -30,9 +30,9 @@ SETS = (
 RUNS, CURVE_RUNS, POINTS = 5000, 2000, 600
 BIASES = (0.0, 0.0, 120.0, 90.0)
 """Of the drawn points."""
-MODELS = (("n_b = 0", (0, 1, 2, 3)), ("n_b = 2", (2, 3)), ("n_b = 4", ()))
+MODELS = (("0 clean ranges", (0, 1, 2, 3)), ("2 clean ranges", (2, 3)), ("4 clean ranges", ()))
 """How many ranges are known to be clean, and the stations with a bias."""
-RADIUS = 2.4477
+RADIUS = LEVELS[-1][0]
 """95 % of two coordinates."""
 STATE = ("x", "y", "vx", "vy")
 UNITS = ("m", "m", "m_s", "m_s")
@@ -77,7 +77,7 @@ def monte_carlo() -> Table:
             ),
             "The source has the deviations of table 1 and no draws.",
             (
-                "n_b = 0: bias detection; 2: B1 and B2 known to be clean; 4: no bias anywhere; "
+                "Ranges known to be clean, 0: bias detection; 2: B1 and B2; 4: no bias anywhere; "
                 "adaptive: the biases that the test finds."
             ),
         ),
@@ -158,7 +158,7 @@ def geometry() -> Table:
             "draws in which exactly B3 and B4 are called biased": float(right.mean()),
         },
         (
-            "Ellipses hold 95 %: with n_b = 0, 2, 4 ranges known to be clean, at the truth.",
+            "Ellipses hold 95 %: with 0, 2, 4 ranges known to be clean, at the truth.",
             (
                 f"Ours: {POINTS} draws of noise, seed {SEED}, with biases of {_told(BIASES)} m of "
                 "B1 to B4."
