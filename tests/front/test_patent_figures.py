@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from functools import cache
@@ -88,7 +89,61 @@ def test_limits_are_where_the_gains_of_the_recursion_say() -> None:
             )
     name_of = "range (m) within which the constant update has alpha above 1"
     shown = patent_gains.figure_6().numbers[name_of]
-    assert [round(shown[name] / 1e3, 1) for name in ("far", "middle", "near")] == [7.5, 4.6, 0.0]
+    assert [round(shown[name] / 1e3, 1) for name in ("far", "middle")] == [7.5, 4.6]
+    assert shown["near"] == "never"
+
+
+def index_at(far: float) -> tuple[float, float, float]:
+    """Along the line of sight, across it and of x at 45 degrees: by moments of the noise at the
+    measurement, which is normal. The mean of cos(2 v) is exp(-2 s^2), v of deviation s.
+    """
+    square, s = far**2 + 50.0**2, math.radians(1.0)
+    mean = far * math.exp(-(s**2) / 2)
+    along = square * (1 + math.exp(-2 * s**2)) / 2 - mean**2
+    across = square * -math.expm1(-2 * s**2) / 2
+    first, second, third = (0.98 * 25 / x**0.5 for x in (along, across, (along + across) / 2))
+    return first, second, third
+
+
+def test_the_page_has_the_indices_and_ratios_of_the_moments() -> None:
+    """Where alpha passes 1 and the filter is unstable: on the tangent of the recursion's gains."""
+    text = " ".join(PAGE.read_text(encoding="utf-8").split())
+    at_80, at_40, at_5, near = (index_at(far) for far in (80e3, 40e3, 5e3, 1e3))
+    crossed = {}
+    for name, nominal in (("far", at_80[2]), ("middle", at_40[2])):
+        (a, b), (da, db) = plain.steady_gains(nominal), plain.steady_slopes(nominal)
+        crossed[name] = (
+            1 + (1 - a) / (da * nominal),
+            1 + (4 - 2 * a - b) / ((2 * da + db) * nominal),
+        )
+    far, middle = crossed["far"], crossed["middle"]
+    within = next(d for d in range(80_000, 1_000, -10) if index_at(d)[0] > far[1] * at_80[2])
+    assert index_at(100e3)[0] > far[0] * at_80[2]
+    assert index_at(100e3)[0] > middle[0] * at_40[2]
+    assert near[0] < middle[1] * at_40[2]
+    for words in (
+        f"the index of x and y at 45° grows from {at_80[2]:.3f} to {at_5[2]:.2f} (figure 5)",
+        f"at 80 km the index along is {at_80[0] / at_80[1]:.0f} times that across",
+        f"from {near[0]:.2f} near the radar to {at_80[0]:.2f} at 80 km",
+        f"{near[0] / at_80[2]:.1f} to {at_80[0] / at_80[2]:.1f} times that of the far nominal",
+        f"Alpha exceeds 1 from {far[0]:.1f} times on, so at any range up to 100 km",
+        f"unstable from {far[1]:.1f} times on, so within {within / 1e3:.1f} km",
+        f"whose index is {at_40[2]:.3f}, it is {near[0] / at_40[2]:.1f} times at most",
+        f"(from {middle[0]:.1f} times on), and unstable ({middle[1]:.1f}) it is at no range",
+    ):
+        assert words in text
+
+
+def test_the_page_has_the_indices_and_ratios_of_the_kernels() -> None:
+    """Those numbers of the page are what its figures show."""
+    table, limits = patent_gains.figure_5(), patent_limits.limits().numbers
+    for far in (1e3, 5e3, 40e3, 80e3):
+        (row,) = np.flatnonzero(table["range_m"] == far)
+        told = [table[f"index_{name}"][row] for name in ("along", "across", "45")]
+        assert told == pytest.approx(index_at(far), rel=1e-6)
+    assert limits["ratios at the far nominal point"]["unstable_ratio"] == pytest.approx(
+        18.988, abs=1e-3
+    )
 
 
 def test_the_recursive_update_drifts_upwards() -> None:

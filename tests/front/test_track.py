@@ -168,7 +168,7 @@ def test_where_nothing_is_followed_the_status_is_1(capsys: Capture) -> None:
 @pytest.mark.usefixtures("folder")
 def test_gains_that_are_not_stable_are_told(capsys: Capture) -> None:
     assert tracked("--filter", "first-order-constant", "--nominal-range", "400e3") == 0
-    assert "updates with exact gains: those of first order were no stable" in (
+    assert "updates with exact gains: those of first order were not stable with alpha at" in (
         capsys.readouterr().out.replace("\n  ", " ")
     )
 

@@ -8,7 +8,7 @@ import pytest
 
 from gainproof.tracking import FILTERS, Scans, Settings, followed, scans
 from gainproof.tracking.conversion import converted
-from gainproof.tracking.gains import constant_point, exact_point, is_stable, limited
+from gainproof.tracking.gains import constant_point, exact_point, is_usable, limited
 from gainproof.tracking.nominal import nominal_point
 
 SIGMA = 0.98
@@ -127,7 +127,7 @@ def test_gains_of_first_order_that_are_not_stable_are_replaced_and_counted() -> 
     assert far_off.alpha[1, 0] > 1
     found, others = limited(far_off)
     assert others == 2
-    assert is_stable(found).all()
+    assert is_usable(found).all()
     exact = exact_point(far_off.index)
     assert found.alpha[1, 0] == exact.alpha[1, 0]
     assert found.alpha[1, 1] == far_off.alpha[1, 1]

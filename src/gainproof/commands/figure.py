@@ -74,10 +74,16 @@ def _list(options: argparse.Namespace) -> int:
 def _told(name: str, value: object) -> str:
     if isinstance(value, dict):
         return "\n".join([f"{name}:", *(f"  {key}: {_short(part)}" for key, part in value.items())])
-    return f"{name}: {value}"
+    return f"{name}: {_short(value)}"
 
 
-def _short(number: float) -> str:
-    """Four digits behind the point of a share, fewer of what is larger."""
+def _short(number: object) -> str:
+    """Four digits behind the point of a share, fewer of what is larger; words and whole numbers as
+    they are.
+    """
+    if not isinstance(number, float):
+        return str(number)
+    if 0 < abs(number) < 5e-5:
+        return f"{number:.2g}"
     places = next((p for p, limit in ((4, 1), (2, 10)) if abs(number) < limit), 1)
     return f"{number:.{places}f}"

@@ -21,7 +21,7 @@ from gainproof.tracking.conversion import converted
 from gainproof.tracking.gains import (
     Point,
     exact_point,
-    is_stable,
+    is_usable,
     recursive_point,
     tracking_index,
 )
@@ -53,11 +53,11 @@ def drift() -> Table:
     index = tracking_index(ACCELERATION, INTERVAL, converted(measured, CONVERSION).variances)
     index = index[..., 1]
     last = exact_point(index[0])
-    alpha, stable = [last.alpha], [np.ones((len(PLACES), RUNS), np.bool_)]
+    alpha, usable = [last.alpha], [np.ones((len(PLACES), RUNS), np.bool_)]
     for k in range(1, SAMPLES):
         last = recursive_point(last, index[k])
         alpha.append(last.alpha)
-        stable.append(is_stable(last))
+        usable.append(is_usable(last))
     middle = np.moveaxis(np.quantile(np.array(alpha), ENDS, axis=-1), 0, -1)
     exact = _exact(far[:, 0], np.deg2rad(degrees[:, 0]))
     columns = [Column("time_s", "s", INTERVAL * np.arange(float(SAMPLES)))]
@@ -70,7 +70,7 @@ def drift() -> Table:
                 (("low", "exceeded by 97.5 %"), ("median", "median"), ("high", "by 2.5 %"))
             )
         ]
-        shares = np.mean(~np.array(stable)[:, i], -1)
+        shares = np.mean(~np.array(usable)[:, i], -1)
         numbers[f"share of runs with alpha above 1 or unstable, {name}"] = {
             f"after {k * INTERVAL / 60:g} min": float(shares[k]) for k in (60, 180, 360)
         }

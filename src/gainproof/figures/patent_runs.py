@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from statistics import NormalDist
 
 import numpy as np
 
@@ -33,7 +34,7 @@ from gainproof.tracking.gains import (
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import POSITION, VELOCITY, Estimate, predicted, started, updated
 
-NORMAL = 1.959964
+NORMAL = NormalDist().inv_cdf(0.975)
 """Of the two-sided interval of 95 %."""
 NOMINAL_FILTERS = ("fixed", "first-order-recursive", "first-order-constant")
 OTHERS = ("exact", "line-of-sight", "kalman")

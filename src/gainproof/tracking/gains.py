@@ -90,25 +90,25 @@ def young(point: Point, number: Ints) -> Point:
     return Point(point.index, alpha, np.where(first, line.beta, point.beta))
 
 
-def is_stable(point: Point) -> Bools:
-    """Where a filter with these gains forgets its errors: alpha and beta above 0, 2 alpha + beta
-    below 4; and alpha is at most 1, as no smoothed position lies beyond the measured one.
+def is_usable(point: Point) -> Bools:
+    """Where a filter with these gains is stable (alpha and beta above 0, 2 alpha + beta below 4)
+    with alpha at most 1, as no smoothed position lies beyond the measured one.
     """
     alpha, beta = point.alpha, point.beta
     return np.asarray((alpha > 0) & (alpha <= 1) & (beta > 0) & (2 * alpha + beta < 4))
 
 
 def limited(point: Point) -> tuple[Point, int]:
-    """The exact gains where those of a first-order update would leave the stable ones, and in how
-    many tracks that is so.
+    """The exact gains where those of a first-order update are not usable, and in how many tracks
+    that is so.
     """
-    stable = is_stable(point)
-    if stable.all():
+    usable = is_usable(point)
+    if usable.all():
         return point, 0
     exact = exact_point(point.index)
-    alpha = np.where(stable, point.alpha, exact.alpha)
-    beta = np.where(stable, point.beta, exact.beta)
-    return Point(point.index, alpha, beta), int(np.count_nonzero(~stable.all(-1)))
+    alpha = np.where(usable, point.alpha, exact.alpha)
+    beta = np.where(usable, point.beta, exact.beta)
+    return Point(point.index, alpha, beta), int(np.count_nonzero(~usable.all(-1)))
 
 
 def decoupled(point: Point, interval: Reals) -> Reals:
@@ -147,7 +147,7 @@ def kalman(sample: Sample) -> Reals:
 
 class Gain(NamedTuple):
     """The matrices, the points that the next update may start from, and how many tracks got other
-    gains as theirs would not have been stable.
+    gains as theirs would not have been stable with alpha at most 1.
     """
 
     matrix: Reals

@@ -41,7 +41,7 @@ def page(scans: Scans, settings: Settings, found: Followed, told: Sequence[Cours
     if found.limited:
         lines += textwrap.wrap(
             f"warning: {_counted(found.limited, 'update')} with exact gains: those of first order "
-            "were no stable ones there, so far from the nominal point",
+            "were not stable with alpha at most 1 there, so far from the nominal point",
             WIDTH,
             subsequent_indent="  ",
         )

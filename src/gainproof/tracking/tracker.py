@@ -28,7 +28,7 @@ class Followed:
     """What became of detections: track (n,), the number of each one's track, from 0 in the order of
     first detections, -1 for none; state (n, 4) and deviation (n, 4) of that track after it, NaN
     where unknown. tracks: those that were confirmed. limited: updates whose gains of first order
-    were no stable ones.
+    were not stable with alpha at most 1.
     """
 
     track: Ints
