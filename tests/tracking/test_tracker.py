@@ -181,6 +181,14 @@ def test_the_nominal_point_is_that_of_the_chosen_conversion(
         assert point.index.tolist() == pytest.approx([index, index], rel=rel)
 
 
+def test_a_nominal_range_far_from_all_detections_refuses_none() -> None:
+    """At 1e9 m the variances along and across are 1e14 apart; each detection has a covariance."""
+    given = scans([0.0, 4.0], [20e3, 30e3], [0.0, 0.0], 1.0, 0.01)
+    found = followed(given, Settings(nominal_range=1e9))
+    assert np.isfinite(nominal_point(given, Settings(nominal_range=1e9)).alpha).all()
+    assert found.track.tolist() == [-1, -1]
+
+
 def test_nothing_detected_gives_no_track() -> None:
     found = followed(scans([], [], [], *SIGMAS, empty=[0.0, 5.0]), Settings())
     assert found.track.size == found.tracks.size == 0

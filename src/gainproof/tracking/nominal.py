@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gainproof.tracking.arrays import Reals
-from gainproof.tracking.conversion import converted
+from gainproof.tracking.conversion import CONVERSIONS
 from gainproof.tracking.gains import Point, exact_point, tracking_index
 from gainproof.tracking.measured import Polar
 from gainproof.tracking.scans import Scans
@@ -38,5 +38,13 @@ def diagonal(far: Reals, range_deviation: float, bearing_deviation: float) -> Po
 
 
 def index_of(polar: Polar, acceleration: float, interval: float, conversion: str) -> Reals:
-    """(..., 2): the tracking index (18) of x and of y under a conversion's covariance."""
-    return tracking_index(acceleration, interval, converted(polar, conversion).variances)
+    """(..., 2): the tracking index (18) of x and of y under a conversion's covariance.
+
+    Of its variances alone: a nominal point, at a range that may be far from every detection, need
+    have no covariance with digits enough to be inverted.
+    """
+    kernel = CONVERSIONS[conversion]
+    north, east = kernel(
+        polar.range, polar.bearing, polar.range_deviation, polar.bearing_deviation
+    )[2:5:2]
+    return tracking_index(acceleration, interval, np.stack([east, north], -1))
