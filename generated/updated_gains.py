@@ -826,8 +826,8 @@ def line_of_sight_gains(
 ) -> LineOfSightGains:
     """Gains along and across the line of sight, turned into x and y.
 
-        gain_xx = along c^2 + across s^2, gain_xy = (along - across) c s,
-        gain_yy = along s^2 + across c^2: once with both alpha, once with both beta
+        gain_xx = along cosine^2 + across sine^2, gain_xy = (along - across) cosine sine,
+        gain_yy = along sine^2 + across cosine^2: once with both alpha, once with both beta
 
     along: gain along the line of sight; a number at least 1e-30 and at most 1e30, in float32 at
         least 1e-9 and at most 1e9.

@@ -67,7 +67,8 @@ def _function() -> list[Step]:
             "A derivative of `exp(p + i q)` is `p' + i q'` times it, a second one "
             "`p'' + i q'' + (p' + i q')^2`. At `t = 0` `p'` is 0. So the mean of the "
             "range's noise times `exp(i k n)` is "
-            "`i k c lambda^(k^2)`, and that of its square `(sigma_r^2 - k^2 c^2) lambda^(k^2)`.",
+            "`i k c lambda^(k^2)`, and that of its square `(sigma_r^2 - k^2 c^2) lambda^(k^2)`. "
+            "Of either sign, `c` is the difference of two numbers from 0 on, `c_+` and `c_-`.",
             tower="correlated",
         ),
         joined(

@@ -122,7 +122,9 @@ def _moments() -> list[Step]:
             tower="space_correlated",
         ),
         joined(
-            "space-correlated-closed", equal(column(*MEAN), column(*means())), "space_correlated"
+            "space-correlated-closed",
+            equal(column(*MEAN[:2]), column(*means()[:2])),
+            "space_correlated",
         ),
         Step(
             "space-correlated-products",
@@ -144,28 +146,27 @@ def _moments() -> list[Step]:
         ),
         joined(
             "space-correlated-forms",
-            equal(column(*PRODUCT), column(*products())),
+            equal(column(*PRODUCT[:5]), column(*products()[:5])),
             "space_correlated",
         ),
-        joined(
+        Step(
             "space-correlated-signs",
+            "Both covariances are of either sign, the elevation is that of step @space-elevation.",
             equal(
                 column(CA, CE, COS_E, SIN_E),
                 column(
                     *(more - less for more, less in SIGNED.values()),
-                    2 * A / (1 + A**2),
-                    (A**2 - 1) / (1 + A**2),
+                    *(2 * A / (1 + A**2), (A**2 - 1) / (1 + A**2)),
                 ),
             ),
-            "space_correlated",
+            "Of either sign is a difference of two numbers from 0 on, marked `+` and `-`.",
+            tower="space_correlated",
         ),
     ]
 
 
 def _mean(k: int, turns: int, power: int) -> Pair:
-    """Of r_m^power times the point at k times the measured elevation and `turns` times the noise of
-    the azimuth; power 1 or 2.
-    """
+    """Of r_m^power (1 or 2) times the point at k elevations and `turns` noises of the azimuth."""
     c = k * CE + turns * CA
     kept = KEPT_E ** (k * k) * KEPT ** (turns * turns)
     value: Pair = (R, c) if power == 1 else (WHOLE - c**2, 2 * R * c)

@@ -42,28 +42,40 @@ def space_steps() -> list[Step]:
             tower="space",
             heading="In space",
         ),
-        _in_space(
+        Step(
             "space-elevation",
+            "Cosine `c_eta` and sine `s_eta` of the elevation are rational in `a = tan(pi/4 + "
+            "eta/2)`, which is any number above zero.",
             equal(column(COS_E, SIN_E), column(2 * A / (1 + A**2), (A**2 - 1) / (1 + A**2))),
+            "They are sine and, but for the sign, cosine of twice the angle `pi/4 + eta/2`.",
+            tower="space",
         ),
         Step(
             "space-squares",
             "Cosine and sine of the elevation with noise have the mean squares `C_1`, `S_1` and "
-            "the mean product `B_1`; with noise twice `C_2`, `S_2`, `B_2`. `C` and `S` are of the "
-            "azimuth's noise, as in step @squares.",
+            "the mean product `B_1`; with noise twice `C_2`, `S_2`, `B_2`.",
             equal(column(*ONCE, *TWICE), column(*_turned(LE**2), *_turned(LE**4))),
             "Cosine and sine of a sum; the product of the noise's cosine and sine has the mean 0.",
             tower="space",
         ),
         _in_space(
-            "space-doubled", equal(column(*ONCE, *TWICE), column(*squares(LE**2), *squares(LE**4)))
+            "space-doubled",
+            equal(column(*ONCE[:2], *TWICE[:2]), column(*squares(LE**2)[:2], *squares(LE**4)[:2])),
         ),
-        _in_space("space-azimuth", equal(column(COS2, SIN2), column(*azimuth_squares()))),
+        Step(
+            "space-azimuth",
+            "Of the azimuth's noise, as in step @squares.",
+            equal(column(COS2, SIN2), column(*azimuth_squares())),
+            "What the names mean.",
+            tower="space",
+            shown=False,
+        ),
         Step(
             "space-covariance",
             "Given the truth, or given the measurement with the flat prior of step @prior, the "
             "means are `lambda lambda_eta` times the place ahead and `lambda_eta` times the "
-            "height. The covariance `V` in space is, ahead, across, up, and of ahead and up:",
+            "height. The covariance `V` in space is, ahead, across, up, and of ahead and up, with "
+            "`C` and `S` of step @squares:",
             equal(
                 column(*MODIFIED),
                 column(*modified()),

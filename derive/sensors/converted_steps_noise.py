@@ -51,7 +51,7 @@ def turn_steps() -> list[Step]:
         ),
         Step(
             "kept",
-            "Whatever the deviation, this is `1/(1 + l)` with `l` above zero.",
+            "Whatever the deviation, this is `1/(1 + ell)` with `ell` above zero.",
             equal(KEPT, 1 / (1 + LOSS)),
             "Every number between 0 and 1 is of this form, once. Above zero, since without noise "
             "of the azimuth nothing is to be done.",

@@ -139,12 +139,12 @@ def _bound() -> list[Step]:
         ),
         Step(
             "variance-bound",
-            "So the update lowers all four variances while this ratio is below one number, `c_v`, "
-            "and raises all four where it is above, as far as it is stable. Over `v = sqrt(5 n^2 + "
-            "4 n + 4)`:",
+            "So the update lowers all four variances while this ratio, if not 1, is below one "
+            "number, `c_v`, and raises all four where it is above, as far as it is stable. Over "
+            "`v = sqrt(5 n^2 + 4 n + 4)`:",
             equal(SIGN, (BOUND - RATIO) * (RATIO + 1 / BOUND), free=(str(RATIO),)),
             "The quadratic's roots have the product -1 and the sum `1 + 2/n`, which is `sqrt(1 + "
-            "8/L)` for the nominal index `L`.",
+            "8/Lambda_0)`.",
             tower=BOUNDS,
         ),
         joined("variance-bound-value", equal(ratio, (N + 2 + V) / (2 * N)), tower=BOUNDS),

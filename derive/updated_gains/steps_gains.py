@@ -45,8 +45,8 @@ def _index() -> list[Step]:
             "axis-index",
             "Each axis has a filter of its own. A measurement turned from polar to Cartesian "
             "coordinates has another variance `R_i` along each axis and at each range, and so the "
-            "index of axis `i` is, with a random acceleration of deviation `sigma_w` and `d = "
-            "sqrt(R_i)`:",
+            "index of axis `i` is, with a random acceleration of deviation `sigma_w` and "
+            "`sigma_i = sqrt(R_i)`:",
             equal(real("axis_index") ** 2 * real("variance"), w**2 * t**4),
             "`Lambda_i = sigma_w T^2/sqrt(R_i)`.",
             tower=AXIS,

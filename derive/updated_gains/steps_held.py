@@ -69,8 +69,8 @@ def _bounds() -> list[Step]:
     return [
         Step(
             "alpha-bound",
-            "The factor of `alpha` in step @rising-alpha has one positive root in `e`, over `s = "
-            "sqrt(5 n^2 + 10 n + 1)`, and is positive below it:",
+            "The factor of `alpha` in step @rising-alpha has one positive root in `e`, `e_alpha`, "
+            "over `s = sqrt(5 n^2 + 10 n + 1)`, and is positive below it:",
             equal(
                 N**2 + 3 * N + N * E - E - E**2,
                 (alpha - E) * (E + (S - N + 1) / 2),
@@ -79,6 +79,7 @@ def _bounds() -> list[Step]:
             "Multiply out; `s > n`, so that the other root is negative.",
             tower=BOUNDS,
         ),
+        joined("alpha-place", equal(alpha, (S + N - 1) / 2), tower=BOUNDS),
         joined(
             "alpha-bound-other",
             positive(S - N + 1),
@@ -93,7 +94,7 @@ def _bounds() -> list[Step]:
         ),
         Step(
             "beta-bound",
-            "That of `beta`, over `u = sqrt(4 n^2 + 8 n + 1)`:",
+            "That of `beta` has `e_beta`, over `u = sqrt(4 n^2 + 8 n + 1)`:",
             equal(
                 N + E + 2 * N * E - E**2,
                 (beta - E) * (E + (U - 2 * N - 1) / 2),
@@ -102,6 +103,7 @@ def _bounds() -> list[Step]:
             "Multiply out; `u > 2 n + 1`.",
             tower=BOUNDS,
         ),
+        joined("beta-place", equal(beta, (U + 2 * N + 1) / 2), tower=BOUNDS),
         joined(
             "beta-bound-other",
             positive(U - 2 * N - 1),

@@ -114,7 +114,7 @@ def _borders() -> list[Step]:
         Step(
             "beyond-one",
             "But `alpha` exceeds 1 once the index has grown by `n (2 + n)/(1 + n)`: beyond `1 + "
-            "sqrt(1 + 8/L)/2` times the nominal index `L`.",
+            "sqrt(1 + 8/Lambda_0)/2` times the nominal index.",
             same_sign(FIRST_ALPHA - 1, STEP - place),
             "The tangent at 1.",
         ),
@@ -122,7 +122,7 @@ def _borders() -> list[Step]:
         Step(
             "unstable",
             "And the filter becomes unstable after just twice that step: beyond `1 + sqrt(1 + "
-            "8/L)` times the nominal index. The other borders of the region are never met.",
+            "8/Lambda_0)` times the nominal index. The other borders of the region are never met.",
             same_sign(MARGIN, 2 * place - STEP),
             "`2 alpha + beta = 4` (step @margin) along the tangents.",
         ),

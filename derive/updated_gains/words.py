@@ -95,7 +95,7 @@ EQUATIONS: dict[str, tuple[str, ...]] = {
         "The least variances are those of the gains of Lambda",
     ),
     "line_of_sight_gains": (
-        "gain_xx = along c^2 + across s^2, gain_xy = (along - across) c s,",
-        "gain_yy = along s^2 + across c^2: once with both alpha, once with both beta",
+        "gain_xx = along cosine^2 + across sine^2, gain_xy = (along - across) cosine sine,",
+        "gain_yy = along sine^2 + across cosine^2: once with both alpha, once with both beta",
     ),
 }
