@@ -39,7 +39,7 @@ def csv_text(given: FromFile, found: Followed) -> str:
     for row, i in enumerate(place.tolist()):
         cells = [
             str(given.table.lines[int(given.rows[row])]),
-            time_text(times[i]),
+            time_text(float(times[i])),
             f"{scans.polar.range[i]:.9g}",
             f"{degrees[i]:.9g}",
             _name(int(found.track[i])),
