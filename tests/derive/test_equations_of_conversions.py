@@ -1,0 +1,110 @@
+"""What conversions say of themselves: each formula of a docstring is what the kernel computes."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+import sympy as sp
+from docstring_formulas import DIGITS, Text, Values, drawn, exact, expression, near, value
+
+from gainproof.derive.sensors import converted_words
+from gainproof.generated import converted_measurements
+
+PLANE = {
+    "classical_conversion_in_plane": ("the variance ", "across it "),
+    "debiased_conversion_in_plane": (),
+    "unbiased_conversion_in_plane": ("along ", "across "),
+    "modified_unbiased_conversion_in_plane": ("the variance ", "across it "),
+}
+
+
+def polar(seed: int) -> dict[str, float]:
+    """A range, an azimuth and deviations; of an elevation too, and a correlation."""
+    r, sr = drawn(seed, 1, 5, 2)
+    e, a, se, sa, correlation = np.random.default_rng(seed).uniform(0.1, 0.9, 5)
+    angles = {"e": e, "a": a, "se": se, "sa": sa, "correlation": correlation}
+    return {"r": r, "sr": sr} | {name: float(each) for name, each in angles.items()}
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("name", PLANE)
+def test_conversions_in_the_plane(name: str, seed: int) -> None:
+    text = Text(converted_words.EQUATIONS[name])
+    given = polar(seed)
+    known = exact(**given)
+    if "k = " in text.text:
+        known["k"] = value(text.formula("k = "), known)
+    place = text.formula("x = ")
+    wanted = {"x": value(place, known), "y": value(place.replace("cos a", "sin a"), known)}
+    if "y = " in text.text:
+        assert text.formula("y = ") == place.replace("cos a", "sin a")
+    for output, start in zip(("radial_variance", "cross_variance"), PLANE[name], strict=False):
+        wanted[output] = value(text.formula(start), known)
+    assert text.everything_is_read()
+    inputs = [given[each] for each in ("r", "a", "sr", "sa")]
+    near(getattr(converted_measurements, name)(*inputs), wanted)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("name", [each.removesuffix("_in_plane") for each in PLANE])
+def test_conversions_in_space(name: str, seed: int) -> None:
+    text = Text(converted_words.EQUATIONS[name])
+    given = polar(seed)
+    known = exact(**given)
+    if "ke = " in text.text:
+        known["ke"] = value(text.formula("ke = "), known)
+        known["k"] = value(text.formula(", k = "), known)
+    place = text.formula("x = ")
+    formulas = {"x": place, "y": place.replace("cos a", "sin a"), "z": text.formula("z = ")}
+    wanted = {axis: value(formula, known) for axis, formula in formulas.items()}
+    if "y = " in text.text:
+        assert text.formula("y = ") == formulas["y"]
+        wanted |= _first_order(text, formulas, known)
+    assert text.everything_is_read()
+    inputs = [given[each] for each in ("r", "e", "a", "sr", "se", "sa")]
+    near(getattr(converted_measurements, name)(*inputs), wanted)
+
+
+def _first_order(text: Text, formulas: dict[str, str], known: Values) -> Values:
+    """J D J', with D as the text has it."""
+    assert text.formula("D = ") == "diag(sr^2"
+    inside = re.search(r"D = diag\((.*?)\)", text.text)
+    assert inside is not None
+    squares = [expression(each, known) for each in inside[1].split(", ")]
+    rows = {axis: expression(formula, known) for axis, formula in formulas.items()}
+    letters = [sp.Symbol(each) for each in "rea"]
+    return {
+        f"covariance_{pair}": sum(
+            (
+                rows[pair[0]].diff(x) * rows[pair[1]].diff(x) * square
+                for x, square in zip(letters, squares, strict=True)
+            ),
+            sp.Integer(0),
+        ).evalf(DIGITS, subs=known)
+        for pair in ("xx", "xy", "xz", "yy", "yz", "zz")
+    }
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("name", [each for each in converted_words.EQUATIONS if "correl" in each])
+def test_conversions_of_correlated_noises(name: str, seed: int) -> None:
+    text = Text(converted_words.EQUATIONS[name])
+    given = polar(seed)
+    known = exact(**given)
+    known["k"] = value(text.formula(" k = "), known)
+    known["c"] = value(text.formula(" c = "), known)
+    assert text.everything_is_read()
+    pair = re.search(r": \(([^,]*), ([^)]*)\) along and across", text.text)
+    assert pair is not None
+    along, across = (value(each, known) for each in pair.groups())
+    cosine, sine = sp.cos(known["a"]), sp.sin(known["a"])
+    wanted = {"x": along * cosine - across * sine, "y": along * sine + across * cosine}
+    inputs = [given[each] for each in ("r", "a", "sr", "sa", "correlation")]
+    near(getattr(converted_measurements, name)(*inputs), wanted)
+
+
+def test_every_kernel_is_read() -> None:
+    uncorrelated = {*PLANE, *(each.removesuffix("_in_plane") for each in PLANE)}
+    assert {each for each in converted_words.EQUATIONS if "correl" not in each} == uncorrelated
