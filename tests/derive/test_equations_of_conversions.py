@@ -105,6 +105,38 @@ def test_conversions_of_correlated_noises(name: str, seed: int) -> None:
     near(getattr(converted_measurements, name)(*inputs), wanted)
 
 
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize(
+    ("name", "start"),
+    [
+        ("classical_conversion_in_plane", "given the truth by "),
+        ("debiased_conversion_in_plane", "given the truth is "),
+    ],
+)
+def test_what_is_said_of_the_bias(name: str, start: str, seed: int) -> None:
+    """The mean of cos(a) at a noisy azimuth is exp(-sa^2/2) times that at the true one."""
+    text = Text(converted_words.EQUATIONS[name])
+    known = exact(**polar(seed))
+    known["k"] = sp.exp(-(known["sa"] ** 2) / 2)
+    place = value(text.formula("x = "), known) / known["r"] / sp.cos(known["a"])
+    said = value(text.formula(start), known)
+    assert float(place * known["k"] - 1) == pytest.approx(float(said), rel=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_where_the_classical_covariance_is_too_small(seed: int) -> None:
+    """What misses is a positive factor times the difference of both sides, by the exact one."""
+    text = Text(converted_words.EQUATIONS["classical_conversion_in_plane"])
+    exactly = Text(converted_words.EQUATIONS["modified_unbiased_conversion_in_plane"])
+    known = exact(**polar(seed))
+    left, right = (value(text.formula(start).strip(), known) for start in ("where ", "> "))
+    known["k"] = value(exactly.formula("k = "), known)
+    variance = value(exactly.formula("the variance "), known)
+    stated = value(text.formula("the variance "), known)
+    wanted = (1 - known["k"] ** 4) / 2 * (left - right)
+    assert float(variance - stated) == pytest.approx(float(wanted), rel=1e-12)
+
+
 def test_every_kernel_is_read() -> None:
     uncorrelated = {*PLANE, *(each.removesuffix("_in_plane") for each in PLANE)}
     assert {each for each in converted_words.EQUATIONS if "correl" not in each} == uncorrelated

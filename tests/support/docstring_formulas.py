@@ -16,7 +16,7 @@ from sympy.parsing.sympy_parser import (
 )
 
 Values = dict[str, sp.Expr]
-END = re.compile(r"[,;:]|\. | likewise| \(Duan|$")
+END = re.compile(r"[,;:>]|\. | likewise| times| \(Duan|$")
 """Where a formula of these texts ends."""
 DIGITS = 40
 
