@@ -79,6 +79,11 @@ def _sorted_out(
             powers[factor.name] = powers.get(factor.name, 0) + 1
         elif factor.kind == "call" and factor.name in TURNS and noises <= normal:
             turns.append((factor.name, factor.parts[0]))
+        elif factor.kind == "call" and factor.name in TURNS:
+            raise Undecided(
+                "an expectation of a sine or cosine of a noise that is not declared normal "
+                '(distribution = "normal")'
+            )
         else:
             raise Undecided(
                 "an expectation of something that is no polynomial of the noises, nor one of them "

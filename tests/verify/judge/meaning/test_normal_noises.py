@@ -53,8 +53,8 @@ FALSE = [
     r"E[c^2] = \frac{1}{2} (r^2 + s^2) (1 - e^{-2 t^2} \cos 2a)",
 ]
 LEFT_OPEN = [
-    (r"E[\cos u] = e^{-q/2}", "normal noises"),
-    (r"E[\cos(w u)] = 1", "normal noises"),
+    (r"E[\cos u] = e^{-q/2}", "not declared normal"),
+    (r"E[\cos(w u)] = 1", "not declared normal"),
     (r"E[\cos(w^2)] = 1", "not linear"),
     (r"E[\cos(v w)] = 1", "product of noises"),
     (r"E[\tan w] = 0", "no polynomial"),
