@@ -22,13 +22,15 @@ HEADING = re.compile(r"\s*([A-Za-z_][A-Za-z0-9_]*)\s*(?:\[\s*([^\]]*?)\s*\])?\s*
 @dataclass(frozen=True)
 class CsvTable:
     """columns: by name, one entry a row: a word, a number in metres and seconds, or None where the
-    cell is empty. lines: the line of each row; at: the place of each column, from 1.
+    cell is empty. lines: the line of each row; at: the place of each column, from 1; units: of each
+    column of numbers its unit, and the size of that in metres and seconds.
     """
 
     file: str
     columns: Mapping[str, tuple[str | float | None, ...]]
     lines: tuple[int, ...]
     at: Mapping[str, int]
+    units: Mapping[str, tuple[str, float]]
 
     def numbers(self, name: str) -> tuple[float | None, ...]:
         """A column of numbers; all None where there is no such column."""
@@ -63,6 +65,12 @@ def read(path: Path, kinds: Mapping[str, Kind]) -> CsvTable:
         {name: tuple(column) for name, column in cells.items()},
         tuple(line for line, _ in rows[1:]),
         {name: place for place, name in enumerate(names, 1)},
+        {
+            name: (unit, size)
+            for name, size in zip(names, sizes, strict=True)
+            for unit, known in (kinds[name].units or {}).items()
+            if known == size
+        },
     )
 
 

@@ -18,6 +18,7 @@ from gainproof.tracking.example import FILE, write_example
 from gainproof.tracking.files import FromFile, read_file
 from gainproof.tracking.output import csv_text, plain
 from gainproof.tracking.page import page
+from gainproof.tracking.scans import LIMITS, wanted
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import courses
 from gainproof.tracking.tracker import Followed, followed
@@ -50,7 +51,7 @@ def answered(options: argparse.Namespace) -> int:
     settings = _settings(options)
     require_scipy()
     sigmas = _sigma(options, "sigma_range"), _sigma(options, "sigma_bearing")
-    given = read_file(Path(options.detections), (sigmas[0], _radians(sigmas[1])))
+    given = read_file(Path(options.detections), sigmas)
     try:
         found = followed(given.scans, settings)
     except NoCovarianceError as error:
@@ -109,14 +110,11 @@ def _sigma(options: argparse.Namespace, name: str) -> float | None:
         return None
     option = f"--{name.replace('_', '-')}"
     value = _number(option, text)
-    most = 1e12 if name == "sigma_range" else 114.0
-    if not 1e-6 <= value <= most:
-        raise BadInputError(f"{option} takes a number above 0, from 1e-06 to {most:g}, got {text}")
-    return value
-
-
-def _radians(degrees: float | None) -> float | None:
-    return None if degrees is None else math.radians(degrees)
+    unit, size = ("m", 1.0) if name == "sigma_range" else ("degrees", math.radians(1))
+    least, most, _ = LIMITS[name]
+    if not least <= value * size <= most:
+        raise BadInputError(f"{option} takes {wanted(name, unit, size)}, got {text}")
+    return value * size
 
 
 def _number(name: str, text: str) -> float:

@@ -16,6 +16,7 @@ from gainproof.tracking.scans import (
     LEAST_INTERVAL,
     MOST_TIME,
     DetectionError,
+    OutsideError,
     Scans,
     TwiceError,
     scans,
@@ -65,6 +66,9 @@ def read_file(path: Path, given: tuple[float | None, float | None] = (None, None
         first = table.lines[int(rows[error.other])]
         message = f"the same detection stands already in line {first}"
         raise table.error(int(rows[error.row]), "range", message) from None
+    except OutsideError as error:
+        message = error.told(error.field, *table.units[error.field])
+        raise table.error(int(rows[error.row]), error.field, message) from None
     except DetectionError as error:
         if error.field == "empty":
             row = int(empty[np.argmin(np.abs(time[empty]) <= MOST_TIME)])

@@ -14,9 +14,9 @@ from gainproof.tracking.measured import Polar
 MOST_TIME = 1e11
 """s, of either sign: Unix time is taken; only differences enter."""
 LEAST_INTERVAL = 1e-6
-MOST_RANGE = 1e12
+LEAST_LENGTH, MOST_RANGE = 1e-9, 1e12
 FULL_TURN = 2 * np.pi
-MOST_BEARING_DEVIATION = 2.0
+LEAST_BEARING_DEVIATION, MOST_BEARING_DEVIATION = 1e-9, 2.0
 """rad: the conversions' kernels take no more."""
 
 
@@ -102,6 +102,32 @@ def scans(
     return Scans(times, first, polar, order)
 
 
+LIMITS = {
+    "range": (LEAST_LENGTH, MOST_RANGE, "m"),
+    "sigma_range": (LEAST_LENGTH, MOST_RANGE, "m"),
+    "sigma_bearing": (LEAST_BEARING_DEVIATION, MOST_BEARING_DEVIATION, "rad"),
+}
+"""Least, most and unit."""
+
+
+def wanted(field: str, unit: str, size: float) -> str:
+    """The limits of a field in a unit of this size."""
+    least, most, _ = LIMITS[field]
+    return f"a number from {least / size:.5g} to {most / size:.5g} {unit}"
+
+
+class OutsideError(DetectionError):
+    """A number outside its limits: `value` in m or rad."""
+
+    def __init__(self, value: float, row: int, field: str, unit: str) -> None:
+        self.value = value
+        super().__init__(self.told(field, unit, 1.0), row, field)
+
+    def told(self, field: str, unit: str, size: float) -> str:
+        """What is wrong, in a unit of this size."""
+        return f"wanted {wanted(field, unit, size)}, got {self.value / size:.10g}"
+
+
 class TwiceError(DetectionError):
     """A detection that stands twice: `other` is the row where it came first."""
 
@@ -113,16 +139,16 @@ class TwiceError(DetectionError):
 def _require(t: Reals, polar: Polar) -> None:
     _require_times(t, "time")
     checks = (
-        ("range", polar.range, 1e-9, MOST_RANGE, "m"),
-        ("sigma_range", polar.range_deviation, 1e-9, MOST_RANGE, "m"),
-        ("sigma_bearing", polar.bearing_deviation, 1e-9, MOST_BEARING_DEVIATION, "rad"),
+        ("range", polar.range),
+        ("sigma_range", polar.range_deviation),
+        ("sigma_bearing", polar.bearing_deviation),
     )
-    for name, values, least, most, unit in checks:
+    for name, values in checks:
+        least, most, unit = LIMITS[name]
         fine = (values >= least) & (values <= most)
         if not fine.all():
             row = int(np.argmin(fine))
-            wanted = f"wanted a number above 0, from {least:g} to {most:g} {unit}"
-            raise DetectionError(f"{wanted}, got {values[row]!s}", row, name)
+            raise OutsideError(float(values[row]), row, name, unit)
     fine = np.abs(polar.bearing) <= FULL_TURN
     if not fine.all():
         row = int(np.argmin(fine))

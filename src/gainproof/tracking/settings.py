@@ -53,8 +53,8 @@ class Settings:
         needed, scans = self.confirm
         if not 2 <= needed <= scans <= MOST_SCANS:
             raise BadInputError(
-                f"a track needs M of N detections with M from 2 and N up to {MOST_SCANS}, got "
-                f"{needed} of {scans}"
+                f"a track needs M detections in N scans, M from 2 to N and N up to {MOST_SCANS}, "
+                f"got {needed} in {scans}"
             )
         if not 1 <= self.drop <= MOST_SCANS:
             raise BadInputError(
