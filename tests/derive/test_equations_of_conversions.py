@@ -76,12 +76,11 @@ def _first_order(text: Text, formulas: dict[str, str], known: Values) -> Values:
     rows = {axis: expression(formula, known) for axis, formula in formulas.items()}
     letters = [sp.Symbol(each) for each in "rea"]
     return {
-        f"covariance_{pair}": sum(
-            (
+        f"covariance_{pair}": sp.Add(
+            *(
                 rows[pair[0]].diff(x) * rows[pair[1]].diff(x) * square
                 for x, square in zip(letters, squares, strict=True)
-            ),
-            sp.Integer(0),
+            )
         ).evalf(DIGITS, subs=known)
         for pair in ("xx", "xy", "xz", "yy", "yz", "zz")
     }
