@@ -26,8 +26,9 @@ DESCRIPTIONS: dict[str, Matrix] = {
     "random-acceleration": noise.held(MOTION, DRIVE),
     "continuous-white-acceleration": noise.white(MOTION, DRIVE),
 }
-# the process noise does not know what is measured
+# the process noise does not know what is measured, nor how its gains are updated
 DESCRIPTIONS |= {
+    "updated-gains": DESCRIPTIONS["random-acceleration"],
     "position-velocity": DESCRIPTIONS["continuous-white-acceleration"],
     "position-velocity-random-acceleration": DESCRIPTIONS["random-acceleration"],
     "position-velocity-random-velocity": DESCRIPTIONS["random-velocity"],
