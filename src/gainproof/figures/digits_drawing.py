@@ -35,8 +35,7 @@ def draw_digits(table: Table, sheet: Figure) -> None:
     r, s = np.unique(table["r"]), np.unique(table["S"])
     levels = np.arange(BEST, WORST + 1, 2)
     norm = BoundaryNorm(levels, 256)
-    colours = colormaps["YlOrBr"].copy()
-    colours.set_bad(NO_NUMBER)
+    colours = colormaps["YlOrBr"].with_extremes(bad=NO_NUMBER)
     shares = table.numbers["share off by more than 1e-8"]
     mesh = None
     for axes, (number, title) in zip(grid.ravel(), PANELS, strict=True):

@@ -75,7 +75,8 @@ def draw_comparison(table: Table, sheet: Figure) -> None:
             axes.set_title(f"{path}, {kind}", fontsize=9)
         row[0].set_yticks(range(len(names)), [_label(name) for name in names], fontsize=8)
     grid[0, 0].invert_yaxis()
-    sheet.supxlabel("RMS error over that of the Kalman filter", fontsize=10)
+    words = "RMS error over that of the Kalman filter; lines: intervals of 95 %, often hidden"
+    sheet.supxlabel(words, fontsize=10)
 
 
 def _dots(

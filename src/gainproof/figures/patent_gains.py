@@ -110,9 +110,12 @@ def _alpha_one(nominal_index: float) -> float | str:
     so at none of these ranges.
     """
     limit = float(updated_gains.update_limits(nominal_index).alpha_one_ratio) * nominal_index
-    far = np.linspace(NEAREST, FARTHEST, 99_001)
-    beyond = far[_index(far) > limit]
-    return float(beyond.max()) if beyond.size else "never"
+    # the variance is a number plus a multiple of the square of the range
+    ends = np.array([NEAREST, FARTHEST])
+    variances = _index(ends) ** -2
+    if limit**-2 < variances[0]:
+        return "never"
+    return float(np.sqrt(np.interp(limit**-2, variances, ends**2)))
 
 
 def _stepped(start: Point, name: str, far: Reals, which: str) -> Reals:

@@ -8,7 +8,7 @@ import numpy as np
 
 from gainproof.figures import canvas
 from gainproof.figures.lecture import look
-from gainproof.figures.lecture.look import DASHED, DOTTED
+from gainproof.figures.lecture.look import DASHED, DOTTED, GREY
 from gainproof.figures.patent_look import ENDS, NOMINAL_COLOURS
 from gainproof.figures.patent_scene import NOMINAL
 from gainproof.figures.table import Table
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 GAINS_SIZE = (8.2, 4.4)
 SIZE = (canvas.WIDTH, canvas.HEIGHT)
 TICKS = (1, 2, 5, 10, 20, 50, 100)
+DASH = 4
+"""In line widths; the gap has room for a dash of each other nominal point: curves nearly coincide"""
 
 
 def draw_figure_5(table: Table, sheet: Figure) -> None:
@@ -52,21 +54,22 @@ def _draw_gains(table: Table, sheet: Figure, label: str, top: float) -> None:
         (left, "constant", "partials held at the nominal point, (32), (33)"),
         (right, "recursive", "partials of the last scan, (26), (27)"),
     ):
-        axes.plot(far, table["exact"], color="black", lw=2.2, label="exact")
-        for name in NOMINAL:
+        axes.plot(far, table["exact"], color=GREY, lw=3.2, label="exact")
+        for place, name in enumerate(NOMINAL):
             colour = NOMINAL_COLOURS[name]
+            dashes = (-DASH * place, (DASH, DASH * (len(NOMINAL) - 1)))
             axes.axhline(table[f"fixed_{name}"][0], color=colour, lw=0.7, ls=DOTTED)
             values = table[f"{kind}_{name}"]
             known = np.isfinite(values)
             words = f"from {ENDS[name]}"
-            axes.plot(far[known], values[known], ls=DASHED, color=colour, label=words)
+            axes.plot(far[known], values[known], ls=dashes, color=colour, label=words)
         _circles(axes, table.numbers["nominal gains"])
         if top > 1:
             axes.axhline(1.0, color="0.3", lw=0.8)
         _range_axis(axes, label if axes is left else "")
         axes.set_title(title, fontsize=9)
         axes.set_ylim(0, top)
-    left.legend(title="dotted: fixed")
+    left.legend(title="dotted: fixed", handlelength=4)
 
 
 def _circles(axes: Axes, values: dict[str, float]) -> None:

@@ -74,4 +74,4 @@ def draw_limits(table: Table, sheet: Figure) -> None:
         )
     axes.set_xlim(index[0], index[-1])
     axes.set_ylim(1, None)
-    axes.legend()
+    sheet.legend(loc="outside upper center", ncols=2)
