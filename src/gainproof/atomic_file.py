@@ -6,9 +6,11 @@ import contextlib
 import errno
 import os
 import stat
+import sys
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TextIO
 
 
 def write_bytes(path: Path, content: bytes) -> None:
@@ -16,7 +18,8 @@ def write_bytes(path: Path, content: bytes) -> None:
 
     An interrupt at any moment leaves the old file or the new one, never a part of it. A link stays
     and what it leads to is written. What is there and no regular file (a device, a FIFO) stays as
-    it is and the content goes through it. Raises OSError when the place cannot be written.
+    it is and the content goes through it; so does the file that standard output or error goes to
+    (/dev/stdout, redirected). Raises OSError when the place cannot be written.
     """
     write_together({path: content})
 
@@ -36,8 +39,7 @@ def write_together(contents: Mapping[Path, bytes]) -> None:
             else:
                 _write_beside(path, content, partials)
         for path in through:
-            # no O_CREAT and no O_TRUNC: should it be gone by now, nothing takes its place
-            with os.fdopen(os.open(path, os.O_WRONLY), "wb") as stream:
+            with os.fdopen(_opened(path), "wb") as stream:
                 stream.write(contents[path])
         for path, partial in partials.items():
             os.replace(partial, os.path.realpath(path))
@@ -50,14 +52,36 @@ def write_together(contents: Mapping[Path, bytes]) -> None:
 
 
 def _goes_through(path: Path) -> bool:
-    """Whether something is there, links followed, that is neither a file nor a folder."""
+    """Whether something is there, links followed, that is neither a file nor a folder, or the file
+    of a standard stream.
+    """
     try:
         mode = path.stat().st_mode
     except (FileNotFoundError, NotADirectoryError):
         return False
     if stat.S_ISDIR(mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
-    return not stat.S_ISREG(mode)
+    return not stat.S_ISREG(mode) or _standard_stream(path) is not None
+
+
+def _opened(path: Path) -> int:
+    """A descriptor that writes through what is there."""
+    standard = _standard_stream(path)
+    if standard is None:
+        # no O_CREAT and no O_TRUNC: should it be gone by now, nothing takes its place
+        return os.open(path, os.O_WRONLY)
+    # opened again a file would be written from its beginning, over what the stream writes
+    standard.flush()
+    return os.dup(standard.fileno())
+
+
+def _standard_stream(path: Path) -> TextIO | None:
+    """The standard stream that goes to this file."""
+    for stream in (sys.stdout, sys.stderr):
+        with contextlib.suppress(OSError, ValueError, AttributeError):
+            if os.path.samestat(path.stat(), os.fstat(stream.fileno())):
+                return stream
+    return None
 
 
 def _write_beside(path: Path, content: bytes, partials: dict[Path, str]) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import stat
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -89,6 +91,25 @@ def test_what_is_no_regular_file_is_written_to_and_stays(tmp_path: Path, name: s
     assert stat.S_ISFIFO((tmp_path / "pipe").lstat().st_mode)
     assert (tmp_path / "link").is_symlink()
     assert len(list(tmp_path.iterdir())) == 2
+
+
+WRITES = """
+import sys
+from pathlib import Path
+from gainproof import atomic_file
+print("before")
+atomic_file.write_text(Path(sys.argv[1]), "content\\n")
+print("after")
+"""
+
+
+@pytest.mark.parametrize("name", ["/dev/stdout", "out.txt"])
+def test_the_file_of_standard_output_is_written_in_turn(tmp_path: Path, name: str) -> None:
+    with (tmp_path / "out.txt").open("w") as stream:
+        subprocess.run(
+            [sys.executable, "-c", WRITES, name], stdout=stream, check=True, cwd=tmp_path
+        )
+    assert (tmp_path / "out.txt").read_text() == "before\ncontent\nafter\n"
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no FIFOs")

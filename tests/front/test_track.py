@@ -12,7 +12,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from gainproof import cli
+from gainproof import cli, progress
 from gainproof.tracking import CONVERSIONS, FILTERS, tracker
 from gainproof.tracking.example import truth
 from gainproof.tracking.motion import Estimate
@@ -151,6 +151,18 @@ def test_scans_that_would_fill_the_memory_are_refused(capsys: Capture) -> None:
     ]
     Path("d.csv").write_text(HEAD + "".join(rows))
     assert "pairs of tracks and detections in one scan, at most 2000000" in refused(capsys)
+
+
+@pytest.mark.usefixtures("folder")
+def test_long_work_tells_how_far_it_is(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert tracked() == 0
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr(progress, "EVERY", 0.0)
+    assert tracked("--json") == 0
+    told = capsys.readouterr()
+    assert json.loads(told.out)["tracks"]
+    assert "s] 1 of 40 scans, 3 tracks and beginnings" in told.err
+    assert "s] 40 of 40 scans, " in told.err
 
 
 @pytest.mark.usefixtures("folder")

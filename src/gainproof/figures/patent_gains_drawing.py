@@ -21,7 +21,7 @@ GAINS_SIZE = (8.2, 4.4)
 SIZE = (canvas.WIDTH, canvas.HEIGHT)
 TICKS = (1, 2, 5, 10, 20, 50, 100)
 DASH = 4
-"""In line widths; the gap has room for a dash of each other nominal point: curves nearly coincide"""
+"""In line widths; gaps have room for a dash of each other nominal point: curves nearly coincide."""
 
 
 def draw_figure_5(table: Table, sheet: Figure) -> None:

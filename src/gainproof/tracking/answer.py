@@ -6,11 +6,14 @@ import argparse
 import json
 import math
 import re
+from collections.abc import Callable
+from itertools import count
 from pathlib import Path
 from typing import Any
 
 from gainproof import named_files, places
 from gainproof.bad_input import BadInputError
+from gainproof.progress import Progress
 from gainproof.tables.cell_text import decimal
 from gainproof.tracking.association import require_scipy
 from gainproof.tracking.conversion import NoCovarianceError
@@ -22,6 +25,7 @@ from gainproof.tracking.scans import LIMITS, wanted
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import courses
 from gainproof.tracking.tracker import Followed, followed
+from gainproof.tracking.tracks import Tracks
 
 NUMBERS = {
     "acceleration": "acceleration",
@@ -53,7 +57,7 @@ def answered(options: argparse.Namespace) -> int:
     sigmas = _sigma(options, "sigma_range"), _sigma(options, "sigma_bearing")
     given = read_file(Path(options.detections), sigmas)
     try:
-        found = followed(given.scans, settings)
+        found = followed(given.scans, settings, _progress(len(given.scans.times)))
     except NoCovarianceError as error:
         raise given.error(error) from None
     except ValueError as error:
@@ -80,6 +84,18 @@ def _example(options: argparse.Namespace) -> int:
     print(places.shown(write_example(Path(options.example))))
     print(f"gainproof track {places.shown(Path(options.example) / FILE)}")
     return 0
+
+
+def _progress(scans: int) -> Callable[[float, Tracks], None]:
+    """On standard error, where it takes long: how many scans are done."""
+    progress, done = Progress(), count(1)
+
+    def at(_time: float, tracks: Tracks) -> None:
+        progress.say_sometimes(
+            f"{next(done)} of {scans} scans, {len(tracks)} tracks and beginnings"
+        )
+
+    return at
 
 
 def _settings(options: argparse.Namespace) -> Settings:
