@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import sympy as sp
-
 from gainproof.derive.algebra.tower import Parameter, Tower
 from gainproof.derive.algebra.variables import Generator
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.printer.graph import Graph, GraphBuilder
@@ -65,12 +64,10 @@ def kernel_steps(made: Mapping[str, Graph]) -> list[Step]:
 
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
     """The module with its one kernel."""
-    return Module(
-        name=name.replace("-", "_"),
-        title=f"{title}: the deviation of an estimated bias.",
-        command=f"gainproof generate {name}",
-        derivation=f"gainproof derive {name}, SymPy {sp.__version__}",
-        kernels=(
+    return catalogue_module(
+        name,
+        f"{title}: the deviation of an estimated bias",
+        (
             Kernel(
                 name=KERNEL,
                 result="BiasDeviation",

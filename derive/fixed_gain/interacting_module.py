@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import sympy as sp
-
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
 
@@ -14,13 +13,8 @@ LARGEST = "1e300"
 
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
     """The module with its one kernel."""
-    return Module(
-        name=name.replace("-", "_"),
-        title=f"{title}: the gain of one coordinate.",
-        command=f"gainproof generate {name}",
-        derivation=f"gainproof derive {name}, SymPy {sp.__version__}",
-        kernels=tuple(_kernel(name, kernel, graph) for kernel, graph in made.items()),
-    )
+    kernels = (_kernel(name, kernel, graph) for kernel, graph in made.items())
+    return catalogue_module(name, f"{title}: the gain of one coordinate", kernels)
 
 
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.names import MEANINGS
@@ -66,13 +67,8 @@ OWN_MEANINGS = {
 
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
     """The module of alpha-beta-gamma filters."""
-    return Module(
-        name=name.replace("-", "_"),
-        title=f"{title}.",
-        command=f"gainproof generate {name}",
-        derivation=f"gainproof derive {name}, SymPy {sp.__version__}",
-        kernels=tuple(_kernel(name, kernel, graph) for kernel, graph in made.items()),
-    )
+    kernels = (_kernel(name, kernel, graph) for kernel, graph in made.items())
+    return catalogue_module(name, title, kernels)
 
 
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import sympy as sp
-
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.fixed_gain.names import MEANINGS
 from gainproof.derive.fixed_gain.two_kernel_words import EQUATIONS, SUMMARIES
 from gainproof.derive.fixed_gain.two_kernels import (
@@ -44,13 +43,8 @@ LARGEST_LAG, SINGLE_LAG = "1e30", "1e9"
 
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
     """The module of alpha-beta filters."""
-    return Module(
-        name=name.replace("-", "_"),
-        title=f"{title}.",
-        command=f"gainproof generate {name}",
-        derivation=f"gainproof derive {name}, SymPy {sp.__version__}",
-        kernels=tuple(_kernel(name, kernel, graph) for kernel, graph in made.items()),
-    )
+    kernels = (_kernel(name, kernel, graph) for kernel, graph in made.items())
+    return catalogue_module(name, title, kernels)
 
 
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.expression import real
 from gainproof.derive.growing_memory.fit import GAIN_NAMES, Fit, K, entry_names
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
@@ -101,13 +102,8 @@ def textbook_forms(f: Fit) -> dict[str, dict[str, sp.Expr]]:
 
 def kernel_module(f: Fit, name: str, title: str, graphs: dict[str, Graph]) -> Module:
     """The module of one degree."""
-    return Module(
-        name=name.replace("-", "_"),
-        title=f"{title}: gains by sample number.",
-        command=f"gainproof generate {name}",
-        derivation=f"gainproof derive {name}, SymPy {sp.__version__}",
-        kernels=tuple(_kernel(f, name, kernel, graph) for kernel, graph in graphs.items()),
-    )
+    kernels = (_kernel(f, name, kernel, graph) for kernel, graph in graphs.items())
+    return catalogue_module(name, f"{title}: gains by sample number", kernels)
 
 
 SUMMARIES = {

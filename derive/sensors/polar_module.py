@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import sympy
-
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import (
     Input,
@@ -67,13 +66,8 @@ DIVIDES = ("polar_derivatives", "straight_course_rates")
 
 def kernel_module(name: str, title: str, graphs: Mapping[str, Graph]) -> Module:
     """The module of polar coordinates."""
-    return Module(
-        name=name.replace("-", "_"),
-        title=f"{title}.",
-        command=f"gainproof generate {name}",
-        derivation=f"gainproof derive {name}, SymPy {sympy.__version__}",
-        kernels=tuple(_kernel(name, kernel, graph) for kernel, graph in graphs.items()),
-    )
+    kernels = (_kernel(name, kernel, graph) for kernel, graph in graphs.items())
+    return catalogue_module(name, title, kernels)
 
 
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-import sympy
-
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import (
     Input,
@@ -43,13 +42,8 @@ def apart(kernel: str, ranges: Iterable[str]) -> tuple[Requirement, ...]:
 
 def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
     """The module of range and Doppler."""
-    return Module(
-        name=name.replace("-", "_"),
-        title=f"{title}.",
-        command=f"gainproof generate {name}",
-        derivation=f"gainproof derive {name}, SymPy {sympy.__version__}",
-        kernels=tuple(_kernel(name, kernel, graph) for kernel, graph in made.items()),
-    )
+    kernels = (_kernel(name, kernel, graph) for kernel, graph in made.items())
+    return catalogue_module(name, title, kernels)
 
 
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import sympy
-
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
 from gainproof.derive.steady_state import covariance_forms, curvature_module, forms
@@ -62,12 +61,11 @@ MEANINGS = {
 
 def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
     """The module of a family."""
-    return Module(
-        name=c.model.name.replace("-", "_"),
-        title=f"{c.model.title}: steady state with measured position.",
-        command=f"gainproof generate {c.model.name}",
-        derivation=f"gainproof derive {c.model.name}, SymPy {sympy.__version__}",
-        kernels=tuple(_kernel(c, name, graph) for name, graph in graphs.items()),
+    kernels = (_kernel(c, name, graph) for name, graph in graphs.items())
+    return catalogue_module(
+        c.model.name,
+        f"{c.model.title}: steady state with measured position",
+        kernels,
         results="_two_state_results",
     )
 
