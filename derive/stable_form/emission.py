@@ -1,0 +1,247 @@
+"""Products of polynomials as nodes of a graph, every operation in its place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from math import isqrt
+from operator import mul
+
+from gainproof.derive.algebra.tower import Poly
+from gainproof.derive.printer.graph import GraphBuilder, Node
+from gainproof.derive.stable_form.exponents import Exponents, Terms
+from gainproof.derive.stable_form.letters import Letters
+from gainproof.derive.stable_form.product import Product
+
+
+@dataclass(frozen=True)
+class Order:
+    """How sums and quotients are written.
+
+    `nested`: sums by Horner's rule, else term by term. `alternating`: factors and divisors in turn,
+    else one quotient of two products.
+    """
+
+    nested: bool
+    alternating: bool
+
+
+class Emission:
+    """Writes products into a builder.
+
+    `symbol` gives the node of an input. `differences`: what is left of subtractions, by name;
+    `added`: their two sides are added instead, which gives the scale that errors are measured by.
+    """
+
+    def __init__(
+        self,
+        builder: GraphBuilder,
+        letters: Letters,
+        symbol: Callable[[str], Node],
+        order: Order,
+        added: bool = False,
+    ) -> None:
+        self.builder, self.letters, self.symbol = builder, letters, symbol
+        self.nested, self.alternating = order.nested, order.alternating
+        self.added = added
+        self.differences: dict[str, Node] = {}
+
+    def product(self, product: Product) -> Node:
+        """The node of a product."""
+        constant, outside = product.constant, [0] * self.letters.size
+        over: list[Node] = []
+        under: list[Node] = []
+        for factor, power in sorted(self._squares(product.powers), key=str):
+            whole = self.letters.whole(factor)
+            terms = whole.terms
+            constant *= whole.factor**power
+            drawn: Exponents = whole.outside
+            number = self.constant(terms)
+            if number is not None:
+                constant *= number**power
+            elif len(terms) == 1:
+                ((alone, coefficient),) = terms.items()
+                constant *= coefficient**power
+                drawn = tuple(a + b for a, b in zip(drawn, alone, strict=True))
+            else:
+                (over if power > 0 else under).extend([self.polynomial(terms)] * abs(power))
+            outside = [a + power * b for a, b in zip(outside, drawn, strict=True)]
+        for place, power in enumerate(outside):
+            (over if power > 0 else under).extend(self._letters(place, abs(power)))
+        return self._quotient(constant, over, under)
+
+    def _squares(self, powers: Mapping[Poly, int]) -> list[tuple[Poly, int]]:
+        """Powers in which squares of generators are their radicands."""
+        tower = self.letters.reading.tower
+        radicands = dict(zip(tower.ring.gens[self.letters.count :], tower.radicands, strict=True))
+        found: dict[Poly, int] = {}
+        for factor, power in powers.items():
+            double = int(power / 2) if factor in radicands else 0
+            if double:
+                square = radicands[factor]
+                found[square] = found.get(square, 0) + double
+            found[factor] = found.get(factor, 0) + power - 2 * double
+        return [(factor, power) for factor, power in found.items() if power]
+
+    def _quotient(self, constant: Fraction, over: list[Node], under: list[Node]) -> Node:
+        sign, size = (-1 if constant < 0 else 1), abs(constant)
+        if size.numerator & (size.numerator - 1) == 0 and size.denominator != 1:
+            under = [self.builder.number(size.denominator), *under]
+            size = Fraction(size.numerator)
+        if size != 1 or not over:
+            over = [self.builder.number(size), *over]
+        if self.alternating:
+            value = over[0]
+            for number in range(max(len(over) - 1, len(under))):
+                value = value / under[number] if number < len(under) else value
+                value = value * over[number + 1] if number + 1 < len(over) else value
+        else:
+            value = reduce(mul, over)
+            value = value / reduce(mul, under) if under else value
+        return -value if sign < 0 else value
+
+    def polynomial(self, terms: Terms) -> Node:
+        """The node of a sum of terms; one of mixed signs that is not exact data is a difference."""
+        exact = self._affine(terms)
+        if exact is not None:
+            return exact
+        positive = {term: value for term, value in terms.items() if value > 0}
+        negative = {term: -value for term, value in terms.items() if value < 0}
+        if not negative:
+            return self._sum(positive)
+        if not positive:
+            return -self._sum(negative)
+        first, second = self._sum(positive), self._sum(negative)
+        if self.added:
+            return first + second
+        node = first - second
+        known = {each.number: name for name, each in self.differences.items()}
+        self.differences.setdefault(known.get(node.number, f"difference_{len(known) + 1}"), node)
+        return node
+
+    def _affine(self, terms: Terms) -> Node | None:
+        """c0 + c1 x where the terms are that: exact data until its own one rounding."""
+        slopes = self._slopes(terms)
+        if slopes is None or len(slopes) > 2:
+            return None
+        constant = slopes.pop("", Fraction(0))
+        if not slopes:
+            return self.builder.number(constant)
+        ((name, slope),) = slopes.items()
+        return self._line(name, slope, constant)
+
+    def constant(self, terms: Terms) -> Fraction | None:
+        """The number that terms are, as x + (1 - x) is one."""
+        slopes = self._slopes(terms)
+        return None if slopes is None or set(slopes) - {""} else slopes.get("", Fraction(0))
+
+    def _slopes(self, terms: Terms) -> dict[str, Fraction] | None:
+        """Factors of inputs, and the constant as that of "", of a linear function."""
+        found = {"": Fraction(0)}
+        count = self.letters.count
+        for term, value in terms.items():
+            places = [place for place, power in enumerate(term) if power]
+            if len(places) > 1 or any(term[n] != 2 or n >= self.letters.roots for n in places):
+                return None
+            for place in places:
+                each = self.letters.reading.coordinates[place % count]
+                slope, end = self._letter(place)
+                found[each.name] = found.get(each.name, Fraction(0)) + value * slope
+                found[""] += value * end
+            found[""] += 0 if places else value
+        return {name: value for name, value in found.items() if value or not name}
+
+    def _letter(self, place: int) -> tuple[Fraction, Fraction]:
+        """Slope and constant of x - a, b - x, or x."""
+        each = self.letters.reading.coordinates[place % self.letters.count]
+        block = place // self.letters.count
+        if block == 1:
+            assert each.high is not None
+            return Fraction(-1), each.high
+        return Fraction(1), Fraction(0) if block else -each.low
+
+    def _line(self, name: str, slope: Fraction, constant: Fraction) -> Node:
+        x, size = self.symbol(name), abs(slope)
+        outer = Fraction(1)
+        if slope * constant < 0:
+            outer, constant, size = size, constant / size, Fraction(1)
+        if not constant:
+            return self._scaled(x, slope)
+        if slope < 0:
+            return self._scaled(constant - self._scaled(x, size), outer)
+        return self._scaled(self._scaled(x, size) + constant, outer)
+
+    def _scaled(self, node: Node, factor: Fraction) -> Node:
+        if factor.numerator == 1 and factor != 1:
+            return node / factor.denominator
+        return node if factor == 1 else node * factor
+
+    def _sum(self, terms: Terms) -> Node:
+        """Positive terms, one at least."""
+        exact = self._affine(terms)
+        if exact is not None:
+            return exact
+        if len(terms) == 1 or not self.nested:
+            return self._term_by_term(terms)
+        place = max(range(self.letters.size), key=lambda n: sum(1 for term in terms if term[n]))
+        parts: list[Node] = []
+        for sign in (1, -1):
+            powers = [sign * term[place] for term in terms if sign * term[place] > 0]
+            if not powers:
+                continue
+            least = min(powers)
+            inner = {
+                (*term[:place], term[place] - sign * least, *term[place + 1 :]): value
+                for term, value in terms.items()
+                if sign * term[place] > 0
+            }
+            letters = self._letters(place, least)
+            part = self.polynomial(inner)
+            parts.append(self._times(part, letters) if sign > 0 else part / reduce(mul, letters))
+        rest = {term: value for term, value in terms.items() if not term[place]}
+        if rest:
+            parts.append(self.polynomial(rest))
+        return reduce(Node.__add__, parts)
+
+    def _term_by_term(self, terms: Terms) -> Node:
+        """The terms' sum, what is a linear function of one input as exact data."""
+        lines: dict[str, dict[Exponents, Fraction]] = {}
+        for term, value in terms.items():
+            for name in self._slopes({term: value}) or ():
+                lines.setdefault(name, {})[term] = value
+        constants = lines.pop("", {})
+        largest = max(lines.values(), key=len, default={}) | constants
+        line = largest if len(largest) > 1 and self._affine(largest) is not None else {}
+        rest = sorted((term, value) for term, value in terms.items() if term not in line)
+        nodes = [self._term(*term) for term in rest[::-1]]
+        return reduce(Node.__add__, [self.polynomial(line), *nodes] if line else nodes)
+
+    def _term(self, term: Exponents, coefficient: Fraction) -> Node:
+        over: list[Node] = []
+        under: list[Node] = []
+        for place, power in enumerate(term):
+            (over if power > 0 else under).extend(self._letters(place, abs(power)))
+        return self._quotient(coefficient, over, under)
+
+    def _times(self, part: Node, letters: Sequence[Node]) -> Node:
+        alone = part.number == self.builder.number(1).number
+        return reduce(mul, letters) if alone else reduce(mul, letters, part)
+
+    def _letters(self, place: int, power: int) -> list[Node]:
+        """Nodes whose product is the power of a letter."""
+        if not power:
+            return []
+        if place >= self.letters.roots:
+            whole = self.letters.generators[place - self.letters.roots]
+            node = self.polynomial(whole.terms)
+            # of the factor the root is known: it is a power of 4
+            outer = Fraction(isqrt(whole.factor.numerator), isqrt(whole.factor.denominator))
+            scaled = self._scaled(node, whole.factor)
+            root = self._scaled(self.builder.sqrt(node), outer)
+            return [scaled] * (power // 2) + ([root] if power % 2 else [])
+        else:
+            name = self.letters.reading.coordinates[place % self.letters.count].name
+            node = self._line(name, *self._letter(place))
+        return [node] * (power // 2) + ([self.builder.sqrt(node)] if power % 2 else [])

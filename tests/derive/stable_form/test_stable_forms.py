@@ -1,0 +1,77 @@
+"""Forms without cancellation that are found: proved equal by the checker, with a proved bound."""
+
+from __future__ import annotations
+
+from copy import deepcopy
+
+import pytest
+import sympy as sp
+
+from gainproof.derive.expression import real
+from gainproof.derive.printer.kernel import Input, closed
+from gainproof.derive.stable_form import NoReading, StableForm, stable
+from gainproof.verify.certificate import check
+
+X, Z = real("x"), real("z")
+ROOT = sp.sqrt(X**2 + 8 * X)
+POSITIVE = (Input("x", "a number"),)
+BELOW_ONE = (Input("x", "a number", "0", "1"),)
+PAIR = (closed("x", "a number", "1e-7", "1e7"), closed("z", "a number", "1e-7", "1e7"))
+
+
+def accepted(form: StableForm) -> bool:
+    """What the checker says of the certificate, which must claim what is expected."""
+    return check(form.certificate, claims=form.claims).accepted
+
+
+@pytest.mark.parametrize(
+    ("expression", "inputs", "most"),
+    [
+        (((X + 4) * ROOT - X**2 - 8 * X) / 8, POSITIVE, 3.6),
+        ((X**2 + 4 * X - X * ROOT) / 4, POSITIVE, 4.1),
+        (sp.sqrt(X + 1) - sp.sqrt(X), POSITIVE, 2.6),
+        (2 * (2 - X) - 4 * sp.sqrt(1 - X), BELOW_ONE, 2.6),
+        (X**2 - X + 1, BELOW_ONE, 2.6),
+        (1 / (X + 1) - 2 / X + 1 / (X - 1), (Input("x", "a number", "2"),), 3.1),
+        (sp.sqrt(X + 1) - 2 * sp.sqrt(X) + sp.sqrt(X - 1), (Input("x", "", "2"),), 4.1),
+        (sp.sqrt(X**2 + Z**2) - X, PAIR, 2.6),
+    ],
+)
+def test_no_subtraction_is_left(
+    expression: sp.Expr, inputs: tuple[Input, ...], most: float
+) -> None:
+    form = stable({"y": expression}, inputs)
+    assert not form.cancellations
+    bound = form.bounds["y"]
+    assert bound is not None
+    assert bound.bound <= most
+    assert accepted(form)
+
+
+def test_a_subtraction_that_is_left_is_named() -> None:
+    """x^3 - 3 x + 1 changes its sign where x is no rational number."""
+    form = stable({"y": X**3 - 3 * X + 1}, (Input("x", "a number", "0", "10"),))
+    assert list(form.cancellations) == ["y_difference_1"]
+    assert form.scales == {"y": "y_scale"}
+    assert accepted(form)
+
+
+def test_another_graph_is_rejected() -> None:
+    """A certificate of the same claims with one node altered."""
+    form = stable({"y": sp.sqrt(X + 1) - sp.sqrt(X)}, POSITIVE)
+    altered = deepcopy(form.certificate)
+    nodes = altered["programs"]["stable"]["graph"]["nodes"]
+    numbers = [node for node in nodes if node[0] == "number"]
+    for node in numbers:
+        value, node[1] = node[1], "3"
+        assert not check(altered, claims=form.claims).accepted
+        node[1] = value
+    assert check(altered, claims=form.claims).accepted
+
+
+@pytest.mark.parametrize(
+    "expression", [sp.sqrt(X - 1), 1 / (X - 1), sp.sin(X), X ** sp.Rational(1, 3), Z, X - X]
+)
+def test_what_cannot_be_read_is_refused(expression: sp.Expr) -> None:
+    with pytest.raises(NoReading):
+        stable({"y": expression}, POSITIVE)
