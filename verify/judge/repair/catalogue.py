@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gainproof.verify.judge.repair.brackets import brackets
 from gainproof.verify.judge.repair.construct import places, replaced
-from gainproof.verify.judge.repair.edit import LARGE, Edits, Table
+from gainproof.verify.judge.repair.edit import LARGE, SYMBOL, SYMBOL_EVERYWHERE, Edits, Table
 from gainproof.verify.judge.repair.numbers import constants, exponents, factor_two
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.signs import operators, signs
@@ -37,6 +37,17 @@ def changes(
         key = _key(change.printed, formula)
         if change.weight <= most and key not in seen:
             seen.add(key)
+            yield change
+
+
+def changes_of_bound(
+    formula: Printed, table: Table, numbers: frozenset[str], most: int = 3
+) -> Iterator[Change]:
+    """Those without another symbol: a bound of other symbols is true of many formulas, and the one
+    that is meant cannot be told from those that are true by chance. An index is told.
+    """
+    for change in changes(formula, table, numbers, most):
+        if not any(step.what in (SYMBOL, SYMBOL_EVERYWHERE) for step in change.steps):
             yield change
 
 

@@ -11,6 +11,7 @@ SLIGHT, PLAIN, LARGE = 1, 2, 3
 """Weights: a sign, an operator, a bracket, an index; a symbol, an exponent, a factor, a number;
 something put in or left out.
 """
+SYMBOL, SYMBOL_EVERYWHERE = "a symbol", "a symbol everywhere"
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,6 @@ from gainproof.verify.judge.repair.construct import (
     quotient,
     raised,
     remade,
-    total,
 )
 from gainproof.verify.judge.repair.edit import PLAIN, Edit, Table
 
@@ -54,11 +53,13 @@ def constants(node: Expr, _: Table) -> Iterator[Edit]:
 
 
 def factor_two(node: Expr, _: Table) -> Iterator[Edit]:
-    """A factor two, lost or too many, in a term of a sum or under an exponent."""
-    if node.kind not in ("add", "pow"):
+    """A factor two, lost or too many, in a term of a sum, under an exponent, or in what a function
+    is taken of: e^{-x^2} for e^{-x^2/2}.
+    """
+    if node.kind not in ("add", "pow", "call"):
         return
     for k, part in enumerate(node.parts):
         for new in (product(TWO, part), quotient(part, TWO)):
             parts = exchanged(node.parts, k, new)
-            made = total(*parts) if node.kind == "add" else remade("pow", node.value, parts)
+            made = remade(node.kind, node.value, parts)
             yield Edit(made, PLAIN, "a factor 2", part)

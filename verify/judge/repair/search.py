@@ -13,7 +13,7 @@ from gainproof.verify.judge.dimension import reading_fault
 from gainproof.verify.judge.exact.expression import symbols_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading
-from gainproof.verify.judge.repair.catalogue import changes
+from gainproof.verify.judge.repair.catalogue import changes, changes_of_bound
 from gainproof.verify.judge.repair.closings import closings
 from gainproof.verify.judge.repair.conditions import changed_conditions
 from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT
@@ -116,9 +116,9 @@ class Search:
         if stage == 0:
             if further := with_further_bound(self):
                 return further
-            # a bound with something put in is true of many formulas
+            listed = changes_of_bound if self.claim.kind == "inequality" else changes
             most = LARGE if self.is_equation else PLAIN
-            edited = changes(self.formula, self.table, self.numbers, most)
+            edited = listed(self.formula, self.table, self.numbers, most)
             # only where the formula itself is right well inside its domain is its edge at fault
             inside = self.by_values and self.agrees(self.formula)
             narrowed = self._proved(list(changed_conditions(self.formula))) if inside else []

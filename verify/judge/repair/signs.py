@@ -18,12 +18,12 @@ from gainproof.verify.judge.repair.edit import PLAIN, SLIGHT, Edit, Table
 
 
 def signs(node: Expr, _: Table) -> Iterator[Edit]:
-    """One term of a sum with the other sign."""
-    if node.kind == "add":
-        for k, term in enumerate(node.parts):
-            yield Edit(
-                total(*exchanged(node.parts, k, opposite(term))), SLIGHT, "sign of a term", term
-            )
+    """One term of a sum, or what a function is taken of, with the other sign."""
+    if node.kind in ("add", "call"):
+        what = "sign of a term" if node.kind == "add" else "sign of an argument"
+        for k, part in enumerate(node.parts):
+            parts = exchanged(node.parts, k, opposite(part))
+            yield Edit(remade(node.kind, node.value, parts), SLIGHT, what, part)
 
 
 def operators(node: Expr, _: Table) -> Iterator[Edit]:

@@ -15,7 +15,7 @@ from gainproof.verify.judge.repair.construct import (
     total,
     without,
 )
-from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, Edit, Table
+from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, SYMBOL, Edit, Table
 
 
 def other_symbols(node: Expr, table: Table) -> Iterator[Edit]:
@@ -25,7 +25,7 @@ def other_symbols(node: Expr, table: Table) -> Iterator[Edit]:
     for name in table.symbols:
         if name != node.name:
             is_sibling = (node.name, name) in table.siblings
-            what = "an index" if is_sibling else "a symbol"
+            what = "an index" if is_sibling else SYMBOL
             yield Edit(symbol(name), SLIGHT if is_sibling else PLAIN, what)
 
 

@@ -19,7 +19,7 @@ from gainproof.verify.judge.repair.construct import (
     quotient,
     raised,
 )
-from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, Table
+from gainproof.verify.judge.repair.edit import LARGE, PLAIN, SLIGHT, SYMBOL_EVERYWHERE, Table
 from gainproof.verify.judge.repair.printed import Printed
 from gainproof.verify.judge.repair.shift import shifted
 
@@ -107,9 +107,7 @@ def _everywhere(
         new.append((raised(x, Fraction(2)), PLAIN, "a deviation that is a variance"))
         new.append((raised(x, HALF), PLAIN, "a variance that is a deviation"))
         new += [
-            (symbol(other), PLAIN, "a symbol everywhere")
-            for other in table.symbols
-            if other != name
+            (symbol(other), PLAIN, SYMBOL_EVERYWHERE) for other in table.symbols if other != name
         ]
         for value, weight, what in new:
             sides = tuple(

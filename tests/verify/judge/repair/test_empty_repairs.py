@@ -1,5 +1,5 @@
-"""True inequalities that are empty are no repairs: those that their hypotheses say, and those in
-which what the claim speaks of cancels.
+"""True inequalities that are empty are no repairs: those that their hypotheses say, those in which
+what the claim speaks of cancels, those of other symbols, which are true by chance.
 """
 
 from __future__ import annotations
@@ -44,3 +44,18 @@ def test_what_says_something_is_offered(latex: str, repaired: str) -> None:
     (verdict,) = judged(GAINS, ("inequality", latex))
     assert verdict.verdict in ("refuted", "conditional"), verdict.reason
     assert verdict.repair == {"latex": repaired, "verdict": "proved"}
+
+
+def test_a_bound_of_another_symbol_is_not_offered() -> None:
+    """ "b" for the updated "u", say: l - b < b - m would be another bound, and true."""
+    setting = algebra(
+        "'e' = { unit = '1', domain = 'e > 0', meaning = 'a number' }\n"
+        "'n' = { unit = '1', domain = 'n > 0', meaning = 'another' }\n"
+        "'l' = { definition = '2 e^2/(1 + e)', meaning = 'index' }\n"
+        "'b' = { definition = '2 e^2/(1 + e)^2', meaning = 'best gain' }\n"
+        "'m' = { definition = '2 n^2/(1 + n)^2', meaning = 'nominal gain' }\n"
+        "'u' = { definition = 'm + 2 (l - 2 n^2/(1 + n))/((1 + n)(2 + n))', meaning = 'updated' }\n"
+    )
+    (verdict,) = judged(setting, ("inequality", r"u - b < b - m \quad (e > n)"))
+    assert verdict.verdict == "conditional", verdict.reason
+    assert verdict.repair is None, verdict.repair

@@ -20,6 +20,11 @@ LENGTHS = algebra(
     "'w' = { definition = 'v + a T', meaning = 'velocity later' }\n"
     "'y' = { definition = 'x + v T + \\frac{a T^2}{2}', meaning = 'position later' }\n"
 )
+NOISE = algebra(
+    "'s' = { unit = '1', domain = 's > 0', meaning = 'deviation' }\n"
+    "'w' = { unit = '1', variance = 's^2', distribution = 'normal', meaning = 'noise' }\n"
+)
+MEAN = r"\mathbb{E} [ \cos ( w ) ] = \exp ( -\frac{s^{2}}{2} )"
 
 
 def repair(
@@ -84,6 +89,9 @@ def repair(
             r"\Lambda = \frac{\beta^2}{1 - \alpha}",
             r"\Lambda^{2} = \frac{\beta^{2}}{1 - \alpha}",
         ),
+        # inside an exponent: a factor two, a sign
+        (NOISE, r"E[\cos w] = e^{-s^2}", MEAN),
+        (NOISE, r"E[\cos w] = e^{s^2/2}", MEAN),
         # dimensions say what is missing
         (LENGTHS, r"w - v = a", r"w - v = a T"),
     ],
