@@ -191,8 +191,8 @@ def promised(given: patent_scene.Seen, seen: Measured) -> tuple[float, float]:
     errors, told = [], []
     for k in range(2, patent_scene.SAMPLES):
         before = predicted(kept, interval, patent_scene.ACCELERATION)
-        sample = patent_runs._sample(seen.part(k), np.array([k]), before.covariance)
-        kept = updated(before, kalman(sample), sample.seen)
+        now = seen.part(k)
+        kept = updated(before, kalman(now, before.covariance), now)
         off = kept.state[:, ::2] - given.truth.position[k]
         errors.append(np.sum(off**2, -1))
         told.append(kept.covariance[:, 0, 0] + kept.covariance[:, 2, 2])

@@ -316,7 +316,9 @@ def test_a_variance_below_0_is_refused_with_its_detection(
     capsys: Capture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A filter that goes wrong: gains that leave no variance, in the third scan."""
-    monkeypatch.setattr(tracker, "updated", lambda before, *_: Estimate(before.state, -before[1]))
+    monkeypatch.setattr(
+        tracker, "updated", lambda before, *_: Estimate(before.state, -before.covariance)
+    )
     Path("d.csv").write_text(HEAD + "".join(f"{5 * i},20,10,50,1\n" for i in range(5)))
     told = refused(capsys, "--json")
     assert "d.csv, line 4: the variance of x after this detection is to be above 0" in told

@@ -42,20 +42,7 @@ def kalman_track(
     times_of: Sequence[float], places: Sequence[Matrix], noises: Sequence[Matrix], sigma: float
 ) -> list[tuple[list[float], Matrix]]:
     """States (x, vx, y, vy) with covariances from the second measurement on; places are columns."""
-    t = times_of[1] - times_of[0]
-    x = [
-        places[1][0][0],
-        (places[1][0][0] - places[0][0][0]) / t,
-        places[1][1][0],
-        (places[1][1][0] - places[0][1][0]) / t,
-    ]
-    p = [[0.0] * 4 for _ in range(4)]
-    for i in (0, 1):
-        for j in (0, 1):
-            p[2 * i][2 * j] = noises[1][i][j]
-            p[2 * i][2 * j + 1] = p[2 * i + 1][2 * j] = noises[1][i][j] / t
-            p[2 * i + 1][2 * j + 1] = (noises[0][i][j] + noises[1][i][j]) / t**2
-        p[2 * i + 1][2 * i + 1] += (sigma * t / 2) ** 2
+    x, p = two_points(times_of[1] - times_of[0], places, noises, sigma)
     found = [(x, p)]
     for k in range(2, len(places)):
         t = times_of[k] - times_of[k - 1]
@@ -71,6 +58,20 @@ def kalman_track(
         x = [row[0] for row in state]
         found.append((x, p))
     return found
+
+
+def two_points(
+    t: float, places: Sequence[Matrix], noises: Sequence[Matrix], sigma: float
+) -> tuple[list[float], Matrix]:
+    """The state is linear in both positions, and so its error in theirs: as a place on the line
+    that ends in the present state the first one also misses t^2/2 times the acceleration.
+    """
+    state_of: Matrix = [[0, 0, 1, 0], [-1 / t, 0, 1 / t, 0], [0, 0, 0, 1], [0, -1 / t, 0, 1 / t]]
+    missed = (sigma * t * t / 2) ** 2
+    first = plus(noises[0], [[missed, 0.0], [0.0, missed]])
+    both = [[*row, 0.0, 0.0] for row in first] + [[0.0, 0.0, *row] for row in noises[1]]
+    x = times(state_of, [*places[0], *places[1]])
+    return [row[0] for row in x], times(times(state_of, both), turned(state_of))
 
 
 def steady_gains(index: float) -> tuple[float, float]:

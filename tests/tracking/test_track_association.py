@@ -77,7 +77,8 @@ def test_gates_hold_all_pairs_within_the_limit_and_no_others() -> None:
     nothing = np.zeros(m)
     seen = Measured(place, noise, np.zeros((m, 2)), Polar(nothing, nothing, nothing, nothing))
     found = gated(Estimate(state, covariance), seen, limit)
-    told = {(i, j): d for i, j, d in zip(*(x.tolist() for x in found), strict=True)}
+    columns = (x.tolist() for x in (found.track, found.detection, found.squared))
+    told = {(i, j): d for i, j, d in zip(*columns, strict=True)}
     for i in range(n):
         for j in range(m):
             off = place[j] - state[i, ::2]

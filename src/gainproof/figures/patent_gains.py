@@ -82,7 +82,7 @@ def _gains(which: str, meaning: str) -> Table:
         Column("exact", f"{meaning} of the index", _of(exact_point(index), which)),
     ]
     for name, point in nominal_points().items():
-        near = Point(*(np.asarray(x[0, 0]) for x in (point.index, point.alpha, point.beta)))
+        near = point.part((0, 0))
         constant = _of(constant_point(near, index), which)
         columns += [
             Column(

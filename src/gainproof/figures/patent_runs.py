@@ -21,7 +21,6 @@ from gainproof.figures.table import Reals
 from gainproof.tracking.arrays import Ints
 from gainproof.tracking.gains import (
     Point,
-    Sample,
     constant_point,
     decoupled,
     exact_point,
@@ -98,7 +97,8 @@ def outcomes(path: str) -> dict[str, Errors]:
         for filter_name, point in steps.items():
             found[f"{filter_name}, {name}"] = _of_axes(given, point)
     found["exact"] = _of_axes(given, exact_point(index))
-    turned = line_of_sight(_sample(measured, _samples(index)))
+    interval = np.full(measured.position.shape[:-1], INTERVAL)
+    turned = line_of_sight(measured, interval, ACCELERATION, _samples(index))
     found["line-of-sight"] = _followed(given, turned)
     found["kalman"] = _kalman(given)
     return found
@@ -118,15 +118,6 @@ def _of_axes(given: Seen, point: Point) -> Errors:
 def _samples(index: Reals) -> Ints:
     """(samples, 1): 1, 1, 2, 3, ...; the first two have no gains of their own."""
     return np.maximum(np.arange(len(index)), 1)[:, None]
-
-
-def _sample(measured: Measured, number: Ints, covariance: Reals | None = None) -> Sample:
-    """What gains need that have no nominal point."""
-    nothing = np.zeros(0)
-    none = Point(nothing, nothing, nothing)
-    interval = np.full(measured.position.shape[:-1], INTERVAL)
-    known = nothing if covariance is None else covariance
-    return Sample(measured, interval, ACCELERATION, known, none, none, number)
 
 
 def _everywhere(nominal: Point, index: Reals) -> Point:
@@ -177,8 +168,8 @@ def _kalman(given: Seen) -> Errors:
     interval = np.full(len(kept.state), INTERVAL)
     for k in range(2, len(states)):
         before = predicted(kept, interval, ACCELERATION)
-        sample = _sample(measured.part(k), np.array([k]), before.covariance)
-        kept = updated(before, kalman(sample), sample.seen)
+        now = measured.part(k)
+        kept = updated(before, kalman(now, before.covariance), now)
         states[k] = kept.state
     return _errors(given, states)
 

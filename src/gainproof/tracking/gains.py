@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,10 +17,11 @@ from gainproof.generated import least_squares_line, random_acceleration, updated
 from gainproof.tracking.arrays import Bools, Ints, Reals
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import POSITION, VELOCITY, inverse
+from gainproof.tracking.rows import Rows
 
 
 @dataclass(frozen=True)
-class Point:
+class Point(Rows):
     """A tracking index of x and of y with the gains there: arrays (..., 2). At the nominal point
     they are the fixed gains; the recursive update keeps one for every track.
     """
@@ -29,14 +30,10 @@ class Point:
     alpha: Reals
     beta: Reals
 
-    def part(self, rows: Any) -> Point:
-        """Those that an index chooses."""
-        return Point(self.index[rows], self.alpha[rows], self.beta[rows])
-
 
 @dataclass(frozen=True)
 class Sample:
-    """All that a gain may depend on: the measurement, the time since the last update (s), sigma_w
+    """All that a filter may ask for: the measurement, the time since the last update (s), sigma_w
     (m/s^2), the predicted covariance, the nominal point, the point of the last update, and how many
     detections the track had before (at least 2).
     """
@@ -120,11 +117,11 @@ def decoupled(point: Point, interval: Reals) -> Reals:
     return found
 
 
-def line_of_sight(sample: Sample) -> Reals:
+def line_of_sight(seen: Measured, interval: Reals, acceleration: float, number: Ints) -> Reals:
     """(9): gains of their own along the measured line of sight and across it, turned into x, y."""
-    index = tracking_index(sample.acceleration, sample.interval[..., None], sample.seen.sight)
-    point = young(exact_point(index), sample.number)
-    bearing = sample.seen.polar.bearing
+    point = exact_point(tracking_index(acceleration, interval[..., None], seen.sight))
+    point = young(point, number)
+    bearing = seen.polar.bearing
     # x is along the line of sight at a bearing of 90 degrees
     cosine, sine = np.sin(bearing), np.cos(bearing)
     found = np.zeros((*point.alpha.shape[:-1], 4, 2))
@@ -133,14 +130,14 @@ def line_of_sight(sample: Sample) -> Reals:
         block = found[..., rows, :]
         block[..., 0, 0], block[..., 1, 1] = xx, yy
         block[..., 0, 1] = block[..., 1, 0] = xy
-    found[..., VELOCITY, :] /= sample.interval[..., None, None]
+    found[..., VELOCITY, :] /= interval[..., None, None]
     return found
 
 
-def kalman(sample: Sample) -> Reals:
-    """P H' S^-1 with the whole covariance, x and y together."""
-    to_position = sample.covariance[..., :, POSITION]
-    innovation = to_position[..., POSITION, :] + sample.seen.covariance
+def kalman(seen: Measured, covariance: Reals) -> Reals:
+    """P H' S^-1 with the whole predicted covariance, x and y together."""
+    to_position = covariance[..., :, POSITION]
+    innovation = to_position[..., POSITION, :] + seen.covariance
     found: Reals = to_position @ inverse(innovation)
     return found
 
@@ -171,6 +168,11 @@ def _recursive(sample: Sample) -> Gain:
     return _of_axes(sample, point)._replace(point=point, limited=others)
 
 
+def _line_of_sight(sample: Sample) -> Gain:
+    seen, number = sample.seen, sample.number
+    return Gain(line_of_sight(seen, sample.interval, sample.acceleration, number), sample.last)
+
+
 def _exact(sample: Sample) -> Gain:
     return _of_axes(sample, exact_point(sample.index))
 
@@ -180,11 +182,11 @@ def _of_axes(sample: Sample, point: Point) -> Gain:
 
 
 FILTERS: Mapping[str, Callable[[Sample], Gain]] = {
-    "kalman": lambda sample: Gain(kalman(sample), sample.last),
+    "kalman": lambda sample: Gain(kalman(sample.seen, sample.covariance), sample.last),
     "fixed": _fixed,
     "first-order-constant": _constant,
     "first-order-recursive": _recursive,
     "exact": _exact,
-    "line-of-sight": lambda sample: Gain(line_of_sight(sample), sample.last),
+    "line-of-sight": _line_of_sight,
 }
 DEFAULT = "kalman"

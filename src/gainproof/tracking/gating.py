@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 
-from gainproof.tracking.arrays import Bools, Ints, Reals
+from gainproof.tracking.arrays import Ints, Reals
 from gainproof.tracking.measured import Measured
 from gainproof.tracking.motion import POSITION, Estimate, rest
+from gainproof.tracking.rows import Rows
 
 MOST_PAIRS = 2_000_000
 """In the bands of x of all gates of a scan: a third of a gigabyte."""
@@ -19,7 +20,8 @@ class TooManyPairsError(ValueError):
     """More candidates in a scan than there is memory for."""
 
 
-class Pairs(NamedTuple):
+@dataclass(frozen=True)
+class Pairs(Rows):
     """Tracks and detections that may belong together, by their places, and how far apart they are:
     the squared distance over the innovation's covariance.
     """
@@ -27,10 +29,6 @@ class Pairs(NamedTuple):
     track: Ints
     detection: Ints
     squared: Reals
-
-    def part(self, rows: Bools) -> Pairs:
-        """Those that a mask chooses."""
-        return Pairs(self.track[rows], self.detection[rows], self.squared[rows])
 
 
 def threshold(probability: float) -> float:

@@ -7,8 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from gainproof.tracking.arrays import Bools, Ints
+from gainproof.tracking.gains import Point
 from gainproof.tracking.measured import Measured
-from gainproof.tracking.motion import POSITION
+from gainproof.tracking.motion import POSITION, Estimate
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.tracks import Tracks
 
@@ -60,9 +61,6 @@ def begun(seen: Measured, time: float, first: int, settings: Settings, limit: fl
         whole,
         whole,
         0 * whole,
-        state,
-        covariance,
-        unknown,
-        unknown,
-        unknown,
+        Estimate(state, covariance),
+        Point(unknown, unknown, unknown),
     )

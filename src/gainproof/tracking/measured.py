@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from gainproof.tracking.arrays import Reals
+from gainproof.tracking.rows import Rows
 
 
 @dataclass(frozen=True)
-class Polar:
+class Polar(Rows):
     """Ranges (m, above 0) and bearings (rad, from north, clockwise), each with the deviation of its
     noise: arrays of one shape.
     """
@@ -21,18 +21,9 @@ class Polar:
     range_deviation: Reals
     bearing_deviation: Reals
 
-    def part(self, rows: Any) -> Polar:
-        """Those that an index chooses."""
-        return Polar(
-            self.range[rows],
-            self.bearing[rows],
-            self.range_deviation[rows],
-            self.bearing_deviation[rows],
-        )
-
 
 @dataclass(frozen=True)
-class Measured:
+class Measured(Rows):
     """Converted measurements. position: (..., 2), m, east and north of the radar; covariance:
     (..., 2, 2), m^2; sight: (..., 2), m^2, the variances along the measured line of sight and
     across it, where the covariance is diagonal; polar: what they were converted from.
@@ -42,12 +33,6 @@ class Measured:
     covariance: Reals
     sight: Reals
     polar: Polar
-
-    def part(self, rows: Any) -> Measured:
-        """Those that an index chooses."""
-        return Measured(
-            self.position[rows], self.covariance[rows], self.sight[rows], self.polar.part(rows)
-        )
 
     @property
     def variances(self) -> Reals:

@@ -7,25 +7,23 @@ tracks: states (..., 4), covariances (..., 4, 4), gains (..., 4, 2).
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 
 from gainproof.tracking.arrays import Reals
 from gainproof.tracking.measured import Measured
+from gainproof.tracking.rows import Rows
 
 POSITION, VELOCITY = slice(0, 4, 2), slice(1, 4, 2)
 
 
-class Estimate(NamedTuple):
+@dataclass(frozen=True)
+class Estimate(Rows):
     """States and their covariances."""
 
     state: Reals
     covariance: Reals
-
-    def part(self, rows: Any) -> Estimate:
-        """Those that an index chooses."""
-        return Estimate(self.state[rows], self.covariance[rows])
 
 
 def predicted(before: Estimate, interval: Reals, acceleration: float) -> Estimate:

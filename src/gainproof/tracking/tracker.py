@@ -16,7 +16,7 @@ from gainproof.tracking.gains import Point, Sample
 from gainproof.tracking.gating import Pairs, gated, threshold
 from gainproof.tracking.management import begun, counted, judged, rank
 from gainproof.tracking.measured import Measured
-from gainproof.tracking.motion import Estimate, predicted, started, updated
+from gainproof.tracking.motion import POSITION, Estimate, predicted, started, updated
 from gainproof.tracking.nominal import nominal_point
 from gainproof.tracking.scans import Scans
 from gainproof.tracking.settings import Settings
@@ -105,13 +105,14 @@ def after_scan(
     deviation = state.copy()
     used = detection[hit]
     number[used] = tracks.number[hit]
-    state[used] = tracks.state[hit]
+    state[used] = tracks.estimate.state[hit]
     deviation[used] = deviations(tracks.estimate.part(hit), used)
     free = np.flatnonzero(number < 0)
     new = begun(seen.part(free), time, born, settings, limit)
     number[free] = new.number
-    state[free, ::2] = new.state[:, ::2]
-    deviation[free, ::2] = np.sqrt(np.diagonal(new.covariance, axis1=1, axis2=2))[:, ::2]
+    begun_at = new.estimate
+    state[free, ::2] = begun_at.state[:, ::2]
+    deviation[free, ::2] = np.sqrt(np.diagonal(begun_at.covariance, axis1=1, axis2=2))[:, ::2]
     tracks, kept = judged(tracks, settings)
     confirmed = tracks.number[tracks.confirmed]
     tracks = tracks.part(kept).with_more(new)
@@ -143,20 +144,18 @@ def _updated(
     nominal: Point,
     settings: Settings,
 ) -> tuple[Tracks, int]:
-    """States and covariances of the tracks that have a detection, with its time."""
+    """Estimates and points of the tracks that have a detection, with its time."""
     moving, fresh = ((detection >= 0) & which for which in (tracks.hits > 1, tracks.hits == 1))
-    state, covariance = tracks.state.copy(), tracks.covariance.copy()
-    index, alpha, beta = tracks.index.copy(), tracks.alpha.copy(), tracks.beta.copy()
-    outside = 0
+    estimate, point, outside = tracks.estimate, tracks.point, 0
     if fresh.any():
         two = started(
-            state[fresh, ::2],
-            covariance[fresh, ::2, ::2],
+            estimate.state[fresh, POSITION],
+            estimate.covariance[fresh, POSITION, POSITION],
             seen.part(detection[fresh]),
             time - tracks.time[fresh],
             settings.acceleration,
         )
-        state[fresh], covariance[fresh] = two
+        estimate, point = estimate.changed(fresh, two), point.changed(fresh, nominal)
     if moving.any():
         sample = Sample(
             seen.part(detection[moving]),
@@ -164,29 +163,14 @@ def _updated(
             settings.acceleration,
             before.covariance[moving],
             nominal,
-            tracks.point.part(moving),
+            point.part(moving),
             tracks.hits[moving],
         )
-        gain, point, outside = gains.FILTERS[settings.filter](sample)
-        after = updated(
-            Estimate(before.state[moving], before.covariance[moving]), gain, sample.seen
-        )
-        state[moving], covariance[moving] = after
-        index[moving], alpha[moving], beta[moving] = point.index, point.alpha, point.beta
-    index[fresh], alpha[fresh], beta[fresh] = nominal.index, nominal.alpha, nominal.beta
+        gain, last, outside = gains.FILTERS[settings.filter](sample)
+        estimate = estimate.changed(moving, updated(before.part(moving), gain, sample.seen))
+        point = point.changed(moving, last)
     when = np.where(detection >= 0, time, tracks.time)
-    return (
-        replace(
-            tracks,
-            time=when,
-            state=state,
-            covariance=covariance,
-            index=index,
-            alpha=alpha,
-            beta=beta,
-        ),
-        outside,
-    )
+    return replace(tracks, time=when, estimate=estimate, point=point), outside
 
 
 def _numbered(
