@@ -1,4 +1,4 @@
-"""The module of kernels of a subject of the catalogue."""
+"""The module of kernels of a subject, of the catalogue or of an own model."""
 
 from __future__ import annotations
 

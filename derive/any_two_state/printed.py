@@ -6,9 +6,8 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
-import sympy
-
 from gainproof.derive.any_two_state.kernels import SCALE, Made, difference
+from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.model import Model, ModelError, ScaledModel
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
@@ -65,14 +64,8 @@ def printed(
             continue
         made[name] = found
         kernels.append(kernel)
-    module = Module(
-        name=scaled.name.replace("-", "_"),
-        title=f"{scaled.title}: steady state with the first state measured.",
-        command=f"gainproof generate {scaled.name}",
-        derivation=f"gainproof derive {scaled.name}, SymPy {sympy.__version__}",
-        kernels=tuple(kernels),
-    )
-    return Printed(module, made, refused)
+    title = f"{scaled.title}: steady state with the first state measured"
+    return Printed(catalogue_module(scaled.name, title, kernels), made, refused)
 
 
 def _proved(choices: list[Kernel]) -> Kernel:
