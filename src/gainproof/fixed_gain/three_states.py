@@ -7,15 +7,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.fixed_gain.kernel_reach import gap, put_together, require_reach, within
-from gainproof.fixed_gain.stability import CONDITIONS, moderate, stable_gains
+from gainproof.fixed_gain.pole_discs import pole_discs
+from gainproof.fixed_gain.stability import CONDITIONS, stable_gains
 from gainproof.generated import alpha_beta_gamma
 from gainproof.generated.alpha_beta_gamma import Lags, Variances
 
 MARGIN, DETERMINANT = CONDITIONS[3][2], CONDITIONS[3][4]
 FAR = 0.75
 """Share of the largest stable gamma up to which its rounding is no matter for what is left to 1."""
-TRANSITION = np.array([[1.0, 1.0, 0.5], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]])
-"""F over one interval, velocities times T, accelerations times T^2."""
 
 
 def variances(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Variances:
@@ -100,14 +99,7 @@ def _lags_beyond(alpha: Reals, beta: Reals, gamma: Reals) -> Lags:
 def poles(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> NDArray[np.complex128]:
     """The three closed-loop poles, that of largest modulus first; complex, shape (..., 3).
 
-    Eigenvalues of F (I - K H), by NumPy and without a proved bound: near a threefold pole they err
-    by the cube root of 2^-52. Any gains up to 1e100 in magnitude.
-    The threefold pole at 0 (alpha = 1, beta = 3/2, gamma = 1) is exact.
+    Any gains up to 1e100 in magnitude, stable or not. `pole_discs` gives them with a proved radius
+    each: half a unit in the last place where poles are apart, more where they nearly agree.
     """
-    gains = moderate((alpha, beta, gamma))
-    column = np.stack(gains, axis=-1)[..., :, np.newaxis]
-    rest = np.eye(3) - column * np.array([1.0, 0.0, 0.0])
-    found = np.asarray(np.linalg.eigvals(TRANSITION @ rest), np.complex128)
-    found[(gains[0] == 1) & (gains[1] == 1.5) & (gains[2] == 1)] = 0
-    order = np.argsort(-np.abs(found), axis=-1, kind="stable")
-    return np.take_along_axis(found, order, axis=-1)
+    return pole_discs(alpha, beta, gamma).poles
