@@ -19,7 +19,7 @@ from gainproof.verify.judge.kinds.approach import (
     end_of,
     refuse_real_powers,
 )
-from gainproof.verify.judge.kinds.framing import Frame, framed
+from gainproof.verify.judge.kinds.framing import framed
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.kinds.limit import DEPTHS
 from gainproof.verify.judge.kinds.near_limit import (
@@ -59,20 +59,21 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
         smaller, errors = [], smaller
     if relation.operator == "=" and not errors:
         raise Undecided("asymptotics without an order: O(...) or the field `order` says it")
+    parts = constant_parts(approach.name, left, right, *smaller, *errors)
+    values = around.decide(with_values(parts))
+    oracle = Coefficients(around, parts)
     finding: Finding | None = None
     for side in open_sides(approach, frame, around):
         if errors:
-            finding = _agree(rest, smaller, errors, approach, side, around)
+            finding = _agree(rest, smaller, errors, approach, side, oracle)
         else:
-            finding = _equivalent(left, right, approach, side, around)
+            finding = _equivalent(left, right, approach, side, oracle)
         if finding.verdict != "proved":
             if dropped:
                 raise Undecided("asymptotics under conditions on the variable: false without them")
             return finding
     if finding is None:
         raise Undecided("the point is not in the domain")
-    parts = constant_parts(approach.name, left, right, *smaller, *errors)
-    values = around.decide(with_values(parts))
     domain = f"as {approach.label} {approach.text}, {values.domain}".removesuffix(", everywhere")
     if values.verdict != "proved":
         return replace(finding_of(values), domain=domain)
@@ -109,12 +110,11 @@ def _agree(
     errors: list[Expr],
     approach: Approach,
     side: int,
-    around: Frame,
+    oracle: Coefficients,
 ) -> Finding:
     """Whether what is left is of the order of the errors; so must be those printed on the left,
     `smaller`: x + O(x^3) = x + O(x), not the other way round.
     """
-    oracle = Coefficients(around)
     order = min(_exponent(approach.moved(e, side), oracle) for e in errors)
     if any(_exponent(approach.moved(e, side), oracle) < order for e in smaller):
         raise Undecided("an O(...) on the left that is not of the order of that on the right")
@@ -122,7 +122,7 @@ def _agree(
     for exponent in series.exponents():
         if exponent >= order:
             break
-        outcome = around.decide(with_values((), Rel("=", series.terms[exponent], number(0))))
+        outcome = oracle.frame.decide(with_values((), Rel("=", series.terms[exponent], number(0))))
         if outcome.verdict == "proved":
             continue
         finding = finding_of(outcome)
@@ -146,16 +146,17 @@ def _exponent(error: Expr, oracle: Coefficients) -> Fraction:
 
 
 def _reaching(expr: Expr, oracle: Coefficients, order: Fraction) -> Series:
-    for depth in DEPTHS:
+    for depth in (Fraction(0), *DEPTHS):
         series = expanded(expr, SMALL, oracle, depth + abs(order))
         if series.order >= min(order, EXACT):
             return series
     raise Undecided("an expansion that cancels before the order stated")
 
 
-def _equivalent(left: Expr, right: Expr, approach: Approach, side: int, around: Frame) -> Finding:
+def _equivalent(
+    left: Expr, right: Expr, approach: Approach, side: int, oracle: Coefficients
+) -> Finding:
     """Whether both sides have the same leading term."""
-    oracle = Coefficients(around)
     firsts = []
     for expr in (left, right):
         found = None
@@ -173,7 +174,7 @@ def _equivalent(left: Expr, right: Expr, approach: Approach, side: int, around: 
         reason = f"the sides are of different orders, {e} and {f}, in the distance to the limit"
         witness = Witness(where, "sim", shown[0], shown[1], exact=True, note=reason)
         return Finding("refuted", reason, "nowhere", METHOD, witness)
-    outcome = around.decide(with_values((), Rel("=", c, d)))
+    outcome = oracle.frame.decide(with_values((), Rel("=", c, d)))
     finding = finding_of(outcome)
     if outcome.verdict == "proved":
         return replace(finding, reason="both sides have the same leading term", method=METHOD)

@@ -15,6 +15,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.kinds.approach import SMALL, Approach
 from gainproof.verify.judge.kinds.framing import Frame
+from gainproof.verify.judge.kinds.valued import where_valued
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import leading, neat
 
@@ -94,22 +95,36 @@ def open_sides(approach: Approach, frame: Frame, around: Frame) -> list[int]:
 
 
 def constant_parts(name: str, *exprs: Expr) -> tuple[Expr, ...]:
-    """The largest parts without the variable of a limit: an expansion may cancel them, and yet the
-    expressions have a value only where these have one.
+    """The largest parts without the variable of a limit, divisors as what they divide 1 by: an
+    expansion may cancel them, and yet the expressions have a value only where these have one.
     """
     found: dict[bytes, Expr] = {}
-    seen: set[bytes] = set()
-    pending = list(exprs)
+    seen: set[tuple[bytes, bool]] = set()
+    pending = [(expr, False) for expr in exprs]
     while pending:
-        node = pending.pop()
-        if node.key in seen:
+        node, divides = pending.pop()
+        if (node.key, divides) in seen:
             continue
-        seen.add(node.key)
+        seen.add((node.key, divides))
         if name in symbols_of(node):
-            pending += node.parts
-        elif node.parts:
-            found[node.key] = node
+            pending += zip(node.parts, _dividing(node, divides), strict=True)
+        elif divides or node.parts:
+            part = number(1) / node if divides else node
+            found[part.key] = part
     return tuple(found.values())
+
+
+def _dividing(node: Expr, divides: bool) -> list[bool]:
+    """Of which parts it is seen that they must not be zero, if the node `divides` something."""
+    match node.kind:
+        case "div":
+            return [divides, True]
+        case "mul" | "neg":
+            return [divides] * len(node.parts)
+        case "pow":
+            return [divides or node.fraction < 0]
+        case _:
+            return [False] * len(node.parts)
 
 
 def with_values(needed: tuple[Expr, ...], *relations: Rel) -> Statement:
@@ -178,10 +193,13 @@ def _samples(approach: Approach, frame: Frame) -> Iterator[dict[str, Expr]]:
 
 
 class Coefficients:
-    """What a frame knows of coefficients: the oracle of expansions."""
+    """What a frame knows of coefficients: the oracle of expansions. `valued` are constant parts of
+    the formula that is expanded: nothing is asked about where these have no values.
+    """
 
-    def __init__(self, frame: Frame) -> None:
-        self._frame = frame
+    def __init__(self, frame: Frame, valued: tuple[Expr, ...] = ()) -> None:
+        self.frame = frame
+        self._valued = where_valued(*valued)
         self._known: dict[tuple[str, Expr], bool] = {}
 
     def is_zero(self, coefficient: Expr) -> bool:
@@ -205,5 +223,12 @@ class Coefficients:
     def _holds(self, operator: str, coefficient: Expr) -> bool:
         key = (operator, coefficient)
         if key not in self._known:
-            self._known[key] = self._frame.holds(Rel(operator, coefficient, number(0)))
+            self._known[key] = self._follows(operator, coefficient) or self.frame.holds(
+                Rel(operator, coefficient, number(0))
+            )
         return self._known[key]
+
+    def _follows(self, operator: str, coefficient: Expr) -> bool:
+        """Whether it is that of an expression of which a value asks as much."""
+        stronger = [r.left for r in self._valued if set(SIGNS[r.operator]) <= set(SIGNS[operator])]
+        return any(self.frame.holds(Rel("=", coefficient, other)) for other in stronger)

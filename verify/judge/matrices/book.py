@@ -29,6 +29,7 @@ class Book(NormalForm):
         """
         most = min(most, self.most)
         residual, replaced = self.without_elements(residual)
+        self.budget.charge(sum(map(len, residual.terms)))
         value, trace = self.traced(residual)
         short = self.short(value)
         if not short.terms:
@@ -77,7 +78,6 @@ class Book(NormalForm):
         return [equation.inside(a, b) for a, b in pairs]
 
     def _found(self, value: Polynomial, equations: Sequence[Equation], most: int) -> list[Cofactor]:
-        self.budget.charge(0)
         values = [e.value for e in equations]
         found = products_for(value, values, self.alphabet, most, self.budget)
         if found is None:

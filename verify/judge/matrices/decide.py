@@ -10,7 +10,7 @@ from gainproof.verify.judge.matrices.conditions import possible_conditions
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
 from gainproof.verify.judge.matrices.layers import Proofs, proof_in
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
-from gainproof.verify.judge.matrices.macaulay import UnprovedError
+from gainproof.verify.judge.matrices.macaulay import Budget, UnprovedError
 from gainproof.verify.judge.matrices.opened import is_random, within
 from gainproof.verify.judge.matrices.prove import Question
 from gainproof.verify.judge.matrices.sample import holds, instances
@@ -136,12 +136,12 @@ def _decided(case: Case, setting: MatrixSetting, proofs: Proofs) -> Finding:
         if failed is None:
             return finding
     instance, missing = failed
-    wanted = possible_conditions(case.question, setting, instance, missing)
-    for said, question in wanted:
+    budget = Budget()
+    for said, question in possible_conditions(case.question, setting, instance, missing):
         more = replace(case, question=question)
         found, again = _tried(more, setting)
         if found and again is None:
-            finding = _proved(more, setting, proofs)
+            finding = _proved(more, setting, proofs, budget)
             if finding.verdict == "proved":
                 reason = f"not true as stated; true where {said}"
                 witness = witness_of(case.question, setting, instance)
@@ -203,9 +203,11 @@ def _tried(
     return found, missing
 
 
-def _proved(case: Case, setting: MatrixSetting, proofs: Proofs) -> Finding:
+def _proved(
+    case: Case, setting: MatrixSetting, proofs: Proofs, budget: Budget | None = None
+) -> Finding:
     try:
-        parts = proof_in(setting, case.question, proofs).certificates
+        parts = proof_in(setting, case.question, proofs, budget).certificates
     except UnprovedError as reason:
         return Finding("undecided", f"true at {TRIED + MORE_TRIED} exact instances; {reason}")
     certificate = {"words": _each_once(parts)}

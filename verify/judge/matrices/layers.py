@@ -41,16 +41,22 @@ Proofs = dict[Any, Proof | str]
 """Of claims by their whole content, or why there is none: premises are proved once."""
 
 
-def proof_in(setting: MatrixSetting, question: Question, proofs: Proofs) -> Proof:
-    """The proof of a question on its own, whatever was proved before. Raises UnprovedError."""
+def proof_in(
+    setting: MatrixSetting, question: Question, proofs: Proofs, budget: Budget | None = None
+) -> Proof:
+    """The proof of a question on its own, whatever was proved before; premises have budgets of
+    their own. Raises UnprovedError.
+    """
     own = within(question.nodes(), setting)
     key = (tuple(own.sizes.names.items()), tuple(own.letters.items()), question)
     if key not in proofs:
-        layers = Layers(own, proofs)
+        layers = Layers(own, proofs, budget or Budget())
         try:
             certificates = layers.prove(question)
             proofs[key] = Proof(certificates, layers.facts_of(question))
         except UnprovedError as reason:
+            if budget is not None:
+                raise  # perhaps for want of what others have spent
             proofs[key] = str(reason)
     found = proofs[key]
     if isinstance(found, str):
@@ -63,11 +69,11 @@ class Layers:
     """Proofs in one setting; what was proved once, or was not, is kept."""
 
     setting: MatrixSetting
-    proofs: Proofs = field(default_factory=dict)
+    proofs: Proofs
+    budget: Budget
     _known: dict[Question, list[dict[str, Any]] | str] = field(default_factory=dict)
     _facts: dict[Question, list[Chain]] = field(default_factory=dict)
     _asked: set[Question] = field(default_factory=set)
-    _budget: Budget = field(default_factory=Budget)
 
     def facts_of(self, question: Question) -> tuple[Chain, ...]:
         """What was shown of closed letters for a question that was proved."""
@@ -77,8 +83,6 @@ class Layers:
         """Certificates, lemmas first. Raises UnprovedError, also where a question comes up again on
         the way to its own proof: that is none then, and as a claim has finitely many it ends.
         """
-        if deep == 0:
-            self._budget = Budget()
         bare = replace(question, hints=())
         if bare in self._asked:
             raise UnprovedError("the proof would rest on itself")
@@ -127,7 +131,8 @@ class Layers:
 
     def _multiplied_out(self, question: Question) -> list[dict[str, Any]] | None:
         try:
-            certificate = written(proof_of(replace(question, premises=()), self.setting, 0))
+            bare = replace(question, premises=())
+            certificate = written(proof_of(bare, self.setting, 0, self.budget))
         except FAILURES:
             return None
         return [certificate] if rejected(certificate) is None else None
@@ -149,7 +154,7 @@ class Layers:
                     reasons.append("what is left of it is not true")
                     continue
                 most = MOST_PRODUCTS if closed or not question.premises else FEW_PRODUCTS
-                certificate = written(proof_of(asked, setting, most, self._budget))
+                certificate = written(proof_of(asked, setting, most, self.budget))
                 fault = rejected(certificate)
                 if fault is None:
                     hidden = self._of_hidden(question, setting, deep, given, invertible)

@@ -44,8 +44,9 @@ class UnprovedError(ValueError):
 
 @dataclass
 class Budget:
-    """Steps of arithmetic that all searches for one claim may still take; `limit` is that of each
-    search. A million take about a second.
+    """Steps of arithmetic that all searches for one claim may still take, those under conditions
+    that it lacks and those for each premise counted apart; `limit` is that of each search. A
+    million take about a second.
     """
 
     remaining: int = 5_000_000
@@ -79,13 +80,13 @@ class _System:
         left: Row = {}
         row = dict(row)
         while row:
-            word = max(row, key=_order)
+            word = max(row)
             value = row.pop(word)
             if word not in self.rows:
                 left[word] = value
                 continue
             other, how = self.rows[word]
-            if not self.budget.spend(len(other) + len(how)):
+            if not self.budget.spend(len(row) + len(other) + len(how)):
                 return row, made
             for key, factor in other.items():
                 if key != word:
@@ -99,7 +100,7 @@ class _System:
         left, made = self.reduced(row, {product: 1})
         if not left:
             return
-        lead = max(left, key=_order)
+        lead = max(left)
         scale = pow(left[lead], -1, PRIME)
         self.rows[lead] = (
             {word: value * scale % PRIME for word, value in left.items()},
@@ -136,9 +137,9 @@ def products_for(
                 if product in seen:
                     continue
                 seen.add(product)
-                if len(seen) > most or not budget.spend(1):
-                    return None
                 row = _row(product, equations[product[1]], alphabet)
+                if len(seen) > most or not budget.spend(1 + sum(map(len, row))):
+                    return None
                 fresh.update(row)
                 system.insert(row, product)
         left, made = system.reduced(goal, {})

@@ -14,7 +14,7 @@ from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.establish import establish
 from gainproof.verify.judge.matrices.expand import Expander
 from gainproof.verify.judge.matrices.letter import MatrixSetting
-from gainproof.verify.judge.matrices.macaulay import MOST_PRODUCTS, Budget, UnprovedError
+from gainproof.verify.judge.matrices.macaulay import Budget, UnprovedError
 from gainproof.verify.judge.matrices.opened import opened
 from gainproof.verify.judge.matrices.order import definite, prove_order
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
@@ -50,12 +50,7 @@ class Question:
         return own + [node for premise in self.premises for node in premise.nodes()]
 
 
-def proof_of(
-    question: Question,
-    setting: MatrixSetting,
-    most: int = MOST_PRODUCTS,
-    budget: Budget | None = None,
-) -> Book:
+def proof_of(question: Question, setting: MatrixSetting, most: int, budget: Budget) -> Book:
     """A book that ends with what was asked, each equation of at most so many products. Raises
     UnprovedError, TooLongError, Unsupported.
     """
@@ -65,8 +60,7 @@ def proof_of(
     for node in nodes:
         expand.of(node)
     book = begun(alphabet)
-    book.most = most
-    book.budget = budget or book.budget
+    book.most, book.budget = most, budget
     _suppose(question, book, expand)
     candidates = [expand.of(side) for chain in question.chains for side in chain.sides]
     book.hints += _hints(question, expand)

@@ -6,6 +6,8 @@ import pytest
 from small_claims import check, judged
 
 SMALL = "\\quad (x \\to 0)'\ndomain = 'a > 0'"
+WIDER = "\\quad (x \\to 0)'\ndomain = 'a > -1'"
+RIGHT = r"\sqrt{(a + x p)^2 + (b + x q)^2} = \sqrt{a^2 + b^2}"
 FALLING = r"\frac{4 n - 2}{n (n+1)}"
 
 
@@ -20,6 +22,19 @@ FALLING = r"\frac{4 n - 2}{n (n+1)}"
         (r"latex = '\sqrt{a^2 + x} = a + \frac{x}{2 a} + O(x^2) " + SMALL, "proved"),
         (r"latex = '\sqrt{a^2 + x} = a + \frac{x}{a} + O(x^2) " + SMALL, "refuted"),
         (r"\sqrt{a^2 + x} = a + \frac{x}{2 a} + O(x^2) \quad (x \to 0)", "undecided"),
+        # where the right side has a value, the root stands over something positive
+        (RIGHT + r" + \frac{a p + b q}{\sqrt{a^2 + b^2}} x + O(x^2) \quad (x \to 0)", "proved"),
+        (RIGHT + r" + \frac{a p - b q}{\sqrt{a^2 + b^2}} x + O(x^2) \quad (x \to 0)", "refuted"),
+        (RIGHT + r" + \frac{a p + b q}{\sqrt{a^2 + b^2}} x + O(x^3) \quad (x \to 0)", "refuted"),
+        (r"\frac{x}{\sqrt{a^2 + x b}} = \frac{x}{\sqrt{a^2}} + O(x^2) \quad (x \to 0)", "proved"),
+        # at a = b = 0 it is false, and there both sides have values
+        (RIGHT + r" + O(x^2) \quad (x \to 0)", "undecided"),
+        (r"\sqrt{a^2 + x} = \sqrt{a^2} + O(x) \quad (x \to 0)", "undecided"),
+        # at a = 0 they have no values, and that is in a domain that is stated
+        (r"\frac{x + x^2}{a} = \frac{x}{a} + O(x^2) \quad (x \to 0)", "proved"),
+        ("latex = '" + r"\frac{x + x^2}{a} = \frac{x}{a} + O(x^2) " + SMALL, "proved"),
+        ("latex = '" + r"\frac{x + x^2}{a} = \frac{x}{a} + O(x^2) " + WIDER, "conditional"),
+        (r"\sqrt{-1 - a^2 + x} = \sqrt{-1 - a^2} + O(x) \quad (x \to 0)", "undecided"),
         (FALLING + r"\sim \frac{4}{n} \quad (n \to \infty)", "proved"),
         (FALLING + r"\sim \frac{2}{n} \quad (n \to \infty)", "refuted"),
         (FALLING + r"\sim \frac{2}{n^2} \quad (n \to \infty)", "refuted"),

@@ -13,7 +13,7 @@ from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.matrices.certificate import rejected
 from gainproof.verify.judge.matrices.decide import cases_of
 from gainproof.verify.judge.matrices.layers import Layers
-from gainproof.verify.judge.matrices.macaulay import UnprovedError
+from gainproof.verify.judge.matrices.macaulay import Budget, UnprovedError
 from gainproof.verify.judge.matrices.shapes import Shapes
 
 BAD_LETTERS = {
@@ -191,8 +191,27 @@ def test_a_definition_that_stays_closed_has_to_mean_something(latex: str, more: 
         if each.matrices is not None
     ]
     with pytest.raises(UnprovedError, match="has an inverse"):
-        Layers(setting).prove(questions[1])
-    assert Layers(setting).prove(questions[2])
+        Layers(setting, {}, Budget()).prove(questions[1])
+    assert Layers(setting, {}, Budget()).prove(questions[2])
+
+
+@pytest.mark.parametrize("latex", [r"(Q + V)^{-1} \leq Q^{-1}", r"(Q + V)^{-1} < Q^{-1}"])
+def test_every_search_of_a_proof_is_paid_for(latex: str) -> None:
+    """Also those of lemmas, of left inverses and of what is multiplied out: with a proof's own
+    steps it is found, with half of them it is given up.
+    """
+    read = read_claim_text(text_of(claim(latex, "inequality")))
+    setting, each = read.settings["s"].matrices, read.claims[0].matrices
+    assert setting is not None
+    assert each is not None
+    question = cases_of(each, Shapes(setting.letters, setting.sizes))[0].question
+    budget = Budget()
+    whole = budget.remaining
+    assert Layers(setting, {}, budget).prove(question)
+    spent = whole - budget.remaining
+    assert spent > 0
+    with pytest.raises(UnprovedError):
+        Layers(setting, {}, Budget(spent // 2)).prove(question)
 
 
 @pytest.mark.parametrize("latex", ["Q \\geq Q^{-1}", "Q^{-1} \\geq Q", "Q^{-1} \\geq V"])
