@@ -38,7 +38,11 @@ def decomposed(
         if word not in places:
             return None
         i, j = places[word]
-        gram[i][j] = factor
+        if i != j and book.alphabet.normal(turned(word)) == word:
+            # that of y' D z and of its transpose z' D y
+            gram[i][j] = gram[j][i] = factor * reciprocal(2)
+        else:
+            gram[i][j] = factor
     rows = _factored(gram)
     if rows is None:
         return None
@@ -72,6 +76,11 @@ def _split(book: Book, word: Word, value: Polynomial, known: Sequence[Known]) ->
         middle = next(iter(one.value.terms)) if len(one.value.terms) == 1 else None
         if middle == (word[half : half + 1] if odd else ()) and one.value.shape[0] == size:
             return one, behind
+    # a word that is an inverse of what is definite: y = y' D y
+    for one in known:
+        middle = next(iter(one.value.terms)) if len(one.value.terms) == 1 else None
+        if middle and book.alphabet.normal((*turned(word), *middle, *word)) == word:
+            return one, word
     return None
 
 

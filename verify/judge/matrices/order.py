@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 from gainproof.verify.judge.matrices.book import Book
@@ -11,7 +12,7 @@ from gainproof.verify.judge.matrices.full_rank import left_inverses
 from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
 from gainproof.verify.judge.matrices.groups import groups_with_sum
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
-from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
+from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError, reciprocal
 from gainproof.verify.judge.matrices.size import Shape, Size
 from gainproof.verify.judge.matrices.squares import (
     Square,
@@ -62,7 +63,9 @@ def prove_order(
     being looked for already, which helps with none of them. Raises UnprovedError.
     """
     value = book.alphabet.reduced(book.without_elements(difference)[0])
-    for squares in _attempts(book, value, asked | {(value.shape, value.key)}):
+    size, value = value.content, value.primitive
+    for found in _attempts(book, value, asked | {(value.shape, value.key)}):
+        squares = [replace(square, weight=square.weight * size) for square in found]
         rest = difference
         for square in squares:
             middle = square.factor.T @ square.known.value @ square.factor
@@ -110,9 +113,10 @@ def _attempts(book: Book, value: Polynomial, asked: frozenset[Asked]) -> Iterato
                 own = expanded(book, square)
                 if own is not None and own.key == value.key:
                     yield [square]
-    gram = decomposed(book, value, known)
-    if gram is not None:
-        yield [Square(factor, one, weight) for factor, one, weight in gram]
+    for some in (known, *([one] for one in known)):
+        gram = decomposed(book, value, some)
+        if gram is not None:
+            yield [Square(factor, one, weight) for factor, one, weight in gram]
     signed = signed_squares(book, value, known)
     if signed:
         yield [Square(factor, one) for factor, one in signed]
@@ -120,6 +124,7 @@ def _attempts(book: Book, value: Polynomial, asked: frozenset[Asked]) -> Iterato
     by_key = [(s, expanded(book, s)) for s in likely]
     found = [(s, v) for s, v in by_key if v is not None and v.terms]
     found += list(by_equations(book, [s for s, _ in found]))
+    found = [_primitive(square, own) for square, own in found]
     for group in groups_with_sum(value, [own for _, own in found]):
         yield [found[at][0] for at in group]
     for square, own in found[:MOST_SEARCHED]:
@@ -129,33 +134,43 @@ def _attempts(book: Book, value: Polynomial, asked: frozenset[Asked]) -> Iterato
     yield from _of_bases(book, value, known, asked)
 
 
+def _primitive(square: Square, value: Polynomial) -> tuple[Square, Polynomial]:
+    """The square with a weight that makes its coefficients whole and without a common divisor, as
+    those of what is looked for.
+    """
+    weight = square.weight * reciprocal(value.content)
+    return replace(square, weight=weight), value.primitive
+
+
 def _of_bases(
     book: Book, value: Polynomial, known: Sequence[Known], asked: frozenset[Asked]
 ) -> Iterator[list[Square]]:
-    """Y2 - Y1 = Y1 G Y1 + Y1 G Y2 G Y1, from the value: X1 and X2 are what the inverses are of, G
-    their difference, which is shown to be at least 0; a unit matrix is its own inverse. Of G the
+    """Y2 - Y1 = Y1 G Y1 + Y1 G Y2 G Y1, from the value: Y1 and Y2 are multiples of letters or of
+    a unit matrix, X1 and X2 their inverses, G = X1 - X2, which is shown to be at least 0. Of G the
     same may be asked, whose answer often is the value: it ends as there are finitely many pairs of
     letters, none of which is asked about on the way to itself.
     """
     alphabet = book.alphabet
-    signs = {factor: word for word, factor in value.terms.items()}
-    if len(value.terms) != 2 or set(signs) != {1, -1}:
+    terms = sorted(value.terms.items(), key=lambda term: term[1])
+    if len(terms) != 2 or not terms[0][1] < 0 < terms[1][1]:
         return
     bases: list[Polynomial] = []
-    for sign in (-1, 1):
-        word = signs[sign]
+    for word, factor in terms:
         if not word:
-            bases.append(alphabet.unit(value.shape[0]))
+            own = alphabet.unit(value.shape[0])
         elif len(word) == 1 and word[0] // 2 in {**alphabet.base, **alphabet.inverse}:
             number = word[0] // 2
             base = alphabet.base.get(number, alphabet.inverse.get(number, number))
-            bases.append(alphabet.elements.get(base, alphabet.letter(base)))
+            own = alphabet.elements.get(base, alphabet.letter(base))
         else:
             return
-    first, second = (Polynomial({signs[sign]: 1}, value.shape) for sign in (-1, 1))
+        bases.append(own.times(reciprocal(factor if factor > 0 else -factor)))
+    first = Polynomial({terms[0][0]: -terms[0][1]}, value.shape)
+    second = Polynomial({terms[1][0]: 1}, value.shape)
     same = [k for k in known if k.strict and k.value.shape == second.shape]
     last = next((k for k in same if k.value.key == second.key), None)
-    gap = alphabet.reduced(bases[0] - bases[1])
+    whole = alphabet.reduced(bases[0] - bases[1])
+    gap = whole.primitive
     if last is None or not gap.terms or (gap.shape, gap.key) in asked:
         return
     for strict in (True, False):
@@ -169,7 +184,8 @@ def _of_bases(
         break
     else:
         return
-    yield [Square(first, book.known[-1]), Square(alphabet.reduced(gap @ first), last)]
+    again = Square(alphabet.reduced(whole @ first), last, terms[1][1])
+    yield [Square(first, book.known[-1], whole.content), again]
 
 
 def _rank(book: Book, squares: Sequence[Square], size: Size) -> dict[str, Any]:

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
+from math import gcd, lcm
 from typing import TypeAlias
 
 from gainproof.verify.judge.matrices.size import Shape
@@ -75,6 +77,18 @@ class Polynomial:
             {turned(word): value for word, value in self.terms.items()},
             (self.shape[1], self.shape[0]),
         )
+
+    @property
+    def content(self) -> Number:
+        """The largest number > 0 of which all coefficients are whole multiples; 1 if all are 0."""
+        values = [Fraction(value) for value in self.terms.values()] or [Fraction(1)]
+        top = reduce(gcd, (value.numerator for value in values))
+        return reciprocal(Fraction(lcm(*(value.denominator for value in values)), top))
+
+    @property
+    def primitive(self) -> Polynomial:
+        """The polynomial over its content."""
+        return self.times(reciprocal(self.content))
 
     @property
     def key(self) -> frozenset[tuple[Word, Number]]:

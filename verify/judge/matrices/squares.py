@@ -110,7 +110,9 @@ def _meant(book: Book, one: Known) -> list[Polynomial]:
 
 
 def of_inverses(book: Book, known: Sequence[Known]) -> Iterator[list[Square]]:
-    """Y2 - Y1 = Y1 G Y1 + Y1 G Y2 G Y1 for inverses of X1 and X2 with G = X1 - X2 >= 0."""
+    """Y2 - Y1 = Y1 G Y1 + Y1 G Y2 G Y1 for inverses of multiples X1 and X2 of letters, of which
+    G = X1 - X2 >= 0 is known.
+    """
     alphabet = book.alphabet
     for one in known:
         gap = (
@@ -119,16 +121,21 @@ def of_inverses(book: Book, known: Sequence[Known]) -> Iterator[list[Square]]:
             else one.value
         )
         words = sorted(gap.terms.items(), key=lambda term: -term[1])
-        if [c for _, c in words] != [1, -1] or any(len(w) != 1 for w, _ in words):
+        if (
+            len(words) != 2
+            or not words[1][1] < 0 < words[0][1]
+            or any(len(w) != 1 for w, _ in words)
+        ):
             continue
         first, second = (_inverse_letter(book, word[0] // 2) for word, _ in words)
         if first is None or second is None:
             continue
+        first = first.times(reciprocal(words[0][1]))
         for other in known:
             if other.value.key == second.key:
                 yield [
                     Square(first, one),
-                    Square(alphabet.reduced(gap @ first), other),
+                    Square(alphabet.reduced(gap @ first), other, reciprocal(-words[1][1])),
                 ]
 
 

@@ -23,6 +23,12 @@ TRUE = [
     (r"(I_n + S)^{-1} \leq I_n", "inequality", ""),
     (r"Q^{-1} > (Q + V)^{-1}", "inequality", ""),
     (r"(I_n + A^T A)^{-1} \leq I_n", "inequality", ""),
+    (r"2 I_n \geq 2 Q^{-1}", "inequality", r"given = ['Q \geq I_n']"),
+    (r"2 I_n \geq Q^{-1}", "inequality", r"given = ['4 Q \geq 2 I_n']"),
+    (r"3 V^{-1} \geq 2 Q^{-1}", "inequality", r"given = ['3 Q \geq 2 V']"),
+    (r"\frac{1}{2} Q > \frac{1}{2} V", "inequality", "given = ['Q > V']"),
+    (r"Q + Q^{-1} \geq 2 I_n", "inequality", ""),
+    (r"Q Q \geq 2 Q - I_n", "inequality", ""),
 ]
 FALSE = [
     ("M A = I_n", "identity", "given = ['A M = I_m']"),
@@ -33,6 +39,11 @@ FALSE = [
     (r"Q^{-1} > (Q + S)^{-1}", "inequality", ""),
     (r"(I_n + S)^{-1} < I_n", "inequality", ""),
     (r"(Q + S)^{-1} \geq Q^{-1}", "inequality", ""),
+    (r"3 I_n \geq 4 Q^{-1}", "inequality", r"given = ['Q \geq I_n']"),
+    (r"I_n > 2 Q^{-1}", "inequality", r"given = ['Q \geq 2 I_n']"),
+    (r"Q + Q^{-1} > 2 I_n", "inequality", ""),
+    (r"Q + Q^{-1} \geq 3 I_n", "inequality", ""),
+    (r"Q Q \geq 3 Q - 2 I_n", "inequality", ""),
     (r"Q^{-1} \geq (Q + X)^{-1}", "inequality", "invertible = ['Q + X']"),
 ]
 
