@@ -17,6 +17,7 @@ from gainproof.derive.printer.kernel import Input, Kernel, Output
 from gainproof.derive.stable_form.coordinates import Coordinate, coordinates
 from gainproof.derive.stable_form.emission import Emission, Order
 from gainproof.derive.stable_form.letters import Letters
+from gainproof.derive.stable_form.products import Products, shown
 from gainproof.derive.stable_form.reading import NoReading, Reading, RootOfParameter
 
 VALUE, SCALE = "value", "scale"
@@ -106,10 +107,14 @@ def _candidates(
     expression: sp.Expr, domain: tuple[Coordinate, ...], rooted: bool, scale: Fraction
 ) -> Iterator[Candidate]:
     reading, value = _read(expression, tuple(replace(each, rooted=rooted) for each in domain))
-    product = reading.product(value)
-    if not product.constant:
+    products = [reading.product(value), Products(reading.tower).whole(value)]
+    if not products[0].constant:
         raise NoReading("the expression is 0")
-    for place, nested, alternating in combinations(PLACES, (True, False), (False, True)):
+    if products[0].powers == products[1].powers or shown(products[0]) > shown(products[1]):
+        products.pop()
+    for product, place, nested, alternating in combinations(
+        products, PLACES, (True, False), (False, True)
+    ):
         builder, letters, order = (
             GraphBuilder(),
             Letters(reading, place, scale),

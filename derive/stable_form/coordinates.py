@@ -15,7 +15,7 @@ from fractions import Fraction
 import sympy as sp
 
 from gainproof.derive.expression import real
-from gainproof.derive.printer.graph import exact_fraction
+from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.kernel import Input, Limit
 
 
@@ -77,4 +77,4 @@ def coordinates(inputs: Sequence[Input]) -> Iterator[tuple[Coordinate, ...]]:
 
 def _rational(limit: Limit | None) -> Fraction | None:
     """A limit of a domain, None where it is no rational number."""
-    return None if limit is None or isinstance(limit, dict) else exact_fraction(limit)
+    return None if limit is None else constant(limit).rational

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Parameter, Poly, Tower
 from gainproof.derive.expression import real
 from gainproof.derive.stable_form.coordinates import Coordinate
+from gainproof.derive.stable_form.denested import halves
 from gainproof.derive.stable_form.product import Product
-from gainproof.derive.stable_form.signs import Signs, plain
+from gainproof.derive.stable_form.products import Products, shown
+from gainproof.derive.stable_form.signs import plain
 
 
 class NoReading(ValueError):
@@ -42,11 +43,6 @@ class Reading:
         parameters = tuple(Parameter(each.parameter) for each in self.coordinates)
         return Tower("main", parameters, tuple(self.generators), self.inputs)
 
-    @property
-    def signs(self) -> Signs:
-        """The search for signs, outer roots first."""
-        return Signs(self.tower, range(len(self.generators))[::-1])
-
     def read(self, expression: sp.Expr) -> sp.Expr:
         """The expression with every root replaced by variables of the tower, inner ones first."""
         if expression not in self._known:
@@ -63,7 +59,7 @@ class Reading:
         if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Rational):
             base, power = self.read(expression.base), expression.exp
             if power.q == 1:
-                if power < 0 and not all(map(plain, self.product(base).powers)):
+                if power < 0 and not shown(self.product(base)):
                     raise NoReading(f"a division by what is not shown to be other than 0: {base}")
                 return base**power
             if power.q == 2:
@@ -77,8 +73,8 @@ class Reading:
     def root(self, value: sp.Expr) -> sp.Expr:
         """The positive square root of a value; NoReading where its sign is not found."""
         product = self.product(value)
-        if product.constant < 0 or not all(map(plain, product.powers)):
-            raise NoReading(f"the square root of what is not shown to be positive: {value}")
+        if product.constant < 0:
+            raise NoReading(f"the square root of what is negative: {value}")
         number = product.constant.numerator * product.constant.denominator
         found = sp.Integer(1) / product.constant.denominator
         for prime, power in sp.factorint(number).items():
@@ -93,15 +89,14 @@ class Reading:
         return found
 
     def product(self, value: sp.Expr) -> Product:
-        """A value as a product of factors of one sign each, where they are found."""
+        """A value as a product of factors of one sign each, where they are found.
+
+        NoReading where it is divided by 0.
+        """
         try:
-            fraction = self.tower.fraction(value)
+            return Products(self.tower).by_factors(value)
         except ZeroDivisionError:
             raise NoReading(f"a division by 0: {value}") from None
-        if not fraction.num:
-            return Product(Fraction(0))
-        signs = self.signs
-        return signs.product(fraction.num) * signs.product(fraction.den) ** -1
 
     def _expression(self, poly: Poly) -> sp.Expr:
         return poly.as_expr(*(real(name) for name in self.tower.variables))
@@ -110,13 +105,35 @@ class Reading:
         for each in self.coordinates:
             if factor == real(each.parameter):
                 raise RootOfParameter(each.name)
+        poly = self.tower.fraction(factor).num
+        for parts in halves(self.tower, poly):
+            before = self.generators, self.tower
+            found = self._denested(factor, *(self._expression(part) for part in parts))
+            if found is not None:
+                return found
+            self.generators, self.tower = before
+        if not plain(poly):
+            raise NoReading(f"the square root of what is not shown to be positive: {factor}")
         return self._generator(factor)
+
+    def _denested(self, square: sp.Expr, first: sp.Expr, second: sp.Expr) -> sp.Expr | None:
+        """The sum or the difference of two roots, whichever has the square, as it is positive."""
+        try:
+            one, other = self.root(first), self.root(second)
+            for found in (one + other, one - other):
+                if self.tower.is_zero(found**2 - square):
+                    product = self.product(found)
+                    if shown(product):
+                        return found if product.constant > 0 else -found
+        except NoReading:
+            pass
+        return None
 
     def _generator(self, radicand: sp.Expr) -> sp.Expr:
         for entry in self.generators:
             if entry.radicand == radicand:
                 return real(entry.symbol)
         symbol = f"root_{len(self.generators) + 1}"
-        self.generators.append(Generator(symbol, radicand))
+        self.generators = [*self.generators, Generator(symbol, radicand)]
         self.tower = self._tower()
         return real(symbol)

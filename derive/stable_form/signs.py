@@ -8,9 +8,10 @@ enough of them (Polya). What is left has no sign, or none that was found.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from gainproof.derive.algebra.tower import Poly, Tower
+from gainproof.derive.stable_form.normal import linear
 from gainproof.derive.stable_form.product import Product, of_poly
 
 DRAWN = "square roots drawn out as common factors"
@@ -27,10 +28,13 @@ def plain(poly: Poly) -> bool:
 
 
 class Signs:
-    """The search in one tower; `order`: places of generators, in which conjugates are tried."""
+    """The search in one tower; `order`: places of generators, in which conjugates are tried.
 
-    def __init__(self, tower: Tower, order: Sequence[int]) -> None:
-        self.tower, self.order = tower, order
+    `divisors`: factors that stand below the line, which a product needs no sign of to cancel.
+    """
+
+    def __init__(self, tower: Tower, order: Sequence[int], divisors: Collection[Poly] = ()) -> None:
+        self.tower, self.order, self.divisors = tower, order, divisors
         self.known: dict[Poly, Product] = {}
 
     def product(self, poly: Poly) -> Product:
@@ -88,21 +92,14 @@ class Signs:
         index = len(self.tower.parameters) + position
         if poly.degree(index) < 1:
             return None
-        ring = poly.ring
-        free, times = ring.zero, ring.zero
-        for exponents, coefficient in poly.terms():
-            if exponents[index]:
-                times += ring.term_new(exponents, coefficient)
-            else:
-                free += ring.term_new(exponents, coefficient)
-        conjugate = self._plain(free - times)
-        if conjugate is None:
-            return None
-        square = self.tower.reduce(poly * (free - times))
-        if not square:
+        other = poly - 2 * linear(poly, index)
+        conjugate = self._plain(other)
+        square = self.tower.reduce(poly * other)
+        if conjugate is None or not square:
             return None
         found = self.product(square) * conjugate**-1
-        return found.because(CONJUGATE) if _all_plain(found) else None
+        fine = all(plain(factor) or factor in self.divisors for factor in found.powers)
+        return found.because(CONJUGATE) if fine else None
 
     def _plain(self, poly: Poly) -> Product | None:
         """A product of factors of one sign each, if the polynomial needs no conjugate for it."""
@@ -122,10 +119,6 @@ class Signs:
                 return (of_poly(whole) * of_poly(power) ** -1).because(POLYA)
             power *= times
         return None
-
-
-def _all_plain(product: Product) -> bool:
-    return all(map(plain, product.powers))
 
 
 def _is_variable(poly: Poly) -> bool:
