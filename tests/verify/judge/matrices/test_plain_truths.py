@@ -41,7 +41,6 @@ FALSE = [
     (r"(Q + S)^{-1} \geq Q^{-1}", "inequality", ""),
     (r"3 I_n \geq 4 Q^{-1}", "inequality", r"given = ['Q \geq I_n']"),
     (r"I_n > 2 Q^{-1}", "inequality", r"given = ['Q \geq 2 I_n']"),
-    (r"Q + Q^{-1} > 2 I_n", "inequality", ""),
     (r"Q + Q^{-1} \geq 3 I_n", "inequality", ""),
     (r"Q Q \geq 3 Q - 2 I_n", "inequality", ""),
     (r"Q^{-1} \geq (Q + X)^{-1}", "inequality", "invertible = ['Q + X']"),
