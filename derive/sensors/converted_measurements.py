@@ -5,6 +5,7 @@ from __future__ import annotations
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.sensors.algebraic import algebraic
+from gainproof.derive.sensors.converted_correlated_definite import correlated_definite_steps
 from gainproof.derive.sensors.converted_correlated_graphs import (
     correlated_kernel_steps,
 )
@@ -76,6 +77,7 @@ def build() -> Subject:
         *space_conversion_steps(),
         *space_growth_steps(),
         *space_correlated_steps(),
+        *correlated_definite_steps(),
         *kernel_steps(plain),
         *space_kernel_steps(plain),
         *correlated_kernel_steps(plain),

@@ -19,7 +19,7 @@ from statistics import NormalDist
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
-from converted_definite import definite
+from converted_definite import definite, definite_correlated
 from converted_monte_carlo import Normalised, Scene, normalised
 
 HELP = "conversions of polar measurements over many draws"
@@ -60,8 +60,11 @@ def main() -> int:
         f"  {each.name:18}{each.printed:12.4%}{each.kernel:12.4%}{each.axes:12.4%}"
         for each in found
     ]
+    correlated = definite_correlated(options.inputs, options.seed)
+    lines += [f"  {name:30}{share:12.4%}" for name, share in correlated.items()]
     sys.stdout.write("\n".join([*lines, ""]))
-    return int(worst.off > allowed or any(each.axes < 1 for each in found))
+    fell_short = any(each.axes < 1 for each in found) or min(correlated.values()) < 1
+    return int(worst.off > allowed or fell_short)
 
 
 def shown(scene: Scene, outcome: list[Normalised]) -> list[str]:

@@ -9,7 +9,7 @@ import flint
 import numpy as np
 import pytest
 import sympy as sp
-from converted_definite import definite, is_definite
+from converted_definite import definite, definite_correlated, is_definite
 from converted_monte_carlo import Normalised, Scene, normalised
 from samples import samples
 
@@ -66,6 +66,12 @@ def test_kernels_are_definite_where_printed_forms_are_not() -> None:
         else:
             assert each.kernel > 0.999, each
             assert each.printed < 0.98, each
+
+
+@pytest.mark.sampled
+def test_kernels_for_correlated_noises_are_definite() -> None:
+    shares = definite_correlated(samples(20_000), seed=5)
+    assert set(shares.values()) == {1.0}
 
 
 def test_determinants_are_exact() -> None:

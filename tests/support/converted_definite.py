@@ -32,18 +32,7 @@ def definite(count: int, seed: int) -> list[Definite]:
     """Of random measurements in float64, log-uniform: ranges from 10 m to a million kilometres,
     deviations from 1 mm to 1 km and from 1e-8 to 1 rad.
     """
-    generator = np.random.default_rng(seed)
-
-    def spread(low: float, high: float) -> Floats:
-        drawn: Floats = np.exp(generator.uniform(np.log(low), np.log(high), count))
-        return drawn
-
-    given = (
-        spread(10, 1e9),
-        generator.uniform(-np.pi, np.pi, count),
-        spread(1e-3, 1e3),
-        spread(1e-8, 1),
-    )
+    given = _measurements(np.random.default_rng(seed), count)
     found = []
     for name in NAMES:
         made = getattr(converted_measurements, f"{name}_conversion_in_plane")(*given)
@@ -58,6 +47,27 @@ def definite(count: int, seed: int) -> list[Definite]:
             )
         )
     return found
+
+
+def definite_correlated(count: int, seed: int) -> dict[str, float]:
+    """The same shares of the kernels for correlated noises, at correlations from -1 to 1."""
+    generator = np.random.default_rng(seed)
+    given = *_measurements(generator, count), generator.uniform(-1, 1, count)
+    found = {}
+    for name in ("correlated_unbiased", "correlated_modified_unbiased"):
+        made = getattr(converted_measurements, f"{name}_conversion_in_plane")(*given)
+        entries = made.covariance_xx, made.covariance_xy, made.covariance_yy
+        found[name] = float(is_definite(entries).mean())
+    return found
+
+
+def _measurements(generator: np.random.Generator, count: int) -> tuple[Floats, ...]:
+    def spread(low: float, high: float) -> Floats:
+        drawn: Floats = np.exp(generator.uniform(np.log(low), np.log(high), count))
+        return drawn
+
+    range_, azimuth = spread(10, 1e9), generator.uniform(-np.pi, np.pi, count)
+    return range_, azimuth, spread(1e-3, 1e3), spread(1e-8, 1)
 
 
 def is_definite(entries: Entries) -> NDArray[np.bool_]:
