@@ -16,7 +16,8 @@ import pytest
 
 from gainproof import cli
 from gainproof.figures import catalogue
-from gainproof.figures.catalogue import CATALOGUE, Entry
+from gainproof.figures.catalogue import CATALOGUE
+from gainproof.figures.entry import Entry
 from gainproof.figures.table import Column, Table, Words, decades
 
 Capture = pytest.CaptureFixture[str]

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from gainproof.figures import canvas
-from gainproof.figures.catalogue import CATALOGUE, Entry
+from gainproof.figures.catalogue import CATALOGUE
+from gainproof.figures.entry import Entry
 
 Draw = Callable[[Any], None]
 LECTURE = [entry for entry in CATALOGUE if entry.source == "lecture"]

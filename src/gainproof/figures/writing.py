@@ -8,7 +8,7 @@ from pathlib import Path
 from gainproof import atomic_file, places
 from gainproof.bad_input import BadInputError
 from gainproof.figures.canvas import pictures
-from gainproof.figures.catalogue import Entry
+from gainproof.figures.entry import Entry
 from gainproof.figures.table import Table
 
 
