@@ -7,8 +7,10 @@ NumPy escapes. The arithmetic runs in blocks through a few buffers that are used
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from functools import partial
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -16,6 +18,8 @@ from gainproof.generated._guards import admit, block_length, parts_of
 from gainproof.generated._outputs import checked, overlap
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from numpy.typing import ArrayLike
 
     from gainproof.generated._signature import Array, Real, Signature
@@ -24,75 +28,125 @@ LONG = 2
 """Blocks looked at together where all are looked at first: as many more calls cost a tenth."""
 
 
+class Call(NamedTuple):
+    """One call of a kernel: `flat` are the inputs in one order with the results, which are `fresh`
+    where none were given.
+    """
+
+    kernel: Signature
+    inputs: Sequence[Array]
+    flat: list[Array]
+    results: Sequence[Array]
+    fresh: bool
+
+
 def evaluate(
-    kernel: Signature, given: Sequence[ArrayLike], out: tuple[Real, ...] | None
+    kernel: Signature, given: Sequence[ArrayLike], out: tuple[Real, ...] | None, workers: int
 ) -> tuple[Any, ...]:
     """The outputs of a kernel: numbers for numbers, else arrays of the inputs' common shape.
 
+    `workers`: threads that share the blocks, started for this call alone; 1 starts none. However
+    many there are, results are the same bit for bit and the same input is refused.
+
     TypeError for inputs that are not real numbers of the types above; ValueError for inputs
-    outside their domain (NaN included), shapes that do not fit, or arrays in `out` that are not as
-    many as the outputs, of another shape or type, read-only, or that share memory.
+    outside their domain (NaN included), shapes that do not fit, arrays in `out` that are not as
+    many as the outputs, of another shape or type, read-only, or that share memory, and for
+    `workers` that is no whole number from 1.
     """
+    if not isinstance(workers, int) or workers < 1:
+        raise ValueError(
+            f"{kernel.name}: workers must be a whole number of threads, 1 or more, got {workers!r}"
+        )
     with np.errstate(all="ignore"):
         # a signalling NaN warns as soon as it is widened
         inputs = _as_real(kernel, given)
         shape = _common_shape(kernel, inputs)
-        length = block_length(kernel)
-        flat = [_constant(x, shape, length) if x.size == 1 else _flat(x, shape) for x in inputs]
+        # one number stays one, a copy, since outputs may take its place
+        flat = [x.flatten() if x.size == 1 else _flat(x, shape) for x in inputs]
         kind = inputs[0].dtype
         if out is None:
             results = [np.empty(shape, kind) for _ in kernel.outputs]
         else:
             results = checked(kernel, out, shape, kind)
-            size = results[0].size
-            for start in range(0, size, LONG * length):
-                admit(kernel, flat, start, min(start + LONG * length, size), inputs, shape)
-        _run(kernel, flat, results, inputs, out is None)
+        call = Call(kernel, inputs, flat, results, out is None)
+        starts = range(0, results[0].size, block_length(kernel))
+        count = min(workers, len(starts))
+        if count < 2:
+            run(call, [starts])
+        else:
+            # kernels are imported more often than threads are asked for
+            from concurrent.futures import ThreadPoolExecutor
+
+            ends = [len(starts) * part // count for part in range(count + 1)]
+            shares = [starts[first:last] for first, last in pairwise(ends)]
+            # of what NumPy warns is each thread's own
+            with ThreadPoolExecutor(count - 1, initializer=np.seterr, initargs=("ignore",)) as pool:
+                run(call, shares, pool)
     if out is None and shape == ():
         return tuple(y[()] for y in results)
     return tuple(results)
 
 
-def _run(
-    kernel: Signature,
-    flat: list[Array],
-    results: Sequence[Array],
-    inputs: Sequence[Array],
-    guard: bool,
-) -> None:
+def run(call: Call, shares: Sequence[range], pool: Executor | None = None) -> None:
+    """Fill the results; the starts of the blocks are shared among this thread and the pool's."""
+    kept: list[int] = []
+    if not call.fresh:
+        _share(partial(_look, call), shares, pool)
+        # where an output takes the place of an input
+        for place, x in enumerate(call.flat):
+            shared = [y for y in call.results if overlap(y, x)]
+            if any(_elsewhere(x, y) for y in shared):
+                call.flat[place] = x.copy()
+            elif shared:
+                kept.append(place)
+    _share(partial(_fill, call, kept), shares, pool)
+
+
+def _share(job: Callable[[range], None], shares: Sequence[range], pool: Executor | None) -> None:
+    """Do a job for every share, and raise what the first of them raised."""
+    others = [pool.submit(job, share) for share in shares[1:]] if pool else []
+    job(shares[0])
+    for other in others:
+        other.result()
+
+
+def _look(call: Call, starts: range) -> None:
+    """Refuse what a share holds outside the domain."""
+    shape, size = call.results[0].shape, call.results[0].size
+    for start in starts[::LONG]:
+        stop = min(start + LONG * starts.step, starts.stop, size)
+        admit(call.kernel, call.flat, start, stop, call.inputs, shape)
+
+
+def _fill(call: Call, kept: Sequence[int], starts: range) -> None:
+    """Compute a share; inputs that are `kept` are copied block by block before they are read."""
+    kernel, flat, results = call.kernel, call.flat, call.results
     size, kind = results[0].size, flat[0].dtype
     single = kind == np.float32
-    step = block_length(kernel)
-    length = min(size, step)
+    length = min(size, starts.step)
     # an output that is not contiguous is filled through a buffer
     direct = [y.flags.c_contiguous for y in results]
+    count = kernel.work + len(kept) + direct.count(False)
+    # in one piece, which the allocator keeps for the next call: its pages are mapped but once
+    work: list[Array] = [*np.empty((count, length), kind)]
+    copies = [work.pop() for _ in kept]
     targets: list[Array] = [
-        np.asarray(y).reshape(-1) if straight else np.empty(length, kind)
+        np.asarray(y).reshape(-1) if straight else work.pop()
         for y, straight in zip(results, direct, strict=True)
     ]
-    work: list[Array] = [np.empty(length, kind) for _ in range(kernel.work)]
-    # inputs that an output takes the place of: kept block by block, while they are read
-    copies: dict[int, Array] = {}
-    for place, x in enumerate(() if guard else flat):
-        shared = [y for y in results if overlap(y, x)]
-        if any(_elsewhere(x, y) for y in shared):
-            flat[place] = x.copy()
-        elif shared:
-            copies[place] = np.empty(length, kind)
-    starts = range(0, size, step)
-    # what was admitted last is still in the cache: it is computed first
-    for start in starts if guard else reversed(starts):
-        stop = min(start + step, size)
-        if guard:
-            admit(kernel, flat, start, stop, inputs, results[0].shape)
+    # what was looked at last is still in the cache: it is computed first
+    for start in starts if call.fresh else reversed(starts):
+        stop = min(start + starts.step, size)
+        if call.fresh:
+            admit(kernel, flat, start, stop, call.inputs, results[0].shape)
         parts = parts_of(flat, start, stop, size)
         filled = [
             y[start:stop] if straight else y[: stop - start]
             for y, straight in zip(targets, direct, strict=True)
         ]
-        for place, held in copies.items():
-            np.copyto(held[: stop - start], parts[place])
-            parts[place] = held[: stop - start]
+        for place, copy in zip(kept, copies, strict=True):
+            np.copyto(copy[: stop - start], parts[place])
+            parts[place] = copy[: stop - start]
         kernel.block(parts, filled, [w[: stop - start] for w in work], single)
         for y, straight, result in zip(filled, direct, results, strict=True):
             if not straight:
@@ -130,14 +184,6 @@ def _common_shape(kernel: Signature, inputs: Sequence[Array]) -> tuple[int, ...]
 def _flat(x: Array, shape: tuple[int, ...]) -> Array:
     contiguous: Array = np.ascontiguousarray(x if x.shape == shape else np.broadcast_to(x, shape))
     return contiguous.reshape(-1)
-
-
-def _constant(x: Array, shape: tuple[int, ...], length: int) -> Array:
-    """One number as often as a block takes it."""
-    size = 1
-    for count in shape:
-        size *= count
-    return np.full(min(size, length), x.reshape(-1)[0], x.dtype)
 
 
 def _elsewhere(x: Array, y: Array) -> bool:

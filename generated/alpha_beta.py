@@ -123,7 +123,11 @@ class Coordinates(NamedTuple):
 
 
 def coordinates(
-    alpha: ArrayLike, beta: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Coordinates:
     """How far gains are inside the region of stability.
 
@@ -145,14 +149,15 @@ def coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return Coordinates(*evaluate(_COORDINATES, (alpha, beta), out))
+    return Coordinates(*evaluate(_COORDINATES, (alpha, beta), out, workers))
 
 
 def _coordinates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -191,6 +196,7 @@ def gains_of_coordinates(
     quadratic_coefficient: ArrayLike,
     *,
     out: tuple[Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsOfCoordinates:
     """Gains of any stable alpha-beta filter from its coordinates.
 
@@ -209,15 +215,16 @@ def gains_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
     return GainsOfCoordinates(
-        *evaluate(_GAINS_OF_COORDINATES, (linear_coefficient, quadratic_coefficient), out)
+        *evaluate(_GAINS_OF_COORDINATES, (linear_coefficient, quadratic_coefficient), out, workers)
     )
 
 
@@ -263,6 +270,7 @@ def variances(
     beta: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Variances:
     """Covariances under measurement noise alone, from the gains.
 
@@ -294,14 +302,15 @@ def variances(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return Variances(*evaluate(_VARIANCES, (alpha, beta), out))
+    return Variances(*evaluate(_VARIANCES, (alpha, beta), out, workers))
 
 
 def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -364,6 +373,7 @@ def variances_of_coordinates(
     quadratic_coefficient: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> VariancesOfCoordinates:
     """Covariances under measurement noise alone, any stable filter.
 
@@ -392,15 +402,21 @@ def variances_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
     return VariancesOfCoordinates(
-        *evaluate(_VARIANCES_OF_COORDINATES, (linear_coefficient, quadratic_coefficient), out)
+        *evaluate(
+            _VARIANCES_OF_COORDINATES,
+            (linear_coefficient, quadratic_coefficient),
+            out,
+            workers,
+        )
     )
 
 
@@ -468,6 +484,7 @@ def process_noise_variances(
     beta: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ProcessNoiseVariances:
     """What each entry of a process noise adds to covariances.
 
@@ -512,14 +529,15 @@ def process_noise_variances(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return ProcessNoiseVariances(*evaluate(_PROCESS_NOISE_VARIANCES, (alpha, beta), out))
+    return ProcessNoiseVariances(*evaluate(_PROCESS_NOISE_VARIANCES, (alpha, beta), out, workers))
 
 
 def _process_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -618,6 +636,7 @@ def process_noise_variances_of_coordinates(
     quadratic_coefficient: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ProcessNoiseVariancesOfCoordinates:
     """The same of the prediction, any stable filter.
 
@@ -650,10 +669,11 @@ def process_noise_variances_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
@@ -662,6 +682,7 @@ def process_noise_variances_of_coordinates(
             _PROCESS_NOISE_VARIANCES_OF_COORDINATES,
             (linear_coefficient, quadratic_coefficient),
             out,
+            workers,
         )
     )
 
@@ -732,7 +753,11 @@ class Lags(NamedTuple):
 
 
 def lags(
-    alpha: ArrayLike, beta: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Lags:
     """Steady errors behind a constant acceleration a, over a T^2 (positions) and a T.
 
@@ -759,14 +784,15 @@ def lags(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return Lags(*evaluate(_LAGS, (alpha, beta), out))
+    return Lags(*evaluate(_LAGS, (alpha, beta), out, workers))
 
 
 def _lags_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -810,7 +836,11 @@ class ClosedLoopPoles(NamedTuple):
 
 
 def closed_loop_poles(
-    alpha: ArrayLike, beta: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ClosedLoopPoles:
     """Closed-loop poles, half_sum +- sqrt(quarter_discriminant).
 
@@ -836,14 +866,15 @@ def closed_loop_poles(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta), out))
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta), out, workers))
 
 
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -880,7 +911,7 @@ class MinimumVarianceByLag(NamedTuple):
 
 
 def minimum_variance_by_lag(
-    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> MinimumVarianceByLag:
     """The stable filter of least position variance at a lag (MV).
 
@@ -903,14 +934,15 @@ def minimum_variance_by_lag(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out))
+    return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out, workers))
 
 
 def _minimum_variance_by_lag_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -955,7 +987,7 @@ class MinimumSmoothedVarianceByLag(NamedTuple):
 
 
 def minimum_smoothed_variance_by_lag(
-    lag: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    lag: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> MinimumSmoothedVarianceByLag:
     """The stable filter of least smoothed variance (NP-S).
 
@@ -985,14 +1017,17 @@ def minimum_smoothed_variance_by_lag(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return MinimumSmoothedVarianceByLag(*evaluate(_MINIMUM_SMOOTHED_VARIANCE_BY_LAG, (lag,), out))
+    return MinimumSmoothedVarianceByLag(
+        *evaluate(_MINIMUM_SMOOTHED_VARIANCE_BY_LAG, (lag,), out, workers)
+    )
 
 
 def _minimum_smoothed_variance_by_lag_block(
@@ -1055,7 +1090,7 @@ class RandomAccelerationByLag(NamedTuple):
 
 
 def random_acceleration_by_lag(
-    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> RandomAccelerationByLag:
     """The random acceleration filter (RA) of a lag.
 
@@ -1078,14 +1113,15 @@ def random_acceleration_by_lag(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return RandomAccelerationByLag(*evaluate(_RANDOM_ACCELERATION_BY_LAG, (lag,), out))
+    return RandomAccelerationByLag(*evaluate(_RANDOM_ACCELERATION_BY_LAG, (lag,), out, workers))
 
 
 def _random_acceleration_by_lag_block(
@@ -1133,7 +1169,7 @@ class RandomVelocityByLag(NamedTuple):
 
 
 def random_velocity_by_lag(
-    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> RandomVelocityByLag:
     """The random velocity filter (RV) of a lag, where it is stable.
 
@@ -1156,14 +1192,15 @@ def random_velocity_by_lag(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return RandomVelocityByLag(*evaluate(_RANDOM_VELOCITY_BY_LAG, (lag,), out))
+    return RandomVelocityByLag(*evaluate(_RANDOM_VELOCITY_BY_LAG, (lag,), out, workers))
 
 
 def _random_velocity_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1216,7 +1253,7 @@ class MinimumVarianceByGain(NamedTuple):
 
 
 def minimum_variance_by_gain(
-    alpha: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    alpha: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> MinimumVarianceByGain:
     """Both minimum variance filters (MV) of one position gain.
 
@@ -1244,14 +1281,15 @@ def minimum_variance_by_gain(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return MinimumVarianceByGain(*evaluate(_MINIMUM_VARIANCE_BY_GAIN, (alpha,), out))
+    return MinimumVarianceByGain(*evaluate(_MINIMUM_VARIANCE_BY_GAIN, (alpha,), out, workers))
 
 
 def _minimum_variance_by_gain_block(
@@ -1309,7 +1347,7 @@ class MinimumSmoothedVarianceByGain(NamedTuple):
 
 
 def minimum_smoothed_variance_by_gain(
-    alpha: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    alpha: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> MinimumSmoothedVarianceByGain:
     """The filter of least smoothed variance (NP-S) of a position gain.
 
@@ -1334,15 +1372,16 @@ def minimum_smoothed_variance_by_gain(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
     return MinimumSmoothedVarianceByGain(
-        *evaluate(_MINIMUM_SMOOTHED_VARIANCE_BY_GAIN, (alpha,), out)
+        *evaluate(_MINIMUM_SMOOTHED_VARIANCE_BY_GAIN, (alpha,), out, workers)
     )
 
 
@@ -1408,7 +1447,7 @@ class RandomAccelerationByGain(NamedTuple):
 
 
 def random_acceleration_by_gain(
-    alpha: ArrayLike, *, out: tuple[Real, Real] | None = None
+    alpha: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> RandomAccelerationByGain:
     """The stable random acceleration filter (RA) of a position gain.
 
@@ -1428,14 +1467,15 @@ def random_acceleration_by_gain(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return RandomAccelerationByGain(*evaluate(_RANDOM_ACCELERATION_BY_GAIN, (alpha,), out))
+    return RandomAccelerationByGain(*evaluate(_RANDOM_ACCELERATION_BY_GAIN, (alpha,), out, workers))
 
 
 def _random_acceleration_by_gain_block(
@@ -1475,7 +1515,7 @@ class RandomVelocityByGain(NamedTuple):
 
 
 def random_velocity_by_gain(
-    alpha: ArrayLike, *, out: tuple[Real, Real] | None = None
+    alpha: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> RandomVelocityByGain:
     """The random velocity filter (RV) of a position gain.
 
@@ -1494,14 +1534,15 @@ def random_velocity_by_gain(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta
     """
-    return RandomVelocityByGain(*evaluate(_RANDOM_VELOCITY_BY_GAIN, (alpha,), out))
+    return RandomVelocityByGain(*evaluate(_RANDOM_VELOCITY_BY_GAIN, (alpha,), out, workers))
 
 
 def _random_velocity_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

@@ -161,6 +161,7 @@ def coordinates(
     share: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Coordinates:
     """How far gains are inside the region of stability.
 
@@ -189,14 +190,15 @@ def coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return Coordinates(*evaluate(_COORDINATES, (alpha, beta, share), out))
+    return Coordinates(*evaluate(_COORDINATES, (alpha, beta, share), out, workers))
 
 
 def _coordinates_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -249,6 +251,7 @@ def gains_of_coordinates(
     hurwitz_determinant: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsOfCoordinates:
     """Gains of any stable alpha-beta-gamma filter from its coordinates.
 
@@ -272,10 +275,11 @@ def gains_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
@@ -284,6 +288,7 @@ def gains_of_coordinates(
             _GAINS_OF_COORDINATES,
             (linear_coefficient, cubic_coefficient, hurwitz_determinant),
             out,
+            workers,
         )
     )
 
@@ -347,6 +352,7 @@ def variances(
     share: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Variances:
     """Covariances under measurement noise alone, from the gains.
 
@@ -403,14 +409,15 @@ def variances(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return Variances(*evaluate(_VARIANCES, (alpha, beta, share), out))
+    return Variances(*evaluate(_VARIANCES, (alpha, beta, share), out, workers))
 
 
 def _variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -537,6 +544,7 @@ def variances_of_coordinates(
     hurwitz_determinant: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> VariancesOfCoordinates:
     """Covariance of the prediction, any stable filter.
 
@@ -571,10 +579,11 @@ def variances_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
@@ -583,6 +592,7 @@ def variances_of_coordinates(
             _VARIANCES_OF_COORDINATES,
             (linear_coefficient, cubic_coefficient, hurwitz_determinant),
             out,
+            workers,
         )
     )
 
@@ -654,6 +664,7 @@ def updated_variances_of_coordinates(
     hurwitz_determinant: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedVariancesOfCoordinates:
     """What the update leaves of it, any stable filter.
 
@@ -688,10 +699,11 @@ def updated_variances_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
@@ -700,6 +712,7 @@ def updated_variances_of_coordinates(
             _UPDATED_VARIANCES_OF_COORDINATES,
             (linear_coefficient, cubic_coefficient, hurwitz_determinant),
             out,
+            workers,
         )
     )
 
@@ -786,6 +799,7 @@ def acceleration_noise_variances(
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real]
     | None = None,
+    workers: int = 1,
 ) -> AccelerationNoiseVariances:
     """What a process noise of the acceleration adds to covariances.
 
@@ -851,15 +865,16 @@ def acceleration_noise_variances(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
     return AccelerationNoiseVariances(
-        *evaluate(_ACCELERATION_NOISE_VARIANCES, (alpha, beta, share), out)
+        *evaluate(_ACCELERATION_NOISE_VARIANCES, (alpha, beta, share), out, workers)
     )
 
 
@@ -1037,6 +1052,7 @@ def jerk_noise_variances(
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real]
     | None = None,
+    workers: int = 1,
 ) -> JerkNoiseVariances:
     """What a jerk that is constant over each interval adds to covariances.
 
@@ -1101,14 +1117,15 @@ def jerk_noise_variances(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return JerkNoiseVariances(*evaluate(_JERK_NOISE_VARIANCES, (alpha, beta, share), out))
+    return JerkNoiseVariances(*evaluate(_JERK_NOISE_VARIANCES, (alpha, beta, share), out, workers))
 
 
 def _jerk_noise_variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1323,6 +1340,7 @@ def white_jerk_noise_variances(
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real, Real]
     | None = None,
+    workers: int = 1,
 ) -> WhiteJerkNoiseVariances:
     """What a white jerk adds to covariances.
 
@@ -1387,15 +1405,16 @@ def white_jerk_noise_variances(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
     return WhiteJerkNoiseVariances(
-        *evaluate(_WHITE_JERK_NOISE_VARIANCES, (alpha, beta, share), out)
+        *evaluate(_WHITE_JERK_NOISE_VARIANCES, (alpha, beta, share), out, workers)
     )
 
 
@@ -1599,6 +1618,7 @@ def acceleration_noise_variances_of_coordinates(
     hurwitz_determinant: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> AccelerationNoiseVariancesOfCoordinates:
     """What a process noise of the acceleration adds, any stable filter.
 
@@ -1640,10 +1660,11 @@ def acceleration_noise_variances_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
@@ -1652,6 +1673,7 @@ def acceleration_noise_variances_of_coordinates(
             _ACCELERATION_NOISE_VARIANCES_OF_COORDINATES,
             (linear_coefficient, cubic_coefficient, hurwitz_determinant),
             out,
+            workers,
         )
     )
 
@@ -1740,6 +1762,7 @@ def jerk_noise_variances_of_coordinates(
     hurwitz_determinant: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> JerkNoiseVariancesOfCoordinates:
     """What a jerk that is constant over each interval adds, any stable filter.
 
@@ -1780,10 +1803,11 @@ def jerk_noise_variances_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
@@ -1792,6 +1816,7 @@ def jerk_noise_variances_of_coordinates(
             _JERK_NOISE_VARIANCES_OF_COORDINATES,
             (linear_coefficient, cubic_coefficient, hurwitz_determinant),
             out,
+            workers,
         )
     )
 
@@ -1898,6 +1923,7 @@ def white_jerk_noise_variances_of_coordinates(
     hurwitz_determinant: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> WhiteJerkNoiseVariancesOfCoordinates:
     """What a white jerk adds, any stable filter.
 
@@ -1938,10 +1964,11 @@ def white_jerk_noise_variances_of_coordinates(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
@@ -1950,6 +1977,7 @@ def white_jerk_noise_variances_of_coordinates(
             _WHITE_JERK_NOISE_VARIANCES_OF_COORDINATES,
             (linear_coefficient, cubic_coefficient, hurwitz_determinant),
             out,
+            workers,
         )
     )
 
@@ -2055,6 +2083,7 @@ def lags(
     share: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Lags:
     """Steady errors behind a constant jerk j, over j T^3 (positions), j T^2 and j T.
 
@@ -2089,14 +2118,15 @@ def lags(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return Lags(*evaluate(_LAGS, (alpha, beta, share), out))
+    return Lags(*evaluate(_LAGS, (alpha, beta, share), out, workers))
 
 
 def _lags_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -2169,6 +2199,7 @@ def closed_loop_poles(
     gamma: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ClosedLoopPoles:
     """Closed-loop poles, 1 - mean_distance + w with w^3 = 3 p w + 2 q, of any positive gains.
 
@@ -2206,14 +2237,15 @@ def closed_loop_poles(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta, gamma), out))
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (alpha, beta, gamma), out, workers))
 
 
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -2275,7 +2307,7 @@ class MinimumVarianceByLag(NamedTuple):
 
 
 def minimum_variance_by_lag(
-    lag: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    lag: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> MinimumVarianceByLag:
     """The stable filter of least position variance at a lag (MV).
 
@@ -2301,14 +2333,15 @@ def minimum_variance_by_lag(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out))
+    return MinimumVarianceByLag(*evaluate(_MINIMUM_VARIANCE_BY_LAG, (lag,), out, workers))
 
 
 def _minimum_variance_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -2403,7 +2436,7 @@ class RandomAccelerationByLag(NamedTuple):
 
 
 def random_acceleration_by_lag(
-    lag: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    lag: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> RandomAccelerationByLag:
     """The stable random acceleration filter (RA) of a lag.
 
@@ -2431,14 +2464,15 @@ def random_acceleration_by_lag(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return RandomAccelerationByLag(*evaluate(_RANDOM_ACCELERATION_BY_LAG, (lag,), out))
+    return RandomAccelerationByLag(*evaluate(_RANDOM_ACCELERATION_BY_LAG, (lag,), out, workers))
 
 
 def _random_acceleration_by_lag_block(
@@ -2577,7 +2611,7 @@ class RandomJerkByLag(NamedTuple):
 
 
 def random_jerk_by_lag(
-    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    lag: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> RandomJerkByLag:
     """The random jerk filter (RJ) of a lag.
 
@@ -2602,14 +2636,15 @@ def random_jerk_by_lag(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return RandomJerkByLag(*evaluate(_RANDOM_JERK_BY_LAG, (lag,), out))
+    return RandomJerkByLag(*evaluate(_RANDOM_JERK_BY_LAG, (lag,), out, workers))
 
 
 def _random_jerk_by_lag_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -2835,7 +2870,7 @@ class RandomAccelerationByGain(NamedTuple):
 
 
 def random_acceleration_by_gain(
-    alpha: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    alpha: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> RandomAccelerationByGain:
     """The stable random acceleration filter (RA) of a position gain.
 
@@ -2859,14 +2894,15 @@ def random_acceleration_by_gain(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return RandomAccelerationByGain(*evaluate(_RANDOM_ACCELERATION_BY_GAIN, (alpha,), out))
+    return RandomAccelerationByGain(*evaluate(_RANDOM_ACCELERATION_BY_GAIN, (alpha,), out, workers))
 
 
 def _random_acceleration_by_gain_block(
@@ -2913,7 +2949,7 @@ class RandomJerkByGain(NamedTuple):
 
 
 def random_jerk_by_gain(
-    alpha: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    alpha: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> RandomJerkByGain:
     """The random jerk filter (RJ) of a position gain.
 
@@ -2939,14 +2975,15 @@ def random_jerk_by_gain(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation alpha-beta-gamma
     """
-    return RandomJerkByGain(*evaluate(_RANDOM_JERK_BY_GAIN, (alpha,), out))
+    return RandomJerkByGain(*evaluate(_RANDOM_JERK_BY_GAIN, (alpha,), out, workers))
 
 
 def _random_jerk_by_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

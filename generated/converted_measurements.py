@@ -119,6 +119,7 @@ def classical_conversion_in_plane(
     azimuth_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ClassicalConversionInPlane:
     """The measured place, and its covariance to first order.
 
@@ -159,10 +160,10 @@ def classical_conversion_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -171,6 +172,7 @@ def classical_conversion_in_plane(
             _CLASSICAL_CONVERSION_IN_PLANE,
             (slant_range, azimuth, range_deviation, azimuth_deviation),
             out,
+            workers,
         )
     )
 
@@ -244,6 +246,7 @@ def debiased_conversion_in_plane(
     azimuth_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> DebiasedConversionInPlane:
     """The measured place less its mean bias, and its mean covariance.
 
@@ -286,10 +289,10 @@ def debiased_conversion_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -298,6 +301,7 @@ def debiased_conversion_in_plane(
             _DEBIASED_CONVERSION_IN_PLANE,
             (slant_range, azimuth, range_deviation, azimuth_deviation),
             out,
+            workers,
         )
     )
 
@@ -405,6 +409,7 @@ def unbiased_conversion_in_plane(
     azimuth_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UnbiasedConversionInPlane:
     """The conversion without bias given the truth, and its mean square error.
 
@@ -447,10 +452,10 @@ def unbiased_conversion_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -459,6 +464,7 @@ def unbiased_conversion_in_plane(
             _UNBIASED_CONVERSION_IN_PLANE,
             (slant_range, azimuth, range_deviation, azimuth_deviation),
             out,
+            workers,
         )
     )
 
@@ -553,6 +559,7 @@ def modified_unbiased_conversion_in_plane(
     azimuth_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ModifiedUnbiasedConversionInPlane:
     """Mean and covariance of the true place given the measurement.
 
@@ -595,10 +602,10 @@ def modified_unbiased_conversion_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -607,6 +614,7 @@ def modified_unbiased_conversion_in_plane(
             _MODIFIED_UNBIASED_CONVERSION_IN_PLANE,
             (slant_range, azimuth, range_deviation, azimuth_deviation),
             out,
+            workers,
         )
     )
 
@@ -705,6 +713,7 @@ def classical_conversion(
     azimuth_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ClassicalConversion:
     """The measured place, and its covariance to first order, in space.
 
@@ -759,10 +768,10 @@ def classical_conversion(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -778,6 +787,7 @@ def classical_conversion(
                 azimuth_deviation,
             ),
             out,
+            workers,
         )
     )
 
@@ -893,6 +903,7 @@ def debiased_conversion(
     azimuth_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> DebiasedConversion:
     """The measured place less its mean bias, and its mean covariance, in space.
 
@@ -948,10 +959,10 @@ def debiased_conversion(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -967,6 +978,7 @@ def debiased_conversion(
                 azimuth_deviation,
             ),
             out,
+            workers,
         )
     )
 
@@ -1182,6 +1194,7 @@ def unbiased_conversion(
     azimuth_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UnbiasedConversion:
     """The conversion without bias given the truth, and its mean square error, in space.
 
@@ -1238,10 +1251,10 @@ def unbiased_conversion(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -1257,6 +1270,7 @@ def unbiased_conversion(
                 azimuth_deviation,
             ),
             out,
+            workers,
         )
     )
 
@@ -1447,6 +1461,7 @@ def modified_unbiased_conversion(
     azimuth_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ModifiedUnbiasedConversion:
     """Mean and covariance of the true place given the measurement, in space.
 
@@ -1502,10 +1517,10 @@ def modified_unbiased_conversion(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -1521,6 +1536,7 @@ def modified_unbiased_conversion(
                 azimuth_deviation,
             ),
             out,
+            workers,
         )
     )
 
@@ -1670,6 +1686,7 @@ def correlated_unbiased_conversion_in_plane(
     correlation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> CorrelatedUnbiasedConversionInPlane:
     """The conversion without bias given the truth, noises correlated.
 
@@ -1708,10 +1725,10 @@ def correlated_unbiased_conversion_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -1720,6 +1737,7 @@ def correlated_unbiased_conversion_in_plane(
             _CORRELATED_UNBIASED_CONVERSION_IN_PLANE,
             (slant_range, azimuth, range_deviation, azimuth_deviation, correlation),
             out,
+            workers,
         )
     )
 
@@ -1844,6 +1862,7 @@ def correlated_modified_unbiased_conversion_in_plane(
     correlation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> CorrelatedModifiedUnbiasedConversionInPlane:
     """Mean and covariance of the true place given the measurement, noises correlated.
 
@@ -1882,10 +1901,10 @@ def correlated_modified_unbiased_conversion_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation converted-measurements
     """
@@ -1894,6 +1913,7 @@ def correlated_modified_unbiased_conversion_in_plane(
             _CORRELATED_MODIFIED_UNBIASED_CONVERSION_IN_PLANE,
             (slant_range, azimuth, range_deviation, azimuth_deviation, correlation),
             out,
+            workers,
         )
     )
 

@@ -327,6 +327,7 @@ def step_two_states(
     beta: ArrayLike,
     *,
     out: tuple[Real, Real] | None = None,
+    workers: int = 1,
 ) -> StepTwoStates:
     """Prediction and update of tracks with position and velocity.
 
@@ -351,15 +352,20 @@ def step_two_states(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation filter-step
     """
     return StepTwoStates(
-        *evaluate(_STEP_TWO_STATES, (position, velocity, interval, observed, alpha, beta), out)
+        *evaluate(
+            _STEP_TWO_STATES,
+            (position, velocity, interval, observed, alpha, beta),
+            out,
+            workers,
+        )
     )
 
 
@@ -415,6 +421,7 @@ def step_three_states(
     gamma: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StepThreeStates:
     """Prediction and update of tracks with position, velocity, acceleration.
 
@@ -447,10 +454,10 @@ def step_three_states(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation filter-step
     """
@@ -459,6 +466,7 @@ def step_three_states(
             _STEP_THREE_STATES,
             (position, velocity, acceleration, interval, observed, alpha, beta, gamma),
             out,
+            workers,
         )
     )
 
@@ -550,6 +558,7 @@ def step_interacting(
     velocity_gain_33: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StepInteracting:
     """Prediction and update of tracks in three coordinates that interact.
 
@@ -616,10 +625,10 @@ def step_interacting(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation filter-step
     """
@@ -657,6 +666,7 @@ def step_interacting(
                 velocity_gain_33,
             ),
             out,
+            workers,
         )
     )
 

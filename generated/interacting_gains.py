@@ -40,7 +40,7 @@ class PositionGain(NamedTuple):
 
 
 def position_gain(
-    variance_ratio: ArrayLike, *, out: tuple[Real, Real] | None = None
+    variance_ratio: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> PositionGain:
     """Kalman's gain of the position from the variances of prediction and measurement.
 
@@ -60,14 +60,15 @@ def position_gain(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation interacting-gains
     """
-    return PositionGain(*evaluate(_POSITION_GAIN, (variance_ratio,), out))
+    return PositionGain(*evaluate(_POSITION_GAIN, (variance_ratio,), out, workers))
 
 
 def _position_gain_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

@@ -54,7 +54,9 @@ class Gains(NamedTuple):
     """Velocity gain times T^1."""
 
 
-def gains(sample_number: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
+def gains(
+    sample_number: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
+) -> Gains:
     """Gain of the newest sample in a least-squares fit to samples 0..k.
 
         alpha = 2*(2*k + 1)/((k + 1)*(k + 2))
@@ -73,14 +75,15 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real, Real] | None = None) -> 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-line
     """
-    return Gains(*evaluate(_GAINS, (sample_number,), out))
+    return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -118,7 +121,7 @@ class UpdatedCovariance(NamedTuple):
 
 
 def updated_covariance(
-    sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> UpdatedCovariance:
     """Covariance of the fit at sample k, in units of sigma_v^2 and T.
 
@@ -140,14 +143,15 @@ def updated_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-line
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -188,7 +192,7 @@ class PredictedCovariance(NamedTuple):
 
 
 def predicted_covariance(
-    sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictedCovariance:
     """Covariance of the fit to samples 0..k-1, predicted to sample k.
 
@@ -210,14 +214,15 @@ def predicted_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-line
     """
-    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
 
 
 def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

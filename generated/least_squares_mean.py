@@ -52,7 +52,7 @@ class Gains(NamedTuple):
     """Position gain."""
 
 
-def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None) -> Gains:
+def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1) -> Gains:
     """Gain of the newest sample in a least-squares fit to samples 0..k.
 
         alpha = 1/(k + 1)
@@ -67,14 +67,15 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real] | None = None) -> Gains:
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-mean
     """
-    return Gains(*evaluate(_GAINS, (sample_number,), out))
+    return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -102,7 +103,7 @@ class UpdatedCovariance(NamedTuple):
 
 
 def updated_covariance(
-    sample_number: ArrayLike, *, out: tuple[Real] | None = None
+    sample_number: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
 ) -> UpdatedCovariance:
     """Covariance of the fit at sample k, in units of sigma_v^2 and T.
 
@@ -118,14 +119,15 @@ def updated_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-mean
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -153,7 +155,7 @@ class PredictedCovariance(NamedTuple):
 
 
 def predicted_covariance(
-    sample_number: ArrayLike, *, out: tuple[Real] | None = None
+    sample_number: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
 ) -> PredictedCovariance:
     """Covariance of the fit to samples 0..k-1, predicted to sample k.
 
@@ -169,14 +171,15 @@ def predicted_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-mean
     """
-    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
 
 
 def _predicted_covariance_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:

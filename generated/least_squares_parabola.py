@@ -56,7 +56,9 @@ class Gains(NamedTuple):
     """Acceleration gain times T^2."""
 
 
-def gains(sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None) -> Gains:
+def gains(
+    sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
+) -> Gains:
     """Gain of the newest sample in a least-squares fit to samples 0..k.
 
         alpha = 3*(3*k**2 + 3*k + 2)/((k + 1)*(k + 2)*(k + 3))
@@ -79,14 +81,15 @@ def gains(sample_number: ArrayLike, *, out: tuple[Real, Real, Real] | None = Non
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-parabola
     """
-    return Gains(*evaluate(_GAINS, (sample_number,), out))
+    return Gains(*evaluate(_GAINS, (sample_number,), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -140,7 +143,10 @@ class UpdatedCovariance(NamedTuple):
 
 
 def updated_covariance(
-    sample_number: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    sample_number: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovariance:
     """Covariance of the fit at sample k, in units of sigma_v^2 and T.
 
@@ -171,14 +177,15 @@ def updated_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-parabola
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out))
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (sample_number,), out, workers))
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -248,7 +255,10 @@ class PredictedCovariance(NamedTuple):
 
 
 def predicted_covariance(
-    sample_number: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    sample_number: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovariance:
     """Covariance of the fit to samples 0..k-1, predicted to sample k.
 
@@ -281,14 +291,15 @@ def predicted_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation least-squares-parabola
     """
-    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out))
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (sample_number,), out, workers))
 
 
 def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

@@ -40,7 +40,7 @@ class BiasDeviation(NamedTuple):
 
 
 def bias_deviation(
-    variance_ratio: ArrayLike, *, out: tuple[Real, Real] | None = None
+    variance_ratio: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> BiasDeviation:
     """Deviation of an estimated bias over that of its range.
 
@@ -60,14 +60,15 @@ def bias_deviation(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation multipath-location
     """
-    return BiasDeviation(*evaluate(_BIAS_DEVIATION, (variance_ratio,), out))
+    return BiasDeviation(*evaluate(_BIAS_DEVIATION, (variance_ratio,), out, workers))
 
 
 def _bias_deviation_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

@@ -185,6 +185,7 @@ def to_cartesian(
     bearing: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ToCartesian:
     """East, north and up from range, elevation and bearing.
 
@@ -208,14 +209,14 @@ def to_cartesian(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
-    return ToCartesian(*evaluate(_TO_CARTESIAN, (slant_range, elevation, bearing), out))
+    return ToCartesian(*evaluate(_TO_CARTESIAN, (slant_range, elevation, bearing), out, workers))
 
 
 def _to_cartesian_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -253,7 +254,12 @@ class ToPolar(NamedTuple):
 
 
 def to_polar(
-    x: ArrayLike, y: ArrayLike, z: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    x: ArrayLike,
+    y: ArrayLike,
+    z: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ToPolar:
     """Range, elevation and bearing from east, north and up.
 
@@ -276,14 +282,14 @@ def to_polar(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
-    return ToPolar(*evaluate(_TO_POLAR, (x, y, z), out))
+    return ToPolar(*evaluate(_TO_POLAR, (x, y, z), out, workers))
 
 
 def _to_polar_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -337,6 +343,7 @@ def cartesian_derivatives(
     bearing: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> CartesianDerivatives:
     """Derivatives of x, y, z by range, elevation and bearing.
 
@@ -378,15 +385,15 @@ def cartesian_derivatives(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
     return CartesianDerivatives(
-        *evaluate(_CARTESIAN_DERIVATIVES, (slant_range, elevation, bearing), out)
+        *evaluate(_CARTESIAN_DERIVATIVES, (slant_range, elevation, bearing), out, workers)
     )
 
 
@@ -465,6 +472,7 @@ def polar_derivatives(
     z: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PolarDerivatives:
     """Derivatives of range, elevation and bearing by x, y, z.
 
@@ -500,14 +508,14 @@ def polar_derivatives(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
-    return PolarDerivatives(*evaluate(_POLAR_DERIVATIVES, (x, y, z), out))
+    return PolarDerivatives(*evaluate(_POLAR_DERIVATIVES, (x, y, z), out, workers))
 
 
 def _polar_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -614,6 +622,7 @@ def noise_covariance(
     bearing_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> NoiseCovariance:
     """Covariance of a converted measurement to first order in its noise.
 
@@ -657,10 +666,10 @@ def noise_covariance(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
@@ -676,6 +685,7 @@ def noise_covariance(
                 bearing_deviation,
             ),
             out,
+            workers,
         )
     )
 
@@ -770,6 +780,7 @@ def mean_of_converted(
     bearing_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> MeanOfConverted:
     """Mean and bias of a converted measurement under Gaussian angle noise.
 
@@ -811,10 +822,10 @@ def mean_of_converted(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
@@ -823,6 +834,7 @@ def mean_of_converted(
             _MEAN_OF_CONVERTED,
             (slant_range, elevation, bearing, elevation_deviation, bearing_deviation),
             out,
+            workers,
         )
     )
 
@@ -899,6 +911,7 @@ def straight_course_rates(
     velocity_z: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StraightCourseRates:
     """Rates of range and angles, and theirs, on a straight uniform course.
 
@@ -938,15 +951,20 @@ def straight_course_rates(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
     return StraightCourseRates(
-        *evaluate(_STRAIGHT_COURSE_RATES, (x, y, z, velocity_x, velocity_y, velocity_z), out)
+        *evaluate(
+            _STRAIGHT_COURSE_RATES,
+            (x, y, z, velocity_x, velocity_y, velocity_z),
+            out,
+            workers,
+        )
     )
 
 
@@ -1064,7 +1082,11 @@ class ToCartesianInPlane(NamedTuple):
 
 
 def to_cartesian_in_plane(
-    slant_range: ArrayLike, bearing: ArrayLike, *, out: tuple[Real, Real] | None = None
+    slant_range: ArrayLike,
+    bearing: ArrayLike,
+    *,
+    out: tuple[Real, Real] | None = None,
+    workers: int = 1,
 ) -> ToCartesianInPlane:
     """East and north from range and bearing in the plane.
 
@@ -1084,14 +1106,16 @@ def to_cartesian_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
-    return ToCartesianInPlane(*evaluate(_TO_CARTESIAN_IN_PLANE, (slant_range, bearing), out))
+    return ToCartesianInPlane(
+        *evaluate(_TO_CARTESIAN_IN_PLANE, (slant_range, bearing), out, workers)
+    )
 
 
 def _to_cartesian_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1123,7 +1147,7 @@ class ToPolarInPlane(NamedTuple):
 
 
 def to_polar_in_plane(
-    x: ArrayLike, y: ArrayLike, *, out: tuple[Real, Real] | None = None
+    x: ArrayLike, y: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> ToPolarInPlane:
     """Range and bearing from east and north in the plane.
 
@@ -1141,14 +1165,14 @@ def to_polar_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
-    return ToPolarInPlane(*evaluate(_TO_POLAR_IN_PLANE, (x, y), out))
+    return ToPolarInPlane(*evaluate(_TO_POLAR_IN_PLANE, (x, y), out, workers))
 
 
 def _to_polar_in_plane_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1185,7 +1209,11 @@ class CartesianDerivativesInPlane(NamedTuple):
 
 
 def cartesian_derivatives_in_plane(
-    slant_range: ArrayLike, bearing: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    slant_range: ArrayLike,
+    bearing: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> CartesianDerivativesInPlane:
     """Derivatives of x and y by range and bearing in the plane.
 
@@ -1211,15 +1239,15 @@ def cartesian_derivatives_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
     return CartesianDerivativesInPlane(
-        *evaluate(_CARTESIAN_DERIVATIVES_IN_PLANE, (slant_range, bearing), out)
+        *evaluate(_CARTESIAN_DERIVATIVES_IN_PLANE, (slant_range, bearing), out, workers)
     )
 
 
@@ -1258,7 +1286,11 @@ class PolarDerivativesInPlane(NamedTuple):
 
 
 def polar_derivatives_in_plane(
-    x: ArrayLike, y: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    x: ArrayLike,
+    y: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PolarDerivativesInPlane:
     """Derivatives of range and bearing by x and y in the plane.
 
@@ -1280,14 +1312,14 @@ def polar_derivatives_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
-    return PolarDerivativesInPlane(*evaluate(_POLAR_DERIVATIVES_IN_PLANE, (x, y), out))
+    return PolarDerivativesInPlane(*evaluate(_POLAR_DERIVATIVES_IN_PLANE, (x, y), out, workers))
 
 
 def _polar_derivatives_in_plane_block(
@@ -1356,6 +1388,7 @@ def noise_covariance_in_plane(
     bearing_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> NoiseCovarianceInPlane:
     """Covariance of a converted measurement to first order, in the plane.
 
@@ -1384,10 +1417,10 @@ def noise_covariance_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
@@ -1396,6 +1429,7 @@ def noise_covariance_in_plane(
             _NOISE_COVARIANCE_IN_PLANE,
             (slant_range, bearing, range_deviation, bearing_deviation),
             out,
+            workers,
         )
     )
 
@@ -1452,6 +1486,7 @@ def mean_of_converted_in_plane(
     bearing_deviation: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> MeanOfConvertedInPlane:
     """Mean and bias of a converted measurement in the plane.
 
@@ -1481,15 +1516,20 @@ def mean_of_converted_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
     return MeanOfConvertedInPlane(
-        *evaluate(_MEAN_OF_CONVERTED_IN_PLANE, (slant_range, bearing, bearing_deviation), out)
+        *evaluate(
+            _MEAN_OF_CONVERTED_IN_PLANE,
+            (slant_range, bearing, bearing_deviation),
+            out,
+            workers,
+        )
     )
 
 
@@ -1543,6 +1583,7 @@ def straight_course_rates_in_plane(
     velocity_y: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StraightCourseRatesInPlane:
     """Rates of range and bearing, and theirs, on a straight uniform course in the plane.
 
@@ -1571,15 +1612,15 @@ def straight_course_rates_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation polar-coordinates
     """
     return StraightCourseRatesInPlane(
-        *evaluate(_STRAIGHT_COURSE_RATES_IN_PLANE, (x, y, velocity_x, velocity_y), out)
+        *evaluate(_STRAIGHT_COURSE_RATES_IN_PLANE, (x, y, velocity_x, velocity_y), out, workers)
     )
 
 

@@ -115,6 +115,7 @@ def gains(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Gains:
     """Steady-state filter gain, position and velocity measured.
 
@@ -143,14 +144,15 @@ def gains(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
-    return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out))
+    return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -231,6 +233,7 @@ def predicted_covariance(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_o^2 and T.
 
@@ -258,15 +261,16 @@ def predicted_covariance(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
     return PredictedCovariance(
-        *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out)
+        *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -351,6 +355,7 @@ def updated_covariance(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_o^2 and T.
 
@@ -377,14 +382,17 @@ def updated_covariance(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out))
+    return UpdatedCovariance(
+        *evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
+    )
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -467,6 +475,7 @@ def gains_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsByTrackingIndex:
     """First derivatives of the filter gain by tracking_index.
 
@@ -509,15 +518,16 @@ def gains_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
     return GainsByTrackingIndex(
-        *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -669,6 +679,7 @@ def gains_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsByVelocityRatio:
     """First derivatives of the filter gain by velocity_ratio.
 
@@ -708,15 +719,16 @@ def gains_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
     return GainsByVelocityRatio(
-        *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -867,6 +879,7 @@ def predicted_covariance_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovarianceByTrackingIndex:
     """First derivatives of the predicted covariance by tracking_index.
 
@@ -902,15 +915,21 @@ def predicted_covariance_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
     return PredictedCovarianceByTrackingIndex(
-        *evaluate(_PREDICTED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _PREDICTED_COVARIANCE_BY_TRACKING_INDEX,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1071,6 +1090,7 @@ def predicted_covariance_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovarianceByVelocityRatio:
     """First derivatives of the predicted covariance by velocity_ratio.
 
@@ -1105,15 +1125,21 @@ def predicted_covariance_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
     return PredictedCovarianceByVelocityRatio(
-        *evaluate(_PREDICTED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1221,6 +1247,7 @@ def updated_covariance_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovarianceByTrackingIndex:
     """First derivatives of the updated covariance by tracking_index.
 
@@ -1258,15 +1285,21 @@ def updated_covariance_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
     return UpdatedCovarianceByTrackingIndex(
-        *evaluate(_UPDATED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _UPDATED_COVARIANCE_BY_TRACKING_INDEX,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1411,6 +1444,7 @@ def updated_covariance_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovarianceByVelocityRatio:
     """First derivatives of the updated covariance by velocity_ratio.
 
@@ -1444,15 +1478,21 @@ def updated_covariance_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
     return UpdatedCovarianceByVelocityRatio(
-        *evaluate(_UPDATED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _UPDATED_COVARIANCE_BY_VELOCITY_RATIO,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1553,7 +1593,7 @@ class KnownVelocity(NamedTuple):
 
 
 def known_velocity(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> KnownVelocity:
     """The position's variances where the velocity is known exactly, S = 0.
 
@@ -1574,14 +1614,15 @@ def known_velocity(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
-    return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out))
+    return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out, workers))
 
 
 def _known_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1623,6 +1664,7 @@ def closed_loop_poles(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ClosedLoopPoles:
     """Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
 
@@ -1653,14 +1695,17 @@ def closed_loop_poles(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
-    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out))
+    return ClosedLoopPoles(
+        *evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out, workers)
+    )
 
 
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1749,7 +1794,9 @@ class RealPoles(NamedTuple):
     """The 1/S^2 up to which both poles are real and negative, for no S where it is not positive."""
 
 
-def real_poles(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> RealPoles:
+def real_poles(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
+) -> RealPoles:
     """The values of 1/S^2 between which the closed-loop poles are complex.
 
         positive_from = 1/3 + 2 r/Lambda, r = sqrt(1 + Lambda^2/48),
@@ -1770,14 +1817,15 @@ def real_poles(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = Non
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity
     """
-    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out))
+    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
 
 
 def _real_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

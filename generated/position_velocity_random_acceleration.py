@@ -115,6 +115,7 @@ def gains(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Gains:
     """Steady-state filter gain, position and velocity measured.
 
@@ -143,14 +144,15 @@ def gains(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
-    return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out))
+    return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -223,6 +225,7 @@ def predicted_covariance(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_o^2 and T.
 
@@ -250,15 +253,16 @@ def predicted_covariance(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
     return PredictedCovariance(
-        *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out)
+        *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -335,6 +339,7 @@ def updated_covariance(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_o^2 and T.
 
@@ -361,14 +366,17 @@ def updated_covariance(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out))
+    return UpdatedCovariance(
+        *evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
+    )
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -443,6 +451,7 @@ def gains_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsByTrackingIndex:
     """First derivatives of the filter gain by tracking_index.
 
@@ -485,15 +494,16 @@ def gains_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
     return GainsByTrackingIndex(
-        *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -602,6 +612,7 @@ def gains_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsByVelocityRatio:
     """First derivatives of the filter gain by velocity_ratio.
 
@@ -641,15 +652,16 @@ def gains_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
     return GainsByVelocityRatio(
-        *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -780,6 +792,7 @@ def predicted_covariance_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovarianceByTrackingIndex:
     """First derivatives of the predicted covariance by tracking_index.
 
@@ -815,15 +828,21 @@ def predicted_covariance_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
     return PredictedCovarianceByTrackingIndex(
-        *evaluate(_PREDICTED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _PREDICTED_COVARIANCE_BY_TRACKING_INDEX,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -941,6 +960,7 @@ def predicted_covariance_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovarianceByVelocityRatio:
     """First derivatives of the predicted covariance by velocity_ratio.
 
@@ -975,15 +995,21 @@ def predicted_covariance_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
     return PredictedCovarianceByVelocityRatio(
-        *evaluate(_PREDICTED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1080,6 +1106,7 @@ def updated_covariance_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovarianceByTrackingIndex:
     """First derivatives of the updated covariance by tracking_index.
 
@@ -1117,15 +1144,21 @@ def updated_covariance_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
     return UpdatedCovarianceByTrackingIndex(
-        *evaluate(_UPDATED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _UPDATED_COVARIANCE_BY_TRACKING_INDEX,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1227,6 +1260,7 @@ def updated_covariance_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovarianceByVelocityRatio:
     """First derivatives of the updated covariance by velocity_ratio.
 
@@ -1260,15 +1294,21 @@ def updated_covariance_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
     return UpdatedCovarianceByVelocityRatio(
-        *evaluate(_UPDATED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _UPDATED_COVARIANCE_BY_VELOCITY_RATIO,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1355,7 +1395,9 @@ class KnownVelocity(NamedTuple):
     """Variance of the predicted position over sigma_o^2."""
 
 
-def known_velocity(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -> KnownVelocity:
+def known_velocity(
+    tracking_index: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> KnownVelocity:
     """The position's variances where the velocity is known exactly, S = 0.
 
         predicted_11 = Lambda^2/4, the limit for S -> 0; that of the updated variance is 0
@@ -1371,14 +1413,15 @@ def known_velocity(tracking_index: ArrayLike, *, out: tuple[Real] | None = None)
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
-    return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out))
+    return KnownVelocity(*evaluate(_KNOWN_VELOCITY, (tracking_index,), out, workers))
 
 
 def _known_velocity_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1414,6 +1457,7 @@ def closed_loop_poles(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ClosedLoopPoles:
     """Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
 
@@ -1444,14 +1488,17 @@ def closed_loop_poles(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
-    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out))
+    return ClosedLoopPoles(
+        *evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out, workers)
+    )
 
 
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1521,7 +1568,9 @@ class RealPoles(NamedTuple):
     """The 1/S^2 up to which both poles are real and negative, for no S where it is not positive."""
 
 
-def real_poles(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> RealPoles:
+def real_poles(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
+) -> RealPoles:
     """The values of 1/S^2 between which the closed-loop poles are complex.
 
         positive_from = 1/4 + 2 r/Lambda, r = 1,
@@ -1542,14 +1591,15 @@ def real_poles(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = Non
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-acceleration
     """
-    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out))
+    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
 
 
 def _real_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

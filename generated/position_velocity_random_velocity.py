@@ -119,6 +119,7 @@ def gains(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Gains:
     """Steady-state filter gain, position and velocity measured.
 
@@ -147,14 +148,15 @@ def gains(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
-    return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out))
+    return Gains(*evaluate(_GAINS, (tracking_index, velocity_ratio), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -221,6 +223,7 @@ def predicted_covariance(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_o^2 and T.
 
@@ -248,15 +251,16 @@ def predicted_covariance(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
     return PredictedCovariance(
-        *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out)
+        *evaluate(_PREDICTED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -323,6 +327,7 @@ def updated_covariance(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_o^2 and T.
 
@@ -349,14 +354,17 @@ def updated_covariance(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out))
+    return UpdatedCovariance(
+        *evaluate(_UPDATED_COVARIANCE, (tracking_index, velocity_ratio), out, workers)
+    )
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -423,6 +431,7 @@ def gains_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsByTrackingIndex:
     """First derivatives of the filter gain by tracking_index.
 
@@ -465,15 +474,16 @@ def gains_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
     return GainsByTrackingIndex(
-        *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(_GAINS_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -572,6 +582,7 @@ def gains_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsByVelocityRatio:
     """First derivatives of the filter gain by velocity_ratio.
 
@@ -611,15 +622,16 @@ def gains_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
     return GainsByVelocityRatio(
-        *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(_GAINS_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out, workers)
     )
 
 
@@ -778,6 +790,7 @@ def predicted_covariance_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovarianceByTrackingIndex:
     """First derivatives of the predicted covariance by tracking_index.
 
@@ -813,15 +826,21 @@ def predicted_covariance_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
     return PredictedCovarianceByTrackingIndex(
-        *evaluate(_PREDICTED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _PREDICTED_COVARIANCE_BY_TRACKING_INDEX,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -925,6 +944,7 @@ def predicted_covariance_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovarianceByVelocityRatio:
     """First derivatives of the predicted covariance by velocity_ratio.
 
@@ -959,15 +979,21 @@ def predicted_covariance_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
     return PredictedCovarianceByVelocityRatio(
-        *evaluate(_PREDICTED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _PREDICTED_COVARIANCE_BY_VELOCITY_RATIO,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1064,6 +1090,7 @@ def updated_covariance_by_tracking_index(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovarianceByTrackingIndex:
     """First derivatives of the updated covariance by tracking_index.
 
@@ -1101,15 +1128,21 @@ def updated_covariance_by_tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
     return UpdatedCovarianceByTrackingIndex(
-        *evaluate(_UPDATED_COVARIANCE_BY_TRACKING_INDEX, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _UPDATED_COVARIANCE_BY_TRACKING_INDEX,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1201,6 +1234,7 @@ def updated_covariance_by_velocity_ratio(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovarianceByVelocityRatio:
     """First derivatives of the updated covariance by velocity_ratio.
 
@@ -1234,15 +1268,21 @@ def updated_covariance_by_velocity_ratio(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
     return UpdatedCovarianceByVelocityRatio(
-        *evaluate(_UPDATED_COVARIANCE_BY_VELOCITY_RATIO, (tracking_index, velocity_ratio), out)
+        *evaluate(
+            _UPDATED_COVARIANCE_BY_VELOCITY_RATIO,
+            (tracking_index, velocity_ratio),
+            out,
+            workers,
+        )
     )
 
 
@@ -1387,6 +1427,7 @@ def closed_loop_poles(
     velocity_ratio: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> ClosedLoopPoles:
     """Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
 
@@ -1415,14 +1456,17 @@ def closed_loop_poles(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
-    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out))
+    return ClosedLoopPoles(
+        *evaluate(_CLOSED_LOOP_POLES, (tracking_index, velocity_ratio), out, workers)
+    )
 
 
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1481,7 +1525,9 @@ class RealPoles(NamedTuple):
     """The 1/S^2 from which on both poles are real and positive."""
 
 
-def real_poles(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -> RealPoles:
+def real_poles(
+    tracking_index: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> RealPoles:
     """The values of 1/S^2 between which the closed-loop poles are complex.
 
         positive_from = 2 r/Lambda, r = 1
@@ -1497,14 +1543,15 @@ def real_poles(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -> 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation position-velocity-random-velocity
     """
-    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out))
+    return RealPoles(*evaluate(_REAL_POLES, (tracking_index,), out, workers))
 
 
 def _real_poles_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:

@@ -96,7 +96,9 @@ _BETA_DOMAIN = Domain(
 )
 
 
-def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) -> Gains:
+def gains(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
+) -> Gains:
     """Steady-state filter gain.
 
         beta = 2/(1/2 + kappa + rho), alpha = rho beta
@@ -118,14 +120,15 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None) ->
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return Gains(*evaluate(_GAINS, (tracking_index,), out))
+    return Gains(*evaluate(_GAINS, (tracking_index,), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -153,7 +156,7 @@ _GAINS = Signature(
 
 
 def gain_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
@@ -176,14 +179,15 @@ def gain_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out))
+    return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
 
 
 def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -214,7 +218,7 @@ _GAIN_DERIVATIVES = Signature(
 
 
 def gains_with_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
@@ -242,14 +246,15 @@ def gains_with_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out))
+    return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
 
 
 def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -283,7 +288,7 @@ _GAINS_WITH_DERIVATIVES = Signature(
 
 
 def predictor_gains(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
@@ -305,14 +310,15 @@ def predictor_gains(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out))
+    return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
 
 
 def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -341,7 +347,7 @@ _PREDICTOR_GAINS = Signature(
 
 
 def predictor_gain_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
@@ -363,14 +369,17 @@ def predictor_gain_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return PredictorGainDerivatives(*evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out))
+    return PredictorGainDerivatives(
+        *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
+    )
 
 
 def _predictor_gain_derivatives_block(
@@ -404,7 +413,7 @@ _PREDICTOR_GAIN_DERIVATIVES = Signature(
 
 
 def predicted_covariance(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
@@ -432,14 +441,15 @@ def predicted_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out))
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
 
 
 def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -474,7 +484,7 @@ _PREDICTED_COVARIANCE = Signature(
 
 
 def predicted_covariance_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
@@ -501,15 +511,16 @@ def predicted_covariance_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
     return PredictedCovarianceDerivatives(
-        *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -551,7 +562,7 @@ _PREDICTED_COVARIANCE_DERIVATIVES = Signature(
 
 
 def updated_covariance(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
@@ -579,14 +590,15 @@ def updated_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out))
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -616,7 +628,7 @@ _UPDATED_COVARIANCE = Signature(
 
 
 def updated_covariance_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
@@ -642,15 +654,16 @@ def updated_covariance_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
     return UpdatedCovarianceDerivatives(
-        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -690,7 +703,7 @@ _UPDATED_COVARIANCE_DERIVATIVES = Signature(
 
 
 def gain_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> GainSecondDerivatives:
     """Second derivatives of the filter gain, both negative.
 
@@ -716,14 +729,17 @@ def gain_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+    return GainSecondDerivatives(
+        *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
+    )
 
 
 def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -769,7 +785,7 @@ _GAIN_SECOND_DERIVATIVES = Signature(
 
 
 def predictor_gain_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> PredictorGainSecondDerivatives:
     """Second derivatives of the predictor gain.
 
@@ -793,15 +809,16 @@ def predictor_gain_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
     return PredictorGainSecondDerivatives(
-        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -851,7 +868,7 @@ _PREDICTOR_GAIN_SECOND_DERIVATIVES = Signature(
 
 
 def predicted_covariance_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictedCovarianceSecondDerivatives:
     """Second derivatives of the predicted covariance.
 
@@ -883,15 +900,16 @@ def predicted_covariance_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
     return PredictedCovarianceSecondDerivatives(
-        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -957,7 +975,7 @@ _PREDICTED_COVARIANCE_SECOND_DERIVATIVES = Signature(
 
 
 def updated_covariance_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> UpdatedCovarianceSecondDerivatives:
     """Second derivatives of the updated covariance.
 
@@ -985,15 +1003,16 @@ def updated_covariance_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
     return UpdatedCovarianceSecondDerivatives(
-        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -1055,7 +1074,7 @@ _UPDATED_COVARIANCE_SECOND_DERIVATIVES = Signature(
 
 
 def closed_loop_poles(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> ClosedLoopPoles:
     """Poles of the filter: a complex pair or two real numbers.
 
@@ -1084,14 +1103,15 @@ def closed_loop_poles(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
 
 
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1149,7 +1169,9 @@ _CLOSED_LOOP_POLES = Signature(
 )
 
 
-def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromAlpha:
+def index_from_alpha(
+    alpha: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> IndexFromAlpha:
     """The tracking index that belongs to a position gain.
 
         4*alpha**2 + 4*alpha*beta + beta**2 - 8*beta = 0, Lambda^2 = beta^2/(1 - alpha)
@@ -1163,14 +1185,15 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out))
+    return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
 
 
 def _index_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1198,7 +1221,9 @@ _INDEX_FROM_ALPHA = Signature(
 )
 
 
-def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> BetaFromAlpha:
+def beta_from_alpha(
+    alpha: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> BetaFromAlpha:
     """The velocity gain that belongs to a position gain.
 
         4*alpha**2 + 4*alpha*beta + beta**2 - 8*beta = 0, Lambda^2 = beta^2/(1 - alpha)
@@ -1212,14 +1237,15 @@ def beta_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Beta
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out))
+    return BetaFromAlpha(*evaluate(_BETA_FROM_ALPHA, (alpha,), out, workers))
 
 
 def _beta_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1245,7 +1271,9 @@ _BETA_FROM_ALPHA = Signature(
 )
 
 
-def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromBeta:
+def index_from_beta(
+    beta: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> IndexFromBeta:
     """The tracking index that belongs to a velocity gain.
 
         4*alpha**2 + 4*alpha*beta + beta**2 - 8*beta = 0, Lambda^2 = beta^2/(1 - alpha)
@@ -1259,14 +1287,15 @@ def index_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Index
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out))
+    return IndexFromBeta(*evaluate(_INDEX_FROM_BETA, (beta,), out, workers))
 
 
 def _index_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -1294,7 +1323,9 @@ _INDEX_FROM_BETA = Signature(
 )
 
 
-def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> AlphaFromBeta:
+def alpha_from_beta(
+    beta: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> AlphaFromBeta:
     """The position gain that belongs to a velocity gain.
 
         4*alpha**2 + 4*alpha*beta + beta**2 - 8*beta = 0, Lambda^2 = beta^2/(1 - alpha)
@@ -1308,14 +1339,15 @@ def alpha_from_beta(beta: ArrayLike, *, out: tuple[Real] | None = None) -> Alpha
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-acceleration
     """
-    return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out))
+    return AlphaFromBeta(*evaluate(_ALPHA_FROM_BETA, (beta,), out, workers))
 
 
 def _alpha_from_beta_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

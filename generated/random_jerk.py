@@ -89,7 +89,9 @@ class Gains(NamedTuple):
     """Acceleration gain times the square of the sampling interval."""
 
 
-def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None) -> Gains:
+def gains(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
+) -> Gains:
     """Steady-state filter gain.
 
         alpha = 2 (1 + eta)/nu, beta = 4 xi/nu, gamma = 8/nu,
@@ -114,14 +116,15 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return Gains(*evaluate(_GAINS, (tracking_index,), out))
+    return Gains(*evaluate(_GAINS, (tracking_index,), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -234,7 +237,7 @@ class GainDerivatives(NamedTuple):
 
 
 def gain_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
@@ -259,14 +262,15 @@ def gain_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out))
+    return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
 
 
 def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -425,7 +429,10 @@ class GainsWithDerivatives(NamedTuple):
 
 
 def gains_with_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
@@ -460,14 +467,15 @@ def gains_with_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out))
+    return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
 
 
 def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -625,7 +633,7 @@ class PredictorGains(NamedTuple):
 
 
 def predictor_gains(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
@@ -650,14 +658,15 @@ def predictor_gains(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out))
+    return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
 
 
 def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -773,7 +782,7 @@ class PredictorGainDerivatives(NamedTuple):
 
 
 def predictor_gain_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
@@ -799,14 +808,17 @@ def predictor_gain_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return PredictorGainDerivatives(*evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out))
+    return PredictorGainDerivatives(
+        *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
+    )
 
 
 def _predictor_gain_derivatives_block(
@@ -961,7 +973,7 @@ class InnovationDeviation(NamedTuple):
 
 
 def innovation_deviation(
-    tracking_index: ArrayLike, *, out: tuple[Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
 ) -> InnovationDeviation:
     """Standard deviation of an innovation in units of sigma_v.
 
@@ -980,14 +992,15 @@ def innovation_deviation(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out))
+    return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
 
 
 def _innovation_deviation_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1091,7 +1104,9 @@ class PoleProduct(NamedTuple):
     """Product of the poles, and what is left of 1 beside the position gain."""
 
 
-def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -> PoleProduct:
+def pole_product(
+    tracking_index: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> PoleProduct:
     """Product of the three poles of the filter, which is 1 - alpha.
 
         pole_product = 1/sigma^2, sigma = Lambda nu/8,
@@ -1111,14 +1126,15 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out))
+    return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
 
 
 def _pole_product_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1235,7 +1251,10 @@ class PredictedCovariance(NamedTuple):
 
 
 def predicted_covariance(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
@@ -1273,14 +1292,15 @@ def predicted_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out))
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
 
 
 def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1433,7 +1453,10 @@ class PredictedCovarianceDerivatives(NamedTuple):
 
 
 def predicted_covariance_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
@@ -1472,15 +1495,16 @@ def predicted_covariance_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
     return PredictedCovarianceDerivatives(
-        *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -1701,7 +1725,10 @@ class UpdatedCovariance(NamedTuple):
 
 
 def updated_covariance(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
@@ -1739,14 +1766,15 @@ def updated_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out))
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1908,7 +1936,10 @@ class UpdatedCovarianceDerivatives(NamedTuple):
 
 
 def updated_covariance_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
@@ -1946,15 +1977,16 @@ def updated_covariance_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
     return UpdatedCovarianceDerivatives(
-        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -2255,7 +2287,7 @@ class GainSecondDerivatives(NamedTuple):
 
 
 def gain_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> GainSecondDerivatives:
     """Second derivatives of the filter gain, all negative.
 
@@ -2282,14 +2314,17 @@ def gain_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+    return GainSecondDerivatives(
+        *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
+    )
 
 
 def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -2577,7 +2612,7 @@ class PredictorGainSecondDerivatives(NamedTuple):
 
 
 def predictor_gain_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictorGainSecondDerivatives:
     """Second derivatives of the predictor gain.
 
@@ -2604,15 +2639,16 @@ def predictor_gain_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
     return PredictorGainSecondDerivatives(
-        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -2910,7 +2946,7 @@ class PredictedCovarianceSecondDerivatives(NamedTuple):
 
 
 def predicted_covariance_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictedCovarianceSecondDerivatives:
     """Second derivatives of the predicted covariance but for M11 and M12.
 
@@ -2941,15 +2977,16 @@ def predicted_covariance_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
     return PredictedCovarianceSecondDerivatives(
-        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -3218,7 +3255,7 @@ class PredictedPositionSecondDerivatives(NamedTuple):
 
 
 def predicted_position_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> PredictedPositionSecondDerivatives:
     """Second derivatives of M11 and M12.
 
@@ -3245,15 +3282,16 @@ def predicted_position_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
     return PredictedPositionSecondDerivatives(
-        *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -3479,7 +3517,7 @@ class UpdatedCovarianceSecondDerivatives(NamedTuple):
 
 
 def updated_covariance_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> UpdatedCovarianceSecondDerivatives:
     """Second derivatives of the updated covariance but for its first row.
 
@@ -3511,15 +3549,16 @@ def updated_covariance_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
     return UpdatedCovarianceSecondDerivatives(
-        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -3766,7 +3805,7 @@ class ClosedLoopPoles(NamedTuple):
 
 
 def closed_loop_poles(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> ClosedLoopPoles:
     """Poles: the real one; of the other two modulus, half sum, half the distance squared.
 
@@ -3798,14 +3837,15 @@ def closed_loop_poles(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation random-jerk
     """
-    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
 
 
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:

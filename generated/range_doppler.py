@@ -423,6 +423,7 @@ def slant_range(
     station_z: ArrayLike,
     *,
     out: tuple[Real] | None = None,
+    workers: int = 1,
 ) -> SlantRange:
     """Distance of targets from stations.
 
@@ -443,10 +444,10 @@ def slant_range(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -455,6 +456,7 @@ def slant_range(
             _SLANT_RANGE,
             (target_x, target_y, target_z, station_x, station_y, station_z),
             out,
+            workers,
         )
     )
 
@@ -544,6 +546,7 @@ def range_jacobian(
     station_z: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeJacobian:
     """Derivative of the range: the unit vector from station to target.
 
@@ -572,10 +575,10 @@ def range_jacobian(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -584,6 +587,7 @@ def range_jacobian(
             _RANGE_JACOBIAN,
             (target_x, target_y, target_z, station_x, station_y, station_z),
             out,
+            workers,
         )
     )
 
@@ -680,6 +684,7 @@ def range_rate(
     station_velocity_z: ArrayLike,
     *,
     out: tuple[Real] | None = None,
+    workers: int = 1,
 ) -> RangeRate:
     """Range rate of moving targets from moving stations.
 
@@ -714,10 +719,10 @@ def range_rate(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -739,6 +744,7 @@ def range_rate(
                 station_velocity_z,
             ),
             out,
+            workers,
         )
     )
 
@@ -896,6 +902,7 @@ def range_rate_jacobian(
     station_velocity_z: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeRateJacobian:
     """Derivative of the range rate by position and velocity.
 
@@ -954,10 +961,10 @@ def range_rate_jacobian(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -979,6 +986,7 @@ def range_rate_jacobian(
                 station_velocity_z,
             ),
             out,
+            workers,
         )
     )
 
@@ -1165,6 +1173,7 @@ def range_doppler(
     station_velocity_z: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeDoppler:
     """Range and range rate with their derivatives.
 
@@ -1227,10 +1236,10 @@ def range_doppler(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -1252,6 +1261,7 @@ def range_doppler(
                 station_velocity_z,
             ),
             out,
+            workers,
         )
     )
 
@@ -1432,6 +1442,7 @@ def range_hessian(
     station_z: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeHessian:
     """Second derivatives of the range by the position.
 
@@ -1471,10 +1482,10 @@ def range_hessian(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -1483,6 +1494,7 @@ def range_hessian(
             _RANGE_HESSIAN,
             (target_x, target_y, target_z, station_x, station_y, station_z),
             out,
+            workers,
         )
     )
 
@@ -1607,6 +1619,7 @@ def range_rate_hessian(
     station_velocity_z: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeRateHessian:
     """Second derivatives of the range rate by the position.
 
@@ -1664,10 +1677,10 @@ def range_rate_hessian(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -1689,6 +1702,7 @@ def range_rate_hessian(
                 station_velocity_z,
             ),
             out,
+            workers,
         )
     )
 
@@ -1926,6 +1940,7 @@ def doppler_shift(
     carrier_frequency: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> DopplerShift:
     """Doppler shift of a carrier that the target sends, with its derivatives.
 
@@ -1988,10 +2003,10 @@ def doppler_shift(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -2014,6 +2029,7 @@ def doppler_shift(
                 carrier_frequency,
             ),
             out,
+            workers,
         )
     )
 
@@ -2193,6 +2209,7 @@ def slant_range_in_plane(
     station_y: ArrayLike,
     *,
     out: tuple[Real] | None = None,
+    workers: int = 1,
 ) -> SlantRangeInPlane:
     """Distance of targets from stations in the plane.
 
@@ -2211,15 +2228,15 @@ def slant_range_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
     return SlantRangeInPlane(
-        *evaluate(_SLANT_RANGE_IN_PLANE, (target_x, target_y, station_x, station_y), out)
+        *evaluate(_SLANT_RANGE_IN_PLANE, (target_x, target_y, station_x, station_y), out, workers)
     )
 
 
@@ -2293,6 +2310,7 @@ def range_jacobian_in_plane(
     station_y: ArrayLike,
     *,
     out: tuple[Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeJacobianInPlane:
     """Derivative of the range: the unit vector from station to target in the plane.
 
@@ -2316,15 +2334,20 @@ def range_jacobian_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
     return RangeJacobianInPlane(
-        *evaluate(_RANGE_JACOBIAN_IN_PLANE, (target_x, target_y, station_x, station_y), out)
+        *evaluate(
+            _RANGE_JACOBIAN_IN_PLANE,
+            (target_x, target_y, station_x, station_y),
+            out,
+            workers,
+        )
     )
 
 
@@ -2402,6 +2425,7 @@ def range_rate_in_plane(
     station_velocity_y: ArrayLike,
     *,
     out: tuple[Real] | None = None,
+    workers: int = 1,
 ) -> RangeRateInPlane:
     """Range rate of moving targets from moving stations in the plane.
 
@@ -2430,10 +2454,10 @@ def range_rate_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -2451,6 +2475,7 @@ def range_rate_in_plane(
                 station_velocity_y,
             ),
             out,
+            workers,
         )
     )
 
@@ -2576,6 +2601,7 @@ def range_rate_jacobian_in_plane(
     station_velocity_y: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeRateJacobianInPlane:
     """Derivative of the range rate by position and velocity in the plane.
 
@@ -2620,10 +2646,10 @@ def range_rate_jacobian_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -2641,6 +2667,7 @@ def range_rate_jacobian_in_plane(
                 station_velocity_y,
             ),
             out,
+            workers,
         )
     )
 
@@ -2778,6 +2805,7 @@ def range_doppler_in_plane(
     station_velocity_y: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeDopplerInPlane:
     """Range and range rate with their derivatives in the plane.
 
@@ -2827,10 +2855,10 @@ def range_doppler_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -2848,6 +2876,7 @@ def range_doppler_in_plane(
                 station_velocity_y,
             ),
             out,
+            workers,
         )
     )
 
@@ -2973,6 +3002,7 @@ def range_hessian_in_plane(
     station_y: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeHessianInPlane:
     """Second derivatives of the range by the position in the plane.
 
@@ -3001,15 +3031,15 @@ def range_hessian_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
     return RangeHessianInPlane(
-        *evaluate(_RANGE_HESSIAN_IN_PLANE, (target_x, target_y, station_x, station_y), out)
+        *evaluate(_RANGE_HESSIAN_IN_PLANE, (target_x, target_y, station_x, station_y), out, workers)
     )
 
 
@@ -3098,6 +3128,7 @@ def range_rate_hessian_in_plane(
     station_velocity_y: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeRateHessianInPlane:
     """Second derivatives of the range rate by the position in the plane.
 
@@ -3137,10 +3168,10 @@ def range_rate_hessian_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -3158,6 +3189,7 @@ def range_rate_hessian_in_plane(
                 station_velocity_y,
             ),
             out,
+            workers,
         )
     )
 
@@ -3318,6 +3350,7 @@ def doppler_shift_in_plane(
     carrier_frequency: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> DopplerShiftInPlane:
     """Doppler shift of a carrier that the target sends, with its derivatives in the plane.
 
@@ -3367,10 +3400,10 @@ def doppler_shift_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -3389,6 +3422,7 @@ def doppler_shift_in_plane(
                 carrier_frequency,
             ),
             out,
+            workers,
         )
     )
 
@@ -3561,6 +3595,7 @@ def bistatic_range_doppler(
     second_station_velocity_z: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> BistaticRangeDoppler:
     """Range and range rate over two stations, with their derivatives.
 
@@ -3640,10 +3675,10 @@ def bistatic_range_doppler(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -3671,6 +3706,7 @@ def bistatic_range_doppler(
                 second_station_velocity_z,
             ),
             out,
+            workers,
         )
     )
 
@@ -4003,6 +4039,7 @@ def range_doppler_difference(
     second_station_velocity_z: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeDopplerDifference:
     """Differences of range and range rate at two stations (TDOA, FDOA).
 
@@ -4087,10 +4124,10 @@ def range_doppler_difference(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -4118,6 +4155,7 @@ def range_doppler_difference(
                 second_station_velocity_z,
             ),
             out,
+            workers,
         )
     )
 
@@ -4471,6 +4509,7 @@ def bistatic_range_doppler_in_plane(
     second_station_velocity_y: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> BistaticRangeDopplerInPlane:
     """Range and range rate over two stations, with their derivatives in the plane.
 
@@ -4531,10 +4570,10 @@ def bistatic_range_doppler_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -4556,6 +4595,7 @@ def bistatic_range_doppler_in_plane(
                 second_station_velocity_y,
             ),
             out,
+            workers,
         )
     )
 
@@ -4811,6 +4851,7 @@ def range_doppler_difference_in_plane(
     second_station_velocity_y: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> RangeDopplerDifferenceInPlane:
     """Differences of range and range rate at two stations (TDOA, FDOA) in the plane.
 
@@ -4876,10 +4917,10 @@ def range_doppler_difference_in_plane(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation range-doppler
     """
@@ -4901,6 +4942,7 @@ def range_doppler_difference_in_plane(
                 second_station_velocity_y,
             ),
             out,
+            workers,
         )
     )
 

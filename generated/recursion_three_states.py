@@ -137,6 +137,7 @@ def covariance(
     third_shear: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Covariance:
     """Covariance of position, velocity and acceleration from its factors.
 
@@ -171,10 +172,11 @@ def covariance(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -183,6 +185,7 @@ def covariance(
             _COVARIANCE,
             (diagonal_1, diagonal_2, diagonal_3, first_shear, second_shear, third_shear),
             out,
+            workers,
         )
     )
 
@@ -253,6 +256,7 @@ def gains(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Gains:
     """Kalman gain and variance of the innovation, before the position is measured.
 
@@ -286,10 +290,11 @@ def gains(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -306,6 +311,7 @@ def gains(
                 measurement_variance,
             ),
             out,
+            workers,
         )
     )
 
@@ -385,6 +391,7 @@ def update(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Update:
     """Factors of the covariance after the position is measured.
 
@@ -422,10 +429,11 @@ def update(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -442,6 +450,7 @@ def update(
                 measurement_variance,
             ),
             out,
+            workers,
         )
     )
 
@@ -526,6 +535,7 @@ def start_acceleration_increments(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StartAccelerationIncrements:
     """Factors of the covariance after the first three positions, acceleration increments.
 
@@ -562,10 +572,11 @@ def start_acceleration_increments(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -574,6 +585,7 @@ def start_acceleration_increments(
             _START_ACCELERATION_INCREMENTS,
             (first_interval, interval, strength, measurement_variance),
             out,
+            workers,
         )
     )
 
@@ -725,6 +737,7 @@ def start_wiener_acceleration(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StartWienerAcceleration:
     """Factors of the covariance after the first three positions, wiener acceleration.
 
@@ -761,10 +774,11 @@ def start_wiener_acceleration(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -773,6 +787,7 @@ def start_wiener_acceleration(
             _START_WIENER_ACCELERATION,
             (first_interval, interval, strength, measurement_variance),
             out,
+            workers,
         )
     )
 
@@ -885,6 +900,7 @@ def start_random_jerk(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StartRandomJerk:
     """Factors of the covariance after the first three positions, random jerk.
 
@@ -921,10 +937,11 @@ def start_random_jerk(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -933,6 +950,7 @@ def start_random_jerk(
             _START_RANDOM_JERK,
             (first_interval, interval, strength, measurement_variance),
             out,
+            workers,
         )
     )
 
@@ -1143,6 +1161,7 @@ def start_continuous_white_jerk(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StartContinuousWhiteJerk:
     """Factors of the covariance after the first three positions, continuous white jerk.
 
@@ -1179,10 +1198,11 @@ def start_continuous_white_jerk(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -1191,6 +1211,7 @@ def start_continuous_white_jerk(
             _START_CONTINUOUS_WHITE_JERK,
             (first_interval, interval, strength, measurement_variance),
             out,
+            workers,
         )
     )
 
@@ -1430,6 +1451,7 @@ def predict_acceleration_increments(
     strength: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictAccelerationIncrements:
     """Factors of the covariance after an interval, acceleration increments.
 
@@ -1470,10 +1492,11 @@ def predict_acceleration_increments(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -1491,6 +1514,7 @@ def predict_acceleration_increments(
                 strength,
             ),
             out,
+            workers,
         )
     )
 
@@ -1588,6 +1612,7 @@ def predict_wiener_acceleration(
     strength: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictWienerAcceleration:
     """Factors of the covariance after an interval, wiener acceleration.
 
@@ -1628,10 +1653,11 @@ def predict_wiener_acceleration(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -1649,6 +1675,7 @@ def predict_wiener_acceleration(
                 strength,
             ),
             out,
+            workers,
         )
     )
 
@@ -1762,6 +1789,7 @@ def predict_random_jerk(
     strength: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictRandomJerk:
     """Factors of the covariance after an interval, random jerk.
 
@@ -1802,10 +1830,11 @@ def predict_random_jerk(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -1823,6 +1852,7 @@ def predict_random_jerk(
                 strength,
             ),
             out,
+            workers,
         )
     )
 
@@ -1954,6 +1984,7 @@ def predict_continuous_white_jerk(
     strength: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictContinuousWhiteJerk:
     """Factors of the covariance after an interval, continuous white jerk.
 
@@ -1994,10 +2025,11 @@ def predict_continuous_white_jerk(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-three-states
     """
@@ -2015,6 +2047,7 @@ def predict_continuous_white_jerk(
                 strength,
             ),
             out,
+            workers,
         )
     )
 

@@ -119,6 +119,7 @@ def covariance(
     diagonal_2: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Covariance:
     """Covariance of position and velocity from its factors d1, u, d2.
 
@@ -140,14 +141,15 @@ def covariance(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
-    return Covariance(*evaluate(_COVARIANCE, (diagonal_1, shear, diagonal_2), out))
+    return Covariance(*evaluate(_COVARIANCE, (diagonal_1, shear, diagonal_2), out, workers))
 
 
 def _covariance_block(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:
@@ -186,6 +188,7 @@ def gains(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Gains:
     """Kalman gain and variance of the innovation, before the position is measured.
 
@@ -211,14 +214,17 @@ def gains(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
-    return Gains(*evaluate(_GAINS, (diagonal_1, shear, diagonal_2, measurement_variance), out))
+    return Gains(
+        *evaluate(_GAINS, (diagonal_1, shear, diagonal_2, measurement_variance), out, workers)
+    )
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -260,6 +266,7 @@ def update(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> Factors:
     """Factors of the covariance after the position is measured.
 
@@ -285,14 +292,17 @@ def update(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
-    return Factors(*evaluate(_UPDATE, (diagonal_1, shear, diagonal_2, measurement_variance), out))
+    return Factors(
+        *evaluate(_UPDATE, (diagonal_1, shear, diagonal_2, measurement_variance), out, workers)
+    )
 
 
 def _update_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -337,6 +347,7 @@ def start_random_velocity(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StartRandomVelocity:
     """Factors of the covariance after the first two positions, random velocity.
 
@@ -360,15 +371,16 @@ def start_random_velocity(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
     return StartRandomVelocity(
-        *evaluate(_START_RANDOM_VELOCITY, (interval, strength, measurement_variance), out)
+        *evaluate(_START_RANDOM_VELOCITY, (interval, strength, measurement_variance), out, workers)
     )
 
 
@@ -413,6 +425,7 @@ def start_random_acceleration(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StartRandomAcceleration:
     """Factors of the covariance after the first two positions, random acceleration.
 
@@ -436,15 +449,21 @@ def start_random_acceleration(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
     return StartRandomAcceleration(
-        *evaluate(_START_RANDOM_ACCELERATION, (interval, strength, measurement_variance), out)
+        *evaluate(
+            _START_RANDOM_ACCELERATION,
+            (interval, strength, measurement_variance),
+            out,
+            workers,
+        )
     )
 
 
@@ -494,6 +513,7 @@ def start_continuous_white_acceleration(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StartContinuousWhiteAcceleration:
     """Factors of the covariance after the first two positions, continuous white acceleration.
 
@@ -517,10 +537,11 @@ def start_continuous_white_acceleration(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
@@ -529,6 +550,7 @@ def start_continuous_white_acceleration(
             _START_CONTINUOUS_WHITE_ACCELERATION,
             (interval, strength, measurement_variance),
             out,
+            workers,
         )
     )
 
@@ -581,6 +603,7 @@ def predict_random_velocity(
     strength: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictRandomVelocity:
     """Factors of the covariance after an interval, random velocity.
 
@@ -609,10 +632,11 @@ def predict_random_velocity(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
@@ -621,6 +645,7 @@ def predict_random_velocity(
             _PREDICT_RANDOM_VELOCITY,
             (diagonal_1, shear, diagonal_2, interval, strength),
             out,
+            workers,
         )
     )
 
@@ -668,6 +693,7 @@ def predict_random_acceleration(
     strength: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictRandomAcceleration:
     """Factors of the covariance after an interval, random acceleration.
 
@@ -696,10 +722,11 @@ def predict_random_acceleration(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
@@ -708,6 +735,7 @@ def predict_random_acceleration(
             _PREDICT_RANDOM_ACCELERATION,
             (diagonal_1, shear, diagonal_2, interval, strength),
             out,
+            workers,
         )
     )
 
@@ -763,6 +791,7 @@ def predict_continuous_white_acceleration(
     strength: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictContinuousWhiteAcceleration:
     """Factors of the covariance after an interval, continuous white acceleration.
 
@@ -791,10 +820,11 @@ def predict_continuous_white_acceleration(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
@@ -803,6 +833,7 @@ def predict_continuous_white_acceleration(
             _PREDICT_CONTINUOUS_WHITE_ACCELERATION,
             (diagonal_1, shear, diagonal_2, interval, strength),
             out,
+            workers,
         )
     )
 
@@ -870,6 +901,7 @@ def step_random_velocity(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StepRandomVelocity:
     """An interval, then a measured position: factors and gains, random velocity.
 
@@ -909,10 +941,11 @@ def step_random_velocity(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
@@ -921,6 +954,7 @@ def step_random_velocity(
             _STEP_RANDOM_VELOCITY,
             (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance),
             out,
+            workers,
         )
     )
 
@@ -993,6 +1027,7 @@ def step_random_acceleration(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StepRandomAcceleration:
     """An interval, then a measured position: factors and gains, random acceleration.
 
@@ -1032,10 +1067,11 @@ def step_random_acceleration(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
@@ -1044,6 +1080,7 @@ def step_random_acceleration(
             _STEP_RANDOM_ACCELERATION,
             (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance),
             out,
+            workers,
         )
     )
 
@@ -1124,6 +1161,7 @@ def step_continuous_white_acceleration(
     measurement_variance: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> StepContinuousWhiteAcceleration:
     """An interval, then a measured position: factors and gains, continuous white acceleration.
 
@@ -1163,10 +1201,11 @@ def step_continuous_white_acceleration(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
@@ -1175,6 +1214,7 @@ def step_continuous_white_acceleration(
             _STEP_CONTINUOUS_WHITE_ACCELERATION,
             (diagonal_1, shear, diagonal_2, interval, strength, measurement_variance),
             out,
+            workers,
         )
     )
 
@@ -1241,7 +1281,7 @@ class HandOver(NamedTuple):
     """Real k; its whole part is the last sample of the fit."""
 
 
-def hand_over(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> HandOver:
+def hand_over(alpha: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1) -> HandOver:
     """The last sample at which the gain of a line fitted by least squares is not below alpha.
 
         last_sample = (4 - 3 alpha + sqrt(16 - 16 alpha + alpha^2))/(2 alpha),
@@ -1256,14 +1296,15 @@ def hand_over(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> HandOver:
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation recursion-two-states
     """
-    return HandOver(*evaluate(_HAND_OVER, (alpha,), out))
+    return HandOver(*evaluate(_HAND_OVER, (alpha,), out, workers))
 
 
 def _hand_over_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

@@ -134,6 +134,7 @@ def tracking_index(
     variance: ArrayLike,
     *,
     out: tuple[Real] | None = None,
+    workers: int = 1,
 ) -> TrackingIndex:
     """The tracking index of an axis from the variance of its measurement.
 
@@ -151,15 +152,16 @@ def tracking_index(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation updated-gains
     """
     return TrackingIndex(
-        *evaluate(_TRACKING_INDEX, (acceleration_deviation, interval, variance), out)
+        *evaluate(_TRACKING_INDEX, (acceleration_deviation, interval, variance), out, workers)
     )
 
 
@@ -192,7 +194,11 @@ class FirstOrderGains(NamedTuple):
 
 
 def first_order_gains(
-    nominal_index: ArrayLike, tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    nominal_index: ArrayLike,
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real] | None = None,
+    workers: int = 1,
 ) -> FirstOrderGains:
     """Gains updated to first order from a nominal index, constant derivatives.
 
@@ -213,14 +219,17 @@ def first_order_gains(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation updated-gains
     """
-    return FirstOrderGains(*evaluate(_FIRST_ORDER_GAINS, (nominal_index, tracking_index), out))
+    return FirstOrderGains(
+        *evaluate(_FIRST_ORDER_GAINS, (nominal_index, tracking_index), out, workers)
+    )
 
 
 def _first_order_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -277,6 +286,7 @@ def recursive_gains(
     next_index: ArrayLike,
     *,
     out: tuple[Real, Real] | None = None,
+    workers: int = 1,
 ) -> RecursiveGains:
     """Gains updated to first order from those of the last scan.
 
@@ -300,15 +310,15 @@ def recursive_gains(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation updated-gains
     """
     return RecursiveGains(
-        *evaluate(_RECURSIVE_GAINS, (alpha, beta, tracking_index, next_index), out)
+        *evaluate(_RECURSIVE_GAINS, (alpha, beta, tracking_index, next_index), out, workers)
     )
 
 
@@ -358,7 +368,10 @@ class UpdateLimits(NamedTuple):
 
 
 def update_limits(
-    nominal_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real] | None = None
+    nominal_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdateLimits:
     """How far from its nominal index a first-order update is of use.
 
@@ -391,14 +404,15 @@ def update_limits(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation updated-gains
     """
-    return UpdateLimits(*evaluate(_UPDATE_LIMITS, (nominal_index,), out))
+    return UpdateLimits(*evaluate(_UPDATE_LIMITS, (nominal_index,), out, workers))
 
 
 def _update_limits_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -475,7 +489,11 @@ class FirstOrderErrors(NamedTuple):
 
 
 def first_order_errors(
-    nominal_index: ArrayLike, tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    nominal_index: ArrayLike,
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real] | None = None,
+    workers: int = 1,
 ) -> FirstOrderErrors:
     """By how much first-order gains are too large.
 
@@ -498,14 +516,17 @@ def first_order_errors(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation updated-gains
     """
-    return FirstOrderErrors(*evaluate(_FIRST_ORDER_ERRORS, (nominal_index, tracking_index), out))
+    return FirstOrderErrors(
+        *evaluate(_FIRST_ORDER_ERRORS, (nominal_index, tracking_index), out, workers)
+    )
 
 
 def _first_order_errors_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -566,7 +587,11 @@ class CycleDrift(NamedTuple):
 
 
 def cycle_drift(
-    nominal_index: ArrayLike, tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    nominal_index: ArrayLike,
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real] | None = None,
+    workers: int = 1,
 ) -> CycleDrift:
     """What recursive updates add to gains from L to Lambda and back.
 
@@ -588,14 +613,15 @@ def cycle_drift(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation updated-gains
     """
-    return CycleDrift(*evaluate(_CYCLE_DRIFT, (nominal_index, tracking_index), out))
+    return CycleDrift(*evaluate(_CYCLE_DRIFT, (nominal_index, tracking_index), out, workers))
 
 
 def _cycle_drift_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -675,6 +701,7 @@ def mismatch_variances(
     tracking_index: ArrayLike,
     *,
     out: tuple[Real, Real, Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> MismatchVariances:
     """Steady variances with the gains of a nominal index.
 
@@ -709,14 +736,17 @@ def mismatch_variances(
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
-    everything becomes float64, integers too. `out`: a tuple of arrays to fill.
+    everything becomes float64, integers too. `out`: a tuple of arrays to fill. `workers`: threads
+    that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation updated-gains
     """
-    return MismatchVariances(*evaluate(_MISMATCH_VARIANCES, (nominal_index, tracking_index), out))
+    return MismatchVariances(
+        *evaluate(_MISMATCH_VARIANCES, (nominal_index, tracking_index), out, workers)
+    )
 
 
 def _mismatch_variances_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -823,6 +853,7 @@ def line_of_sight_gains(
     sine: ArrayLike,
     *,
     out: tuple[Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> LineOfSightGains:
     """Gains along and across the line of sight, turned into x and y.
 
@@ -849,14 +880,16 @@ def line_of_sight_gains(
 
     Numbers and arrays are taken, arrays of any shapes that broadcast. Where all inputs are float32
     so are the results; otherwise everything becomes float64, integers too. `out`: a tuple of arrays
-    to fill.
+    to fill. `workers`: threads that share the work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation updated-gains
     """
-    return LineOfSightGains(*evaluate(_LINE_OF_SIGHT_GAINS, (along, across, cosine, sine), out))
+    return LineOfSightGains(
+        *evaluate(_LINE_OF_SIGHT_GAINS, (along, across, cosine, sine), out, workers)
+    )
 
 
 def _line_of_sight_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

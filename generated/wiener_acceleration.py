@@ -99,7 +99,9 @@ class Gains(NamedTuple):
     """Acceleration gain times the square of the sampling interval."""
 
 
-def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None) -> Gains:
+def gains(
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
+) -> Gains:
     """Steady-state filter gain.
 
         alpha = 2 (1 + eta)/nu, beta = 4 xi/nu, gamma = 8/nu,
@@ -124,14 +126,15 @@ def gains(tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = No
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return Gains(*evaluate(_GAINS, (tracking_index,), out))
+    return Gains(*evaluate(_GAINS, (tracking_index,), out, workers))
 
 
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -240,7 +243,7 @@ class GainDerivatives(NamedTuple):
 
 
 def gain_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> GainDerivatives:
     """First derivatives of the filter gain with respect to the tracking index.
 
@@ -265,14 +268,15 @@ def gain_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out))
+    return GainDerivatives(*evaluate(_GAIN_DERIVATIVES, (tracking_index,), out, workers))
 
 
 def _gain_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -421,7 +425,10 @@ class GainsWithDerivatives(NamedTuple):
 
 
 def gains_with_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
@@ -456,14 +463,15 @@ def gains_with_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out))
+    return GainsWithDerivatives(*evaluate(_GAINS_WITH_DERIVATIVES, (tracking_index,), out, workers))
 
 
 def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -609,7 +617,7 @@ class PredictorGains(NamedTuple):
 
 
 def predictor_gains(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictorGains:
     """Steady-state predictor gain F K.
 
@@ -634,14 +642,15 @@ def predictor_gains(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out))
+    return PredictorGains(*evaluate(_PREDICTOR_GAINS, (tracking_index,), out, workers))
 
 
 def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -753,7 +762,7 @@ class PredictorGainDerivatives(NamedTuple):
 
 
 def predictor_gain_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictorGainDerivatives:
     """First derivatives of the predictor gain.
 
@@ -779,14 +788,17 @@ def predictor_gain_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return PredictorGainDerivatives(*evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out))
+    return PredictorGainDerivatives(
+        *evaluate(_PREDICTOR_GAIN_DERIVATIVES, (tracking_index,), out, workers)
+    )
 
 
 def _predictor_gain_derivatives_block(
@@ -931,7 +943,7 @@ class InnovationDeviation(NamedTuple):
 
 
 def innovation_deviation(
-    tracking_index: ArrayLike, *, out: tuple[Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
 ) -> InnovationDeviation:
     """Standard deviation of an innovation in units of sigma_v.
 
@@ -950,14 +962,15 @@ def innovation_deviation(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out))
+    return InnovationDeviation(*evaluate(_INNOVATION_DEVIATION, (tracking_index,), out, workers))
 
 
 def _innovation_deviation_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1057,7 +1070,9 @@ class PoleProduct(NamedTuple):
     """Product of the poles, and what is left of 1 beside the position gain."""
 
 
-def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -> PoleProduct:
+def pole_product(
+    tracking_index: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> PoleProduct:
     """Product of the three poles of the filter, which is 1 - alpha.
 
         pole_product = 1/sigma^2, sigma = Lambda nu/8,
@@ -1077,14 +1092,15 @@ def pole_product(tracking_index: ArrayLike, *, out: tuple[Real] | None = None) -
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out))
+    return PoleProduct(*evaluate(_POLE_PRODUCT, (tracking_index,), out, workers))
 
 
 def _pole_product_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1197,7 +1213,10 @@ class PredictedCovariance(NamedTuple):
 
 
 def predicted_covariance(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovariance:
     """Predicted covariance in units of sigma_v^2 and T.
 
@@ -1235,14 +1254,15 @@ def predicted_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out))
+    return PredictedCovariance(*evaluate(_PREDICTED_COVARIANCE, (tracking_index,), out, workers))
 
 
 def _predicted_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1388,7 +1408,10 @@ class PredictedCovarianceDerivatives(NamedTuple):
 
 
 def predicted_covariance_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> PredictedCovarianceDerivatives:
     """First derivatives of the predicted covariance.
 
@@ -1427,15 +1450,16 @@ def predicted_covariance_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
     return PredictedCovarianceDerivatives(
-        *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -1627,7 +1651,10 @@ class UpdatedCovariance(NamedTuple):
 
 
 def updated_covariance(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovariance:
     """Updated covariance in units of sigma_v^2 and T.
 
@@ -1665,14 +1692,15 @@ def updated_covariance(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out))
+    return UpdatedCovariance(*evaluate(_UPDATED_COVARIANCE, (tracking_index,), out, workers))
 
 
 def _updated_covariance_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -1802,7 +1830,10 @@ class UpdatedCovarianceDerivatives(NamedTuple):
 
 
 def updated_covariance_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike,
+    *,
+    out: tuple[Real, Real, Real, Real, Real, Real] | None = None,
+    workers: int = 1,
 ) -> UpdatedCovarianceDerivatives:
     """First derivatives of the updated covariance.
 
@@ -1840,15 +1871,16 @@ def updated_covariance_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
     return UpdatedCovarianceDerivatives(
-        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_UPDATED_COVARIANCE_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -2031,7 +2063,7 @@ class GainSecondDerivatives(NamedTuple):
 
 
 def gain_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> GainSecondDerivatives:
     """Second derivatives of the filter gain, all negative.
 
@@ -2058,14 +2090,17 @@ def gain_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return GainSecondDerivatives(*evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out))
+    return GainSecondDerivatives(
+        *evaluate(_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
+    )
 
 
 def _gain_second_derivatives_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -2278,7 +2313,7 @@ class PredictorGainSecondDerivatives(NamedTuple):
 
 
 def predictor_gain_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictorGainSecondDerivatives:
     """Second derivatives of the predictor gain.
 
@@ -2305,15 +2340,16 @@ def predictor_gain_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
     return PredictorGainSecondDerivatives(
-        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTOR_GAIN_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -2536,7 +2572,7 @@ class PredictedCovarianceSecondDerivatives(NamedTuple):
 
 
 def predicted_covariance_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> PredictedCovarianceSecondDerivatives:
     """Second derivatives of the predicted covariance but for M11 and M12.
 
@@ -2567,15 +2603,16 @@ def predicted_covariance_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
     return PredictedCovarianceSecondDerivatives(
-        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -2786,7 +2823,7 @@ class PredictedPositionSecondDerivatives(NamedTuple):
 
 
 def predicted_position_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
 ) -> PredictedPositionSecondDerivatives:
     """Second derivatives of M11 and M12.
 
@@ -2813,15 +2850,16 @@ def predicted_position_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
     return PredictedPositionSecondDerivatives(
-        *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_PREDICTED_POSITION_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -3009,7 +3047,7 @@ class UpdatedCovarianceSecondDerivatives(NamedTuple):
 
 
 def updated_covariance_second_derivatives(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real] | None = None, workers: int = 1
 ) -> UpdatedCovarianceSecondDerivatives:
     """Second derivatives of the updated covariance but for its first row.
 
@@ -3036,15 +3074,16 @@ def updated_covariance_second_derivatives(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
     return UpdatedCovarianceSecondDerivatives(
-        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out)
+        *evaluate(_UPDATED_COVARIANCE_SECOND_DERIVATIVES, (tracking_index,), out, workers)
     )
 
 
@@ -3191,7 +3230,7 @@ class ClosedLoopPoles(NamedTuple):
 
 
 def closed_loop_poles(
-    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None
+    tracking_index: ArrayLike, *, out: tuple[Real, Real, Real, Real] | None = None, workers: int = 1
 ) -> ClosedLoopPoles:
     """Poles: the real one; of the other two modulus, half sum, half the distance squared.
 
@@ -3223,14 +3262,15 @@ def closed_loop_poles(
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out))
+    return ClosedLoopPoles(*evaluate(_CLOSED_LOOP_POLES, (tracking_index,), out, workers))
 
 
 def _closed_loop_poles_block(given: Arrays, out: Arrays, work: Arrays, single: bool) -> None:
@@ -3363,7 +3403,9 @@ class IndexFromAlpha(NamedTuple):
     """Tracking index Lambda."""
 
 
-def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> IndexFromAlpha:
+def index_from_alpha(
+    alpha: ArrayLike, *, out: tuple[Real] | None = None, workers: int = 1
+) -> IndexFromAlpha:
     """The tracking index that belongs to a position gain.
 
         beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w),
@@ -3379,14 +3421,15 @@ def index_from_alpha(alpha: ArrayLike, *, out: tuple[Real] | None = None) -> Ind
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out))
+    return IndexFromAlpha(*evaluate(_INDEX_FROM_ALPHA, (alpha,), out, workers))
 
 
 def _index_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
@@ -3422,7 +3465,9 @@ class GainsFromAlpha(NamedTuple):
     """Acceleration gain times the square of the sampling interval."""
 
 
-def gains_from_alpha(alpha: ArrayLike, *, out: tuple[Real, Real] | None = None) -> GainsFromAlpha:
+def gains_from_alpha(
+    alpha: ArrayLike, *, out: tuple[Real, Real] | None = None, workers: int = 1
+) -> GainsFromAlpha:
     """The velocity and acceleration gain that belong to a position gain.
 
         beta = 2 (1 - w)^2, gamma = 2 (1 - w)^3/(1 + w),
@@ -3441,14 +3486,15 @@ def gains_from_alpha(alpha: ArrayLike, *, out: tuple[Real, Real] | None = None) 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
     number: it comes as 0, a subnormal number or infinity, never as NaN. Numbers and arrays are
     taken, arrays of any shape; inputs are broadcast. float64 and float32 stay what they are,
-    integers become float64. `out`: a tuple of arrays to fill.
+    integers become float64. `out`: a tuple of arrays to fill. `workers`: threads that share the
+    work on long arrays.
 
-    ValueError: an input outside its domain, with its place; `out` that does not fit. TypeError: an
-    input that is no real number of these types.
+    ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
+    TypeError: an input that is no real number of these types.
 
     Source: derivation wiener-acceleration
     """
-    return GainsFromAlpha(*evaluate(_GAINS_FROM_ALPHA, (alpha,), out))
+    return GainsFromAlpha(*evaluate(_GAINS_FROM_ALPHA, (alpha,), out, workers))
 
 
 def _gains_from_alpha_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:

@@ -106,10 +106,13 @@ def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
         [line for given in kernel.inputs for line in _input(given)],
         [line for required in kernel.requirements for line in _required(required)],
         [line for row in range(len(kernel.outputs)) for line in _output(kernel, bounds, row)],
-        _wrap(f"{several if len(kernel.inputs) > 1 else ONE} `out`: a tuple of arrays to fill."),
         _wrap(
-            "ValueError: an input outside its domain, with its place; `out` that does not fit. "
-            "TypeError: an input that is no real number of these types."
+            f"{several if len(kernel.inputs) > 1 else ONE} `out`: a tuple of arrays to fill. "
+            "`workers`: threads that share the work on long arrays."
+        ),
+        _wrap(
+            "ValueError: an input outside its domain, with its place; `out` or `workers` that does "
+            "not fit. TypeError: an input that is no real number of these types."
         ),
         _wrap(f"Source: {kernel.source}"),
     ]

@@ -27,9 +27,9 @@ def row(indent: str, entries: Sequence[str], tail: str = "") -> list[str]:
 
 
 def call(result: str, signature: str, names: Sequence[str]) -> list[str]:
-    """`return result(*evaluate(signature, (names), out))`, in a function."""
+    """`return result(*evaluate(signature, (names), out, workers))`, in a function."""
     given = row("", names)
-    inner = f"*evaluate({signature}, {given[0]}, out)"
+    inner = f"*evaluate({signature}, {given[0]}, out, workers)"
     if len(given) == 1 and len(line := f"    return {result}({inner})") <= WIDTH:
         return [line]
     if len(given) == 1 and len(line := f"        {inner}") <= WIDTH:
@@ -40,6 +40,7 @@ def call(result: str, signature: str, names: Sequence[str]) -> list[str]:
         f"            {signature},",
         *row(" " * 12, names, ","),
         "            out,",
+        "            workers,",
         "        )",
         "    )",
     ]

@@ -188,7 +188,7 @@ def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> 
     count = len(kernel.outputs)
     several = ", ".join(["Real"] * count) if count > 1 else "Real,"
     kind = f"tuple[{'Real' if count == 1 else several}]"
-    options = ["*", f"out: {kind} | None = None"]
+    options = ["*", f"out: {kind} | None = None", "workers: int = 1"]
     head = f"def {kernel.name}({', '.join(inputs + options)}) -> {kernel.result}:"
     if len(head) <= WIDTH:
         yield head

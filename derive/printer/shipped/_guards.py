@@ -38,7 +38,7 @@ def admit(
     """ValueError unless the elements from `start` to `stop` of every input lie in its domain.
 
     What lies in it is found in few calls, the longer the part the fewer; what does not is looked
-    for block by block. Of an input of one number `flat` holds a block; it is looked at once.
+    for block by block. An input of one number, which `flat` holds as it is, is looked at once.
     """
     size = max(x.size for x in flat)
     long = parts_of(flat, start, stop, size)
@@ -63,14 +63,19 @@ def admit(
 
 
 def block_length(kernel: Signature) -> int:
-    """Elements of a block: a few arrays stay in the cache where it is half as long again."""
+    """Elements of a block: a few arrays stay in the cache where it is half as long again.
+
+    By `gainproof bench --against length`, with 1 MB of second-level and 32 MB of last-level cache:
+    of 4,096 elements kernels take 60 to 80 % more time, of 16,384 10 to 20 %, of 32,768 4 to 8 %,
+    of 65,536 to 131,072 the same within 3 %, of 262,144 3 to 12 % more.
+    """
     arrays = len(kernel.inputs) + len(kernel.outputs) + kernel.work
     return SIZE if arrays >= MANY else 3 * SIZE // 2
 
 
 def parts_of(flat: Arrays, start: int, stop: int, size: int) -> list[Array]:
-    """The block of each input; of a constant as much as the block is long."""
-    return [x[start:stop] if x.size == size else x[: stop - start] for x in flat]
+    """The block of each input; one number is the same in every block."""
+    return [x[start:stop] if x.size == size else x for x in flat]
 
 
 def _within(domain: Domain, x: Array) -> bool:
@@ -155,9 +160,10 @@ def _require(
     """ValueError with the first place where inputs together are not what they must be."""
     kind = parts[0].dtype
     single = kind == np.float32
-    if _apart(required, parts, parts[0].size):
+    length = max(x.size for x in parts)
+    if _apart(required, parts, length):
         return
-    value: Array = np.empty(parts[0].shape, kind)
+    value: Array = np.empty(length, kind)
     work: list[Array] = [np.empty_like(value) for _ in range(required.work)]
     required.block(parts, [value], work, single)
     fine = value >= (required.single if single else required.double)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from gainproof.bench.compiler import Arrays
 from gainproof.generated._signature import Domain, Required, Signature
 
+Arguments = Sequence[NDArray[np.float64] | float]
 TRIES = 20
 """How often arguments that do not fit together are drawn again."""
 
@@ -26,6 +28,12 @@ def sample(signature: Signature, size: int) -> Arrays:
             for column, domain in zip(given, signature.inputs, strict=True):
                 column[missed] = _arguments(domain, missed.size, generator)
     return given
+
+
+def with_constants(signature: Signature, given: Arrays, prefix: str | None) -> Arguments:
+    """The arguments, those whose names begin with the prefix one number each."""
+    one = [prefix is not None and domain.name.startswith(prefix) for domain in signature.inputs]
+    return [float(x[0]) if fixed else x for x, fixed in zip(given, one, strict=True)]
 
 
 def fitting(signature: Signature, given: Arrays) -> Arrays:

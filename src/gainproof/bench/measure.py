@@ -11,8 +11,8 @@ import numpy as np
 import sympy as sp
 
 from gainproof.bench.accuracy import ball_outputs, error, log_uniform, signed_points, terms
-from gainproof.bench.arguments import fitting, sample
-from gainproof.bench.compiler import Arrays, compiled, compiler
+from gainproof.bench.arguments import Arguments, fitting, sample, with_constants
+from gainproof.bench.compiler import compiled, compiler
 from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
@@ -28,36 +28,43 @@ BLOCK = 16384
 class Figures:
     """Ratios of one kernel; None where there is nothing to compare with.
 
-    over_c: kernel time over C time. passes_over_c: the same for the bare NumPy calls on one block
-    that stays in the cache, without guards and memory traffic: what no NumPy kernel of this graph
-    can beat. under_lambdify, under_solver: the other's time over the
-    kernel's. worst: the greatest measured error of any output in units of 2^-52, with `proved`
-    the proved bound of that output.
+    over_c: kernel time over C time; shared_over_c: the same where threads share the blocks.
+    passes_over_c: the same for the bare NumPy calls on one block that stays in the cache, without
+    guards and memory traffic: what no NumPy kernel of this graph can beat in one thread.
+    under_lambdify, under_solver: the other's time over the kernel's; fresh_under_lambdify: where
+    the kernel too makes the arrays of its outputs. worst: the greatest measured error of any
+    output in units of 2^-52, with `proved` the proved bound of that output.
     """
 
     over_c: float | None
+    shared_over_c: float | None
     passes_over_c: float | None
     under_lambdify: float | None
+    fresh_under_lambdify: float | None
     under_solver: float | None
     worst: float
     proved: float
 
 
-def figures(item: Measured, folder: Path) -> Figures:
-    """Measure one kernel."""
-    given = sample(item.signature, SIZE)
-    outputs = [np.empty_like(given[0]) for _ in item.kernel.outputs]
+def figures(item: Measured, folder: Path, workers: int = 2, constant: str | None = None) -> Figures:
+    """Measure one kernel; inputs whose names begin with `constant` are one number each."""
+    columns = sample(item.signature, SIZE)
+    given = with_constants(item.signature, columns, constant)
+    outputs = tuple(np.empty(SIZE) for _ in item.kernel.outputs)
     calls: dict[str, Callable[[], object]] = {
-        "kernel": lambda: item.function(*given, out=tuple(outputs)),
+        "kernel": lambda: item.function(*given, out=outputs),
+        "shared": lambda: item.function(*given, out=outputs, workers=workers),
+        "fresh": lambda: item.function(*given),
         "passes": bare_passes(item, given),
     }
-    if compiler() is not None:
+    # C reads arrays only: beside numbers it would be told too slow
+    if compiler() is not None and constant is None:
         # a library of its own for each kernel: the loader knows libraries by their path
         place = folder / item.subject
         place.mkdir(exist_ok=True)
         loop = compiled(c_source(item.kernel), item.kernel.name, place)
-        targets = [np.empty_like(given[0]) for _ in item.kernel.outputs]
-        calls["C"] = lambda: loop(given, targets)
+        targets = [np.empty(SIZE) for _ in item.kernel.outputs]
+        calls["C"] = lambda: loop(columns, targets)
     if item.textbook is not None:
         plain = lambdified(item)
         calls["lambdify"] = lambda: plain(*given)
@@ -67,21 +74,25 @@ def figures(item: Measured, folder: Path) -> Figures:
     if item.model is not None:
         solver = solver_seconds(item.model, [each.name for each in item.kernel.inputs])
     worst, proved = worst_error(item)
+    over_c = {name: taken / best["C"] for name, taken in best.items()} if "C" in best else {}
+    plain_time = best.get("lambdify")
     return Figures(
-        best["kernel"] / best["C"] if "C" in best else None,
-        best["passes"] / best["C"] if "C" in best else None,
-        best["lambdify"] / best["kernel"] if "lambdify" in best else None,
+        over_c.get("kernel"),
+        over_c.get("shared"),
+        over_c.get("passes"),
+        None if plain_time is None else plain_time / best["kernel"],
+        None if plain_time is None else plain_time / best["fresh"],
         None if solver is None else solver * SIZE / best["kernel"],
         worst,
         proved,
     )
 
 
-def bare_passes(item: Measured, given: Arrays) -> Callable[[], object]:
+def bare_passes(item: Measured, given: Arguments) -> Callable[[], object]:
     """The block function of a kernel, run on one block as often as a million points need."""
-    parts = [each[:BLOCK] for each in given]
-    outputs = [np.empty_like(parts[0]) for _ in item.kernel.outputs]
-    work = [np.empty_like(parts[0]) for _ in range(item.signature.work)]
+    parts = [np.atleast_1d(each)[:BLOCK] for each in given]
+    outputs = [np.empty(BLOCK) for _ in item.kernel.outputs]
+    work = [np.empty(BLOCK) for _ in range(item.signature.work)]
 
     def call() -> None:
         for _ in range(SIZE // BLOCK):

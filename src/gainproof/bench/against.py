@@ -1,0 +1,93 @@
+"""Nanoseconds a point, against the length of a block and against the number of points."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from gainproof.bench.arguments import Arguments, sample, with_constants
+from gainproof.bench.measure import SIZE
+from gainproof.bench.subjects import Measured, measured_kernels
+from gainproof.bench.timing import best_times
+from gainproof.generated._guards import block_length
+from gainproof.generated._runtime import Call, run
+
+LENGTHS = (4096, 8192, 16384, 32768, 65536, 98304, 131072, 262144)
+SIZES = (100_000, 300_000, 1_000_000, 3_000_000, 10_000_000)
+POINTS = 15 * SIZE
+"""How many points a number is measured at, all its rounds together, so that none takes long."""
+
+
+def print_against(options: argparse.Namespace) -> None:
+    """One table, kernel by kernel."""
+    by_length = options.against == "length"
+    places = LENGTHS if by_length else SIZES
+    print("nanoseconds a point, outputs preallocated but in `fresh`; each the best of several\n")
+    print(_row("kernel", [f"{place:,}" for place in places]))
+    subject = ""
+    for item in measured_kernels(options.subject):
+        if item.subject != subject:
+            subject = item.subject
+            print(subject)
+        if by_length:
+            chosen = block_length(item.signature)
+            times = lengths(item, options.constant)
+            cells = [f"{'*' if at == chosen else ''}{time:.2f}" for at, time in times.items()]
+            print(_row(f"  {item.kernel.name}", cells), flush=True)
+        else:
+            for name, found in sizes(item, options.workers, options.constant):
+                print(
+                    _row(f"  {item.kernel.name}, {name}", [f"{x:.2f}" for x in found]), flush=True
+                )
+
+
+def lengths(item: Measured, constant: str | None = None) -> dict[int, float]:
+    """Of a million points, guards included; by length."""
+    given = _given(item, SIZE, constant)
+    flat = [np.atleast_1d(each) for each in given]
+    outputs = [np.empty(SIZE) for _ in item.kernel.outputs]
+
+    def filled(length: int) -> Callable[[], object]:
+        return lambda: run(
+            Call(item.signature, flat, list(flat), outputs, False), [range(0, SIZE, length)]
+        )
+
+    with np.errstate(all="ignore"):
+        best = best_times({str(length): filled(length) for length in LENGTHS}, POINTS // SIZE)
+    return {length: best[str(length)] * 1e9 / SIZE for length in LENGTHS}
+
+
+def sizes(
+    item: Measured, workers: int, constant: str | None = None
+) -> Iterator[tuple[str, list[float]]]:
+    """For given arrays, fresh ones, and threads: times by size."""
+    rows: dict[str, list[float]] = {}
+    for size in SIZES:
+        best = best_times(_calls(item, size, workers, constant), max(3, POINTS // size))
+        for name, seconds in best.items():
+            rows.setdefault(name, []).append(seconds * 1e9 / size)
+    yield from rows.items()
+
+
+def _calls(
+    item: Measured, size: int, workers: int, constant: str | None
+) -> dict[str, Callable[[], object]]:
+    given = _given(item, size, constant)
+    outputs = tuple(np.empty(size) for _ in item.kernel.outputs)
+    return {
+        "given": lambda: item.function(*given, out=outputs),
+        "fresh": lambda: item.function(*given),
+        f"{workers} threads": lambda: item.function(*given, out=outputs, workers=workers),
+    }
+
+
+def _given(item: Measured, size: int, constant: str | None) -> Arguments:
+    """Of more than a million the same million again and again."""
+    columns = sample(item.signature, min(size, SIZE))
+    return with_constants(item.signature, [np.resize(x, size) for x in columns], constant)
+
+
+def _row(name: str, cells: list[str]) -> str:
+    return f"{name:<44}" + "".join(f"{cell:>12}" for cell in cells)
