@@ -72,7 +72,7 @@ def of_steps(x: Any, y: Any, z: Any) -> Gains:
 def kinds(count: int) -> Iterator[tuple[str, float, Gains]]:
     """Name, largest share of the largest |z - 1| (or of 1) that a radius may be, gains."""
     rng = np.random.default_rng(6)
-    plain, double, triple = 2.0**-52, 4e-14, 4e-10
+    plain, double, triple = 2.0**-52, 4e-14, 1e-9
 
     def sign() -> NDArray[np.float64]:
         return rng.choice([-1.0, 1.0], count)
@@ -102,6 +102,7 @@ def kinds(count: int) -> Iterator[tuple[str, float, Gains]]:
     yield "a few units from threefold", triple, tuple(few)
     split = 2.0 ** -rng.integers(1, 27, count)
     yield "split threefold", double, of_steps(k, k - split, k + split)
+    yield "between twofold and threefold", triple, of_steps(k, k, k + split * split)
     yield "twofold", triple, of_steps(k, k, w)
     yield "one at 1", double, of_steps(k, 0 * k, w)
     yield "of unlike sizes", plain, of_steps(*(-power(-40, 0) for _ in range(3)))
@@ -159,6 +160,23 @@ def test_threefold_poles_that_floats_hold_are_exact() -> None:
         assert (found.poles == pole).all()
         assert (found.less_one == step).all()
         assert (found.radii < 3e-10 * -step).all()
+
+
+@pytest.mark.parametrize(
+    "gains",
+    [
+        (1.0, 1.4999999999999996, 0.9999999999999991),
+        (0.999176025390609, 1.3474273681630065, 0.7442932128891311),
+    ],
+)
+def test_no_step_of_newton_leaves_roots_that_agree(gains: tuple[float, float, float]) -> None:
+    """Poles apart by less than a cube root of the last digit: slope and residual are noise."""
+    found = pole_discs(*gains)
+    assert (found.radii < 1e-9).all()
+    assert (
+        outside(tuple(np.array([gain]) for gain in gains), pole_discs(*([gain] for gain in gains)))
+        == []
+    )
 
 
 def test_gains_of_nothing_have_three_poles_at_1() -> None:

@@ -62,13 +62,15 @@ def roots(cubic: Cubic) -> Roots:
 def _single(cubic: Cubic) -> Twofold:
     """The root farthest from the mean of all."""
     a, b, c = cubic.square, cubic.linear, cubic.constant
-    t = (Twofold.of(_away(cubic)) - a) * THIRD
+    away = _away(cubic)
+    t = (Twofold.of(away) - a) * THIRD
     for _ in range(NEWTON):
         first = t + a
         second = first * t + b
         slope = ((t + first) * t + second).high
         step = (second * t + c).high / slope
-        t = t - Twofold.of(np.where(np.abs(step) < LARGEST, step, 0.0))
+        # a longer one is noise: the roots agree to a cube root of the last digit
+        t = t - Twofold.of(np.where(np.abs(step) < np.abs(away), step, 0.0))
     first = t + a
     second = first * t + b
     small = np.abs((t + first).high * t.high) < SMALL * np.abs(second.high)
