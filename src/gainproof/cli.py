@@ -18,6 +18,7 @@ from types import FrameType, ModuleType
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.commands import (
     bench,
+    campaign,
     check,
     cite,
     derive,
@@ -45,6 +46,7 @@ COMMANDS: Mapping[str, ModuleType] = {
     "figure": figure,
     "list": listing,
     "bench": bench,
+    "campaign": campaign,
 }
 DESCRIPTION = """\
 Steady-state gains of tracking filters: derived step by step, proved by certificates, printed as

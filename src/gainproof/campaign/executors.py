@@ -1,0 +1,61 @@
+"""Executors by name: processes of this machine, threads, or the workers of a Dask cluster."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
+from multiprocessing import get_context
+
+from gainproof.bad_input import BadInputError
+from gainproof.workers import processors
+
+HELP = "processes, threads, or the address of a Dask scheduler, tcp://host:port"
+
+
+@contextmanager
+def opened(name: str, jobs: int | None = None) -> Iterator[Executor]:
+    """The executor of a name, shut down at the end; `jobs` processes or threads of this machine,
+    one for each processor if it is not given.
+
+    Raises BadInputError for a name that is none, a cluster that does not answer, and where Dask is
+    not installed.
+    """
+    if name == "processes":
+        # new interpreters: what is forked may hold locks of other threads
+        with ProcessPoolExecutor(
+            jobs or processors(), mp_context=get_context("spawn"), initializer=_deaf
+        ) as pool:
+            yield pool
+    elif name == "threads":
+        with ThreadPoolExecutor(jobs or processors()) as pool:
+            yield pool
+    elif "://" in name:
+        with _cluster(name) as executor:
+            yield executor
+    else:
+        raise BadInputError(f"no executor is called {name!r}; wanted: {HELP}")
+
+
+def _deaf() -> None:
+    """What is to end all processes of a terminal or a job reaches each: the first alone decides."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
+
+
+@contextmanager
+def _cluster(address: str) -> Iterator[Executor]:
+    try:
+        from distributed import Client
+    except ImportError:
+        raise BadInputError(
+            "an address needs Dask, which is not installed: pip install 'gainproof[dask]'"
+        ) from None
+    try:
+        client = Client(address, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise BadInputError(f"no Dask scheduler answers at {address}: {error}") from None
+    with client:
+        # every block is carried out anew: what a scheduler still holds may be of other code
+        yield client.get_executor(pure=False)

@@ -1,0 +1,80 @@
+"""The state file of a campaign: a line of JSON for each block that is done.
+
+Lines are added at the end, each by one write. What an interrupt leaves of a line is no line of
+JSON: it is passed over, and so are the lines of other campaigns and of blocks that are none any
+more. Files of several machines are joined by writing one after the other.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from gainproof.campaign.campaign import Arguments, Campaign, Done
+
+Keep = Callable[[Done], None]
+
+
+def read(path: Path, campaign: Campaign) -> dict[int, Done]:
+    """The blocks of the campaign that the file has as done, by number; none if there is no file."""
+    numbers = {_key(arguments): number for number, arguments in enumerate(campaign.blocks)}
+    found: dict[int, Done] = {}
+    if not path.exists():
+        return found
+    with path.open(encoding="utf-8", errors="replace") as lines:
+        for line in lines:
+            entry = _entry(line)
+            if entry.get("campaign") != campaign.name:
+                continue
+            number = numbers.get(_key(entry["block"]))
+            if number is not None:
+                done = Done(campaign.blocks[number], entry["result"], entry["seconds"])
+                found.setdefault(number, done)
+    return found
+
+
+def _entry(line: str) -> dict[str, Any]:
+    """What a line says; nothing where it is none of ours."""
+    try:
+        entry = json.loads(line)
+    except ValueError:
+        return {}
+    whole = isinstance(entry, dict) and {"campaign", "block", "result", "seconds"} <= set(entry)
+    return entry if whole else {}
+
+
+def _key(arguments: Arguments | list[Any]) -> str:
+    return json.dumps(arguments, sort_keys=True)
+
+
+@contextmanager
+def appended(path: Path, campaign: Campaign) -> Iterator[Keep]:
+    """Gives what adds a block to the file. Raises OSError where the file cannot be written."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle = os.open(path, os.O_RDWR | os.O_APPEND | os.O_CREAT, 0o666)
+
+    def write(text: str) -> None:
+        content = text.encode("utf-8")
+        if os.write(handle, content) != len(content):
+            raise OSError(f"{path}: a line could not be written whole")
+
+    def keep(done: Done) -> None:
+        entry = {
+            "campaign": campaign.name,
+            "block": done.arguments,
+            "result": done.result,
+            "seconds": round(done.seconds, 3),
+        }
+        write(json.dumps(entry) + "\n")
+
+    try:
+        size = os.fstat(handle).st_size
+        if size and os.pread(handle, 1, size - 1) != b"\n":
+            write("\n")  # ends what an interrupt left of a line
+        yield keep
+    finally:
+        os.close(handle)

@@ -1,0 +1,46 @@
+"""`gainproof campaign`: long work in blocks."""
+
+from __future__ import annotations
+
+import argparse
+
+HELP = "long work in numbered blocks, over processes or a Dask cluster, resumed where it stopped"
+DESCRIPTION = """\
+Without NAME the campaigns are listed. A campaign is cut into numbered blocks that need nothing of
+each other; its result is the same whatever carries them out: processes of this machine, or the
+workers of a Dask cluster that have this gainproof too. What is done is kept in the state file, a
+line a block: the same command goes on after an interrupt, begins anew what depends on code that has
+changed, and prints the report at once where all is done. For several machines without Dask give
+each its --blocks, and join their state files.
+
+float32 [KERNEL ...] gives every float32 number that is not negative to each kernel of one input
+(module, or module.kernel), and compares with its graph in double precision, which needs a C
+compiler: the worst error in units of 2^-23 of the true value (or of the scale that the docstring
+names), as the proved bound beside it, the worst in units in the last place, how many results are
+above the bound, how many inputs lie outside those for which it is stated, and of how many of these
+the result is not what is documented.
+
+Exit status: 1 where the report is not as it should be."""
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    from gainproof.campaign.options import add_options
+
+    parser.add_argument("name", metavar="NAME", nargs="?", help="which campaign")
+    parser.add_argument("only", metavar="ONLY", nargs="*", help="a part of it, by names")
+    add_options(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """0, or 1 where the report is not as it should be."""
+    from gainproof.bad_input import unknown_name
+    from gainproof.campaign.catalogue import CAMPAIGNS
+    from gainproof.campaign.options import carry_out
+
+    if options.name is None:
+        for name, entry in CAMPAIGNS.items():
+            print(f"{name}: {entry.title}")
+        return 0
+    if options.name not in CAMPAIGNS:
+        raise unknown_name("campaign", options.name, CAMPAIGNS)
+    return carry_out(CAMPAIGNS[options.name].build(options.only), options)
