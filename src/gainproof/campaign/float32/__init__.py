@@ -20,8 +20,9 @@ def campaign(names: Sequence[str] = ()) -> Campaign:
     """
     kernels = sorted(chosen(swept_kernels(), names), key=lambda kernel: kernel.name != "gains")
     blocks = [
-        (kernel.id, kernel.digest(), first, min(BLOCK, kernel.stop - first))
+        (kernel.id, digest, first, min(BLOCK, kernel.stop - first))
         for kernel in kernels
+        for digest in [kernel.digest()]
         for first in range(kernel.start, kernel.stop, BLOCK)
     ]
     return Campaign("float32", block, blocks, report)
