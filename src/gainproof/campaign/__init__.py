@@ -1,12 +1,8 @@
 """Long work cut into numbered, independent blocks: over any executor, resumed where it stopped.
 
-- `Campaign`: a name, a pure function of plain data, its arguments block by block, and a report.
-- `run`: over any executor of `concurrent.futures`; `executors.opened` makes one by its name.
+- `campaign.Campaign`: a name, a pure function of plain data, its arguments block by block, a report.
+- `running.run`: over any executor of `concurrent.futures`; `executors.opened` makes one by name.
 - `state`: a file with a line for each block that is done.
-- `options`: all of this on a command line.
+- `options`, `carrying_out`: all of this on a command line.
+- `catalogue`: the campaigns that `gainproof campaign` knows.
 """
-
-from gainproof.campaign.campaign import Campaign, Done, Report
-from gainproof.campaign.running import run
-
-__all__ = ["Campaign", "Done", "Report", "run"]

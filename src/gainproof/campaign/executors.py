@@ -9,9 +9,8 @@ from contextlib import contextmanager
 from multiprocessing import get_context
 
 from gainproof.bad_input import BadInputError
+from gainproof.campaign.options import EXECUTORS
 from gainproof.workers import processors
-
-HELP = "processes, threads, or the address of a Dask scheduler, tcp://host:port"
 
 
 @contextmanager
@@ -35,7 +34,7 @@ def opened(name: str, jobs: int | None = None) -> Iterator[Executor]:
         with _cluster(name) as executor:
             yield executor
     else:
-        raise BadInputError(f"no executor is called {name!r}; wanted: {HELP}")
+        raise BadInputError(f"no executor is called {name!r}; wanted: {EXECUTORS}")
 
 
 def _deaf() -> None:

@@ -14,22 +14,27 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from gainproof.bad_input import BadInputError
 from gainproof.campaign.campaign import Arguments, Campaign, Done
 
 Keep = Callable[[Done], None]
 
 
 def read(path: Path, campaign: Campaign) -> dict[int, Done]:
-    """The blocks of the campaign that the file has as done, by number; none if there is no file."""
+    """The blocks of the campaign that the file has as done, by number; none if there is no file.
+
+    Raises BadInputError where it cannot be read.
+    """
     numbers = {_key(arguments): number for number, arguments in enumerate(campaign.blocks)}
     found: dict[int, Done] = {}
-    if not path.exists():
+    try:
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except FileNotFoundError:
         return found
-    with path.open(encoding="utf-8", errors="replace") as lines:
-        for line in lines:
-            entry = _entry(line)
-            if entry.get("campaign") != campaign.name:
-                continue
+    except OSError as error:
+        raise BadInputError(f"{path}: cannot be read: {error.strerror}") from None
+    for entry in map(_entry, text.split("\n")):
+        if entry.get("campaign") == campaign.name:
             number = numbers.get(_key(entry["block"]))
             if number is not None:
                 done = Done(campaign.blocks[number], entry["result"], entry["seconds"])
@@ -53,9 +58,15 @@ def _key(arguments: Arguments | list[Any]) -> str:
 
 @contextmanager
 def appended(path: Path, campaign: Campaign) -> Iterator[Keep]:
-    """Gives what adds a block to the file. Raises OSError where the file cannot be written."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle = os.open(path, os.O_RDWR | os.O_APPEND | os.O_CREAT, 0o666)
+    """Gives what adds a block to the file.
+
+    Raises BadInputError where the file cannot be opened, OSError where a line cannot be written.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle = os.open(path, os.O_RDWR | os.O_APPEND | os.O_CREAT, 0o666)
+    except OSError as error:
+        raise BadInputError(f"{path}: cannot be written: {error.strerror}") from None
 
     def write(text: str) -> None:
         content = text.encode("utf-8")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from gainproof.campaign.options import add_options
+
 HELP = "long work in numbered blocks, over processes or a Dask cluster, resumed where it stopped"
 DESCRIPTION = """\
 Without NAME the campaigns are listed. A campaign is cut into numbered blocks that need nothing of
@@ -24,8 +26,6 @@ Exit status: 1 where the report is not as it should be."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
-    from gainproof.campaign.options import add_options
-
     parser.add_argument("name", metavar="NAME", nargs="?", help="which campaign")
     parser.add_argument("only", metavar="ONLY", nargs="*", help="a part of it, by names")
     add_options(parser)
@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
     """0, or 1 where the report is not as it should be."""
     from gainproof.bad_input import unknown_name
     from gainproof.campaign.catalogue import CAMPAIGNS
-    from gainproof.campaign.options import carry_out
+    from gainproof.campaign.carrying_out import carry_out
 
     if options.name is None:
         for name, entry in CAMPAIGNS.items():

@@ -12,7 +12,8 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from gainproof.bench.compiler import Loop, compiled
+from gainproof.bad_input import BadInputError
+from gainproof.bench.compiler import Loop, compiled, compiler
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.c_source import c_source
 from gainproof.derive.printer.formats import FLOAT32
@@ -48,8 +49,10 @@ class Reference:
 def reference(module: str, name: str) -> Reference:
     """That of a kernel, derived and compiled on this machine.
 
-    Raises FileNotFoundError where there is no C compiler.
+    Raises BadInputError where there is no C compiler.
     """
+    if compiler() is None:
+        raise BadInputError("the sweep needs a C compiler: cc, gcc or clang")
     (kernel,) = (each for each in _subject(module).module.kernels if each.name == name)
     names = [output.name for output in kernel.outputs]
     scales = {output.relative_to for output in kernel.outputs if output.relative_to} - {*names}

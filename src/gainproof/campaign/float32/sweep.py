@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gainproof.bad_input import BadInputError
 from gainproof.campaign.float32.kernels import Swept, chosen, swept_kernels
 from gainproof.campaign.float32.reference import Reference, reference
 from gainproof.campaign.float32.tally import Tally, joined, tally
@@ -19,11 +20,14 @@ def block(kernel: str, digest: str, first: int, count: int) -> dict[str, Any]:
     """The numbers with the bits `first` and the `count - 1` next ones: how many of them the kernel
     takes, and the tally of each output.
 
-    Raises ValueError where the kernel is not the one of the digest.
+    Raises BadInputError where the kernel is not the one of the digest, as on a machine that has
+    other code, and where there is no C compiler.
     """
     (swept,) = chosen(swept_kernels(), [kernel])
     if swept.digest() != digest:
-        raise ValueError(f"{kernel} is another one here: digest {swept.digest()}, not {digest}")
+        raise BadInputError(
+            f"{kernel} is another one where it is swept: install the same gainproof"
+        )
     found = reference(swept.module, swept.name)
     parts = []
     inputs = 0
