@@ -6,6 +6,7 @@ import signal
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
+from importlib import import_module
 from multiprocessing import get_context
 
 from gainproof.bad_input import BadInputError
@@ -46,13 +47,13 @@ def _deaf() -> None:
 @contextmanager
 def _cluster(address: str) -> Iterator[Executor]:
     try:
-        from distributed import Client
+        distributed = import_module("distributed")
     except ImportError:
         raise BadInputError(
             "an address needs Dask, which is not installed: pip install 'gainproof[dask]'"
         ) from None
     try:
-        client = Client(address, set_as_default=False)
+        client = distributed.Client(address, set_as_default=False)
     except (OSError, ValueError) as error:
         raise BadInputError(f"no Dask scheduler answers at {address}: {error}") from None
     with client:

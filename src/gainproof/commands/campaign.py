@@ -34,8 +34,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """0, or 1 where the report is not as it should be."""
     from gainproof.bad_input import unknown_name
-    from gainproof.campaign.catalogue import CAMPAIGNS
     from gainproof.campaign.carrying_out import carry_out
+    from gainproof.campaign.catalogue import CAMPAIGNS
 
     if options.name is None:
         for name, entry in CAMPAIGNS.items():
