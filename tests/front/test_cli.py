@@ -18,7 +18,18 @@ from gainproof.bad_input import BadInputError
 from gainproof.commands import listing
 from gainproof.version import VERSION
 
-COMMANDS = ("run", "derive", "generate", "check", "explain", "cite", "figure", "list", "bench")
+COMMANDS = (
+    "run",
+    "derive",
+    "generate",
+    "check",
+    "explain",
+    "cite",
+    "figure",
+    "list",
+    "bench",
+    "campaign",
+)
 Capture = pytest.CaptureFixture[str]
 
 
