@@ -23,6 +23,7 @@ NUMPY = {
     "hypot": "hypot",
     "exp": "exp",
     "expm1": "expm1",
+    "log1p": "log1p",
 }
 """The functions of NumPy."""
 
@@ -39,6 +40,8 @@ def ball(name: str, parts: list[flint.arb]) -> flint.arb:
             return first.exp()
         case "expm1":
             return first.expm1()
+        case "log1p":
+            return first.log1p()
         case "atan2":
             return flint.arb.atan2(first, parts[1])
         case "hypot":

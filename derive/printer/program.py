@@ -15,7 +15,7 @@ from gainproof.derive.printer.graph import Graph, GraphNode, operands
 from gainproof.derive.printer.unrolled import Cycle, unrolled
 
 ITERATES = ("start", "iterate", "root")
-FUNCTIONS = ("sin", "cos", "atan2", "hypot", "exp", "expm1")  # see `library`
+FUNCTIONS = ("sin", "cos", "atan2", "hypot", "exp", "expm1", "log1p")  # see `library`
 CALLS = ("abs", "select", "near_cbrt", "less", *ITERATES, *FUNCTIONS)
 
 

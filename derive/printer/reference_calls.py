@@ -14,6 +14,8 @@ from gainproof.derive.printer.value import PrintingError
 # 4 ulp are at most 8 u; (1 - u)^n <= 1 - 8 u needs n a little above 8
 CALLED = 2.0 * ULP * (1.0 + 2.0**-18)
 
+GREATEST_EXPONENT = 700.0  # exp of it is a number of float64; of float32 what may overflow is seen
+
 
 def called(name: str, parts: list[Reference], form: Format) -> Reference:
     """A function of a library, with `CALLED` for its own error."""
@@ -37,14 +39,29 @@ def called(name: str, parts: list[Reference], form: Format) -> Reference:
             over, under = parts
             low = min(over.low / under.high / LARGER, 1.0) * 0.78  # atan t >= t pi/4 for t <= 1
             return Reference(count, low, 3.1416, over.sign, True)
-        case "exp" | "expm1" if first.sign >= 0:
-            raise PrintingError(f"{name} of what may be positive")
+        case "exp" | "expm1" if first.sign == 0:
+            raise PrintingError(f"{name} of what may have either sign")
+        case "exp" | "expm1" if first.high > GREATEST_EXPONENT:
+            raise PrintingError(f"{name} of what may be above {GREATEST_EXPONENT}")
         case "exp":
             # exp(t d), |d| <= n u/(1 - n u): as many roundings as |t| is large
             count = first.count * first.high * (1.0 + 2.0**-10) + CALLED
+            if first.sign > 0:
+                return Reference(count, 1.0, math.exp(first.high) * LARGER, 1, False)
             return Reference(count, math.exp(-first.high) * 0.99, 1.0, 1, False)
+        case "expm1" if first.sign > 0:
+            # the logarithmic slope t/(1 - e^-t) is at most 1 + t, and e^t - 1 at least t
+            count = first.count * (1.0 + first.high) * (1.0 + 2.0**-10) + CALLED
+            high = math.expm1(first.high) * LARGER
+            return Reference(count, first.low / LARGER, high, 1, first.zero)
         case "expm1":
             # below 0 the logarithmic slope t e^t/(e^t - 1) lies between 0 and 1; (e^t - 1)/t > 0.6
             count, low = first.count + CALLED, 0.6 * min(first.low, 1.0)
             return Reference(count, low, 1.0, -1, first.zero)
+        case "log1p" if first.sign <= 0:
+            raise PrintingError("log1p of what may be negative")
+        case "log1p":
+            # the logarithmic slope t/((1 + t) log(1 + t)) is at most 1; concave, and log 2 > 0.69
+            count, low = first.count + CALLED, 0.69 * min(first.low, 1.0)
+            return Reference(count, low, math.log1p(first.high) * LARGER, 1, first.zero)
     raise PrintingError(f"{name} is no function of a kernel")

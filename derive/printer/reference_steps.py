@@ -115,16 +115,20 @@ class References:
         alike = a.sign * turned > 0
         exact = a.count == 0 and b.count == 0 and a.clean and b.clean
         high = (a.high + b.high) * LARGER
-        low = min(a.low, b.low)
-        if not alike:
+        low, sign = min(a.low, b.low), a.sign if alike else 0
+        # exact numbers of which one is always the larger: no difference of them is 0
+        gap = max(a.low - b.high, b.low - a.high) if exact and not (a.zero or b.zero) else 0.0
+        if not alike and gap > 0:
+            low, sign = gap, a.sign if a.low > b.high else turned
+        elif not alike:
             low *= self.form.unit_roundoff
         elif not (a.zero and b.zero):
             low = max(part.low for part in (a, b) if not part.zero)
         count = 1.0 if exact else max(a.count, b.count) + 1.0
         tight = exact or (alike and a.tight and b.tight)
-        zero = not alike or (a.zero and b.zero)
+        zero = (not alike and gap <= 0) or (a.zero and b.zero)
         stray = (a.stray + b.stray) * SECOND
-        found = Reference(count, low, high, a.sign if alike else 0, zero, tight, stray)
+        found = Reference(count, low, high, sign, zero, tight, stray)
         return self._bounded(found)
 
     def _normal(self, found: Reference) -> Reference:

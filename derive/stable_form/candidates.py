@@ -12,15 +12,15 @@ import sympy as sp
 
 from gainproof.derive.printer.bound import OutputBound, prove
 from gainproof.derive.printer.formats import FLOAT64
-from gainproof.derive.printer.graph import Graph, GraphBuilder
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Output
 from gainproof.derive.stable_form.coordinates import Coordinate, coordinates
-from gainproof.derive.stable_form.emission import Emission, Order
-from gainproof.derive.stable_form.letters import Letters
+from gainproof.derive.stable_form.emission import Order
 from gainproof.derive.stable_form.products import Products, shown
-from gainproof.derive.stable_form.reading import NoReading, Reading, RootOfParameter
+from gainproof.derive.stable_form.reading import NoReading, RootOfParameter
+from gainproof.derive.stable_form.rewriting import Rewriting
+from gainproof.derive.stable_form.writing import SCALE, VALUE, Text, Writing
 
-VALUE, SCALE = "value", "scale"
 SCALED = Fraction(1, 2**60)  # keeps 1/x from overflowing for the least numbers x
 PLACES = (Fraction(0), Fraction(1, 2), Fraction(1))
 
@@ -33,9 +33,9 @@ class Candidate:
     same with both sides of each added.
     """
 
-    reading: Reading
-    value: sp.Expr
+    text: Text
     rules: tuple[str, ...]
+    writing: Writing
     graph: Graph
     differences: tuple[str, ...]
 
@@ -50,18 +50,22 @@ class Found:
     tried: int
 
 
-def best(expression: sp.Expr, inputs: Sequence[Input]) -> Found:
+def best(expression: sp.Expr, inputs: Sequence[Input], prefix: str) -> Found:
     """The candidate with the fewest subtractions, then the widest domain, then the least bound.
+
+    `prefix` begins the names of functions' values.
 
     NoReading if the expression is none of what can be read.
     """
     found: list[tuple[tuple[float, ...], Found]] = []
     refusal: NoReading | None = None
     seen: list[Graph] = []
-    for domain in coordinates(inputs):
+    domains = list(coordinates(inputs))
+    for domain in domains:
         for rooted, scale in combinations((False, True), (Fraction(1), SCALED)):
             try:
-                candidates = list(_candidates(expression, domain, rooted, scale))
+                marked = tuple(replace(each, rooted=rooted) for each in domain)
+                candidates = list(_candidates(expression, marked, domains[-1], prefix, scale))
             except NoReading as error:
                 refusal = error
                 break
@@ -104,10 +108,14 @@ def kernel(graph: Graph, differences: Sequence[str], inputs: Sequence[Input]) ->
 
 
 def _candidates(
-    expression: sp.Expr, domain: tuple[Coordinate, ...], rooted: bool, scale: Fraction
+    expression: sp.Expr,
+    domain: tuple[Coordinate, ...],
+    narrow: tuple[Coordinate, ...],
+    prefix: str,
+    scale: Fraction,
 ) -> Iterator[Candidate]:
-    reading, value = _read(expression, tuple(replace(each, rooted=rooted) for each in domain))
-    products = [reading.product(value), Products(reading.tower).whole(value)]
+    text = _read(expression, domain, narrow, prefix)
+    products = [text.reading.product(text.value), Products(text.reading.tower).whole(text.value)]
     if not products[0].constant:
         raise NoReading("the expression is 0")
     if products[0].powers == products[1].powers or shown(products[0]) > shown(products[1]):
@@ -115,27 +123,28 @@ def _candidates(
     for product, place, nested, alternating in combinations(
         products, PLACES, (True, False), (False, True)
     ):
-        builder, letters, order = (
-            GraphBuilder(),
-            Letters(reading, place, scale),
-            Order(nested, alternating),
-        )
-        emission = Emission(builder, letters, builder.symbol, order)
-        outputs = {VALUE: emission.product(product)}
-        if emission.differences:
-            added = Emission(builder, letters, builder.symbol, order, added=True)
-            outputs[SCALE] = builder.absolute(added.product(product))
-        graph = builder.graph(outputs, emission.differences)
-        yield Candidate(reading, value, product.rules, graph, tuple(emission.differences))
+        writing = Writing(text, product, place, scale, Order(nested, alternating))
+        graph, differences = writing.graph(abstract=False)
+        yield Candidate(text, product.rules, writing, graph, differences)
 
 
-def _read(expression: sp.Expr, domain: tuple[Coordinate, ...]) -> tuple[Reading, sp.Expr]:
+def _read(
+    expression: sp.Expr,
+    domain: tuple[Coordinate, ...],
+    narrow: tuple[Coordinate, ...],
+    prefix: str,
+) -> Text:
+    rooted = {each.name for each in domain if each.rooted}
+
+    def marked(each: Coordinate) -> Coordinate:
+        return replace(each, rooted=each.name in rooted)
+
     while True:
-        reading = Reading(domain)
+        rewriting = Rewriting(domain, narrow, prefix, marked)
         try:
-            return reading, reading.read(expression)
+            rewritten = rewriting.rewrite(expression)
+            reading = rewriting.reading(rewritten)
+            value = reading.read(rewritten)
+            return Text(rewritten, reading, value, rewriting.atoms)
         except RootOfParameter as root:
-            domain = tuple(
-                replace(each, rooted=True) if each.name == root.parameter else each
-                for each in domain
-            )
+            rooted.add(root.parameter)

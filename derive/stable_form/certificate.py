@@ -2,11 +2,13 @@
 
 Both graphs are programs, and each is claimed to have the value of one and the same element of a
 tower, on the whole domain. A root is the positive one, and every divisor is shown to have a sign.
+Functions of a library are symbols here (see `atoms`); their arguments have proofs of their own.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -23,67 +25,84 @@ Data = dict[str, Any]
 GIVEN, STABLE = "given", "stable"
 
 
-def document(name: str, graphs: Mapping[str, Graph], proofs: Mapping[str, Data]) -> Data:
-    """The certificate of all outputs; `graphs`: the given and the stable one, `proofs` by output.
+@dataclass(frozen=True)
+class Proof:
+    """One value as it was given and as it is written: two graphs with one output of the name.
 
-    Each of the proofs is made by `proof`.
+    `argument`: it is that of a function, and has to be positive.
     """
-    inputs = {
-        key: {str(node[1]): str(node[1]) for node in graph["nodes"] if node[0] == "symbol"}
-        for key, graph in graphs.items()
-    }
+
+    name: str
+    given: Graph
+    stable: Graph
+    reading: Reading
+    value: sp.Expr
+    argument: bool
+
+
+def document(proofs: Sequence[Proof]) -> Data:
+    """The certificate of all; NotShown if a divisor or a root has no sign that was found."""
+    towers: dict[str, Data] = {}
+    evidence: list[Data] = []
+    for each in proofs:
+        towers[each.name], found = _proved(each)
+        evidence += found
     return {
         "format": FORMAT,
-        "subject": name,
-        "towers": {output: each["tower"] for output, each in proofs.items()},
+        "subject": "stable form",
+        "towers": towers,
         "programs": {
-            key: {
-                "inputs": inputs[key],
-                "graph": {"nodes": graph["nodes"], "outputs": graph["outputs"]},
-            }
-            for key, graph in graphs.items()
+            f"{key}_{each.name}": _program(graph)
+            for each in proofs
+            for key, graph in ((GIVEN, each.given), (STABLE, each.stable))
         },
         "statements": [
-            {**claim, "evidence": evidence}
-            for output, each in proofs.items()
-            for claim, evidence in zip(claims([output]), each["evidence"], strict=True)
+            {**claim, "evidence": found}
+            for claim, found in zip(claims(proofs), evidence, strict=True)
         ],
     }
 
 
-def claims(outputs: Sequence[str]) -> list[Data]:
-    """What a certificate has to prove: each output of both programs is the element of its name."""
+def claims(proofs: Sequence[Proof]) -> list[Data]:
+    """What a certificate has to prove: both programs are the element "value" of their tower."""
     value = {"nodes": [["symbol", "value"]], "outputs": {"value": 0}}
-    return [
-        {
-            "id": f"{output}_{program}",
-            "kind": "program",
-            "tower": output,
-            "claim": {"program": program, "outputs": {output: value}},
-        }
-        for output in outputs
-        for program in (GIVEN, STABLE)
-    ]
+    found: list[Data] = []
+    for each in proofs:
+        for key in (GIVEN, STABLE):
+            program = f"{key}_{each.name}"
+            claim = {"program": program, "outputs": {each.name: value}}
+            found.append({"id": program, "kind": "program", "tower": each.name, "claim": claim})
+        if each.argument:
+            positive = {"id": f"positive_{each.name}", "kind": "positive", "tower": each.name}
+            found.append({**positive, "claim": {"expression": value}})
+    return found
 
 
-def proof(output: str, reading: Reading, value: sp.Expr, graphs: Mapping[str, Graph]) -> Data:
-    """The tower of one output, and for both graphs the roots and divisors shown.
-
-    NotShown if a divisor or a root has no sign that was found.
-    """
-    roots = {key: _roots(graph, output, reading) for key, graph in graphs.items()}
-    tower = reading.tower
-    data = tower_data(tower)
-    data["elements"]["value"] = fraction_data(expanded(tower, reading.product(value), above=True))
+def _program(graph: Graph) -> Data:
+    symbols = (str(node[1]) for node in graph["nodes"] if node[0] == "symbol")
     return {
-        "tower": data,
-        "evidence": [
-            _evidence(
-                tower, graphs[key], output, {n: _positive(reading, e) for n, e in found.items()}
-            )
-            for key, found in roots.items()
-        ],
+        "inputs": {symbol: symbol for symbol in symbols},
+        "graph": {"nodes": graph["nodes"], "outputs": graph["outputs"]},
     }
+
+
+def _proved(each: Proof) -> tuple[Data, list[Data]]:
+    """The tower, and for both graphs the roots and divisors shown."""
+    reading, graphs = each.reading, (each.given, each.stable)
+    roots = [_roots(graph, each.name, reading) for graph in graphs]
+    tower = reading.tower
+    value = fraction_data(expanded(tower, reading.product(each.value), above=True))
+    data = tower_data(tower)
+    data["elements"]["value"] = value
+    evidence = [
+        _evidence(
+            tower, graph, each.name, {n: _positive(reading, root) for n, root in found.items()}
+        )
+        for graph, found in zip(graphs, roots, strict=True)
+    ]
+    if each.argument:
+        evidence.append({"value": value, "nonzero": []})
+    return data, evidence
 
 
 def _positive(reading: Reading, value: sp.Expr) -> Fraction:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -11,6 +11,7 @@ from operator import mul
 
 from gainproof.derive.algebra.tower import Poly
 from gainproof.derive.printer.graph import GraphBuilder, Node
+from gainproof.derive.stable_form.atoms import Sources
 from gainproof.derive.stable_form.exponents import Exponents, Terms
 from gainproof.derive.stable_form.letters import Letters
 from gainproof.derive.stable_form.product import Product
@@ -31,7 +32,7 @@ class Order:
 class Emission:
     """Writes products into a builder.
 
-    `symbol` gives the node of an input. `differences`: what is left of subtractions, by name;
+    `sources` gives nodes of inputs and atoms. `differences`: what is left of subtractions, by name;
     `added`: their two sides are added instead, which gives the scale that errors are measured by.
     """
 
@@ -39,11 +40,11 @@ class Emission:
         self,
         builder: GraphBuilder,
         letters: Letters,
-        symbol: Callable[[str], Node],
+        sources: Sources,
         order: Order,
         added: bool = False,
     ) -> None:
-        self.builder, self.letters, self.symbol = builder, letters, symbol
+        self.builder, self.letters, self.sources = builder, letters, sources
         self.nested, self.alternating = order.nested, order.alternating
         self.added = added
         self.differences: dict[str, Node] = {}
@@ -162,8 +163,10 @@ class Emission:
             return Fraction(-1), each.high
         return Fraction(1), Fraction(0) if block else -each.low
 
-    def _line(self, name: str, slope: Fraction, constant: Fraction) -> Node:
-        x, size = self.symbol(name), abs(slope)
+    def _line(self, name: str, slope: Fraction, constant: Fraction) -> Node | None:
+        if name in self.sources.atoms:
+            return self._atom_line(name, slope, constant)
+        x, size = self.builder.symbol(name), abs(slope)
         outer = Fraction(1)
         if slope * constant < 0:
             outer, constant, size = size, constant / size, Fraction(1)
@@ -172,6 +175,17 @@ class Emission:
         if slope < 0:
             return self._scaled(constant - self._scaled(x, size), outer)
         return self._scaled(self._scaled(x, size) + constant, outer)
+
+    def _atom_line(self, name: str, slope: Fraction, constant: Fraction) -> Node | None:
+        """A multiple of what a function gives, or a sum without subtraction."""
+        outer = constant or abs(slope)
+        node = self.sources.line(name, constant / outer, slope / outer)
+        if node is not None:
+            return self._scaled(node, outer)
+        if constant > 0 and slope > 0:
+            letter = self.sources.line(name, Fraction(0), Fraction(1))
+            return None if letter is None else self._scaled(letter, slope) + constant
+        return None
 
     def _scaled(self, node: Node, factor: Fraction) -> Node:
         if factor.numerator == 1 and factor != 1:
@@ -234,14 +248,22 @@ class Emission:
         if not power:
             return []
         if place >= self.letters.roots:
-            whole = self.letters.generators[place - self.letters.roots]
-            node = self.polynomial(whole.terms)
-            # of the factor the root is known: it is a power of 4
-            outer = Fraction(isqrt(whole.factor.numerator), isqrt(whole.factor.denominator))
-            scaled = self._scaled(node, whole.factor)
-            root = self._scaled(self.builder.sqrt(node), outer)
-            return [scaled] * (power // 2) + ([root] if power % 2 else [])
-        else:
-            name = self.letters.reading.coordinates[place % self.letters.count].name
-            node = self._line(name, *self._letter(place))
-        return [node] * (power // 2) + ([self.builder.sqrt(node)] if power % 2 else [])
+            return self._generator(place - self.letters.roots, power)
+        name = self.letters.reading.coordinates[place % self.letters.count].name
+        slope, constant = self._letter(place)
+        node = self._line(name, slope, constant)
+        assert node is not None, "a letter of an atom is a line of it"
+        root: Node | None = None
+        if name in self.sources.atoms:
+            root = self.sources.root(name, constant, slope)
+        root = self.builder.sqrt(node) if root is None else root
+        return [node] * (power // 2) + [root] * (power % 2)
+
+    def _generator(self, number: int, power: int) -> list[Node]:
+        """The root of its terms and of a factor, which is a power of 4."""
+        whole = self.letters.generators[number]
+        node = self.polynomial(whole.terms)
+        outer = Fraction(isqrt(whole.factor.numerator), isqrt(whole.factor.denominator))
+        square = self._scaled(node, whole.factor)
+        root = self._scaled(self.builder.sqrt(node), outer)
+        return [square] * (power // 2) + [root] * (power % 2)

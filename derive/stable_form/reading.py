@@ -29,6 +29,9 @@ class RootOfParameter(Exception):
         self.parameter = parameter
 
 
+__all__ = ["NoReading", "Reading", "RootOfParameter", "shown"]
+
+
 class Reading:
     """A tower that grows with the roots that are met; expressions over its variables are values."""
 
@@ -75,14 +78,15 @@ class Reading:
         product = self.product(value)
         if product.constant < 0:
             raise NoReading(f"the square root of what is negative: {value}")
+        # now, as each generator changes the tower, of which the factors are
+        factors = [(self._expression(factor), power) for factor, power in product.powers.items()]
         number = product.constant.numerator * product.constant.denominator
         found = sp.Integer(1) / product.constant.denominator
         for prime, power in sp.factorint(number).items():
             found *= sp.Integer(prime) ** (power // 2)
             if power % 2:
                 found *= self._generator(sp.Integer(prime))
-        # once each, for each generator changes the tower, of which the factors are
-        for factor, power in [(self._expression(f), p) for f, p in product.powers.items()]:
+        for factor, power in factors:
             found *= factor ** (power // 2)
             if power % 2:
                 found *= self._root_of_factor(factor)

@@ -39,6 +39,8 @@ class Signs:
 
     def product(self, poly: Poly) -> Product:
         """The polynomial, not 0, as a product; factors that are not `plain` have no known sign."""
+        if poly.is_ground:
+            return of_poly(poly)
         if poly not in self.known:
             rest, drawn = self._drawn(poly)
             self.known[poly] = drawn * self._factors(rest)

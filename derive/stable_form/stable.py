@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, cast
 
 import sympy as sp
@@ -13,8 +12,9 @@ from gainproof.derive.expression import graph_of
 from gainproof.derive.printer.bound import OutputBound
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, operands
 from gainproof.derive.printer.kernel import Input
-from gainproof.derive.stable_form.candidates import SCALE, VALUE, Candidate, best
-from gainproof.derive.stable_form.certificate import GIVEN, STABLE, claims, document, proof
+from gainproof.derive.stable_form.candidates import Candidate, best
+from gainproof.derive.stable_form.certificate import Proof, claims, document
+from gainproof.derive.stable_form.writing import SCALE, VALUE
 
 REASON = "no form without this subtraction was found"
 
@@ -28,12 +28,16 @@ class StableForm:
     the error is to be measured by. `cancellations`: names of those differences in the graph's
     "names", with the reason a kernel needs. `rules`: what was done, by output. `bounds`: the proved
     error in float64 of each output by itself, None where none was proved: `refusals` says why.
-    `tried`: how many ways of writing were compared. `given`: the graph of the expressions as they
-    came.
+    `tried`: how many ways of writing were compared.
+
+    `certificate` shows of each output y that its programs given_y and stable_y have the same
+    values, and `claims` is what it has to prove, for the checker to compare. Without functions of a
+    library the first is what came and the second what `graph` holds of y; with them both hold
+    symbols in their places, by the rules of `atoms`, and the arguments of each have such proofs
+    too, and are shown to be positive.
     """
 
     inputs: tuple[Input, ...]
-    given: Graph
     graph: Graph
     scales: Mapping[str, str]
     cancellations: Mapping[str, str]
@@ -42,57 +46,81 @@ class StableForm:
     refusals: Mapping[str, str]
     tried: int
     certificate: Mapping[str, Any]
-
-    @cached_property
-    def claims(self) -> list[dict[str, Any]]:
-        """What the certificate has to prove, for the checker to compare."""
-        return claims(list(self.bounds))
+    claims: list[dict[str, Any]]
 
 
 def stable(outputs: Mapping[str, sp.Expr], inputs: Sequence[Input]) -> StableForm:
     """A form of every output that loses no digits to subtraction, where one is found.
 
-    `outputs`: expressions of the inputs' names, made of numbers, sums, products, quotients and
-    square roots. `inputs`: with domains of positive numbers. The form equals what was given at
-    every point inside the domain, and so by continuity at its ends wherever both are defined: the
-    certificate is to be put before the checker of certificates, which alone decides that.
+    `outputs`: expressions of the inputs' names, made of numbers, sums, products, quotients, square
+    roots, exponentials, logarithms, sines, cosines and arctangents (see `atoms`). `inputs`: with
+    domains of positive numbers. The form equals what was given at every point inside the domain,
+    and so by continuity at its ends wherever both are defined: the certificate is to be put before
+    the checker of certificates, which alone decides that.
 
-    NoReading if an expression is none of these, or a root or divisor in it is not shown to be
-    positive or negative on the domain.
+    NoReading if an expression is none of these, or a root, a divisor or an argument in it is not
+    shown to be positive or negative on the domain.
     """
-    found = {name: best(expression, inputs) for name, expression in outputs.items()}
-    given = cast("Graph", graph_of(outputs))
-    graph, cancellations = _joined({name: each.candidate for name, each in found.items()})
-    graphs = {GIVEN: given, STABLE: graph}
-    proofs = {
-        name: proof(name, each.candidate.reading, each.candidate.value, graphs)
-        for name, each in found.items()
-    }
+    found = {name: best(expression, inputs, name) for name, expression in outputs.items()}
+    candidates = {name: each.candidate for name, each in found.items()}
+    graph, cancellations = _joined({name: each.graph for name, each in candidates.items()})
+    proofs = [proof for name, each in candidates.items() for proof in _proofs(name, each)]
     return StableForm(
         tuple(inputs),
-        given,
         graph,
         {name: f"{name}_{SCALE}" for name in found if f"{name}_{SCALE}" in graph["outputs"]},
         cancellations,
-        {name: each.candidate.rules for name, each in found.items()},
+        {name: each.rules for name, each in candidates.items()},
         {name: each.bound for name, each in found.items()},
         {name: each.refusal for name, each in found.items() if each.refusal},
         sum(each.tried for each in found.values()),
-        document("stable form", graphs, proofs),
+        document(proofs),
+        claims(proofs),
     )
 
 
-def _joined(candidates: Mapping[str, Candidate]) -> tuple[Graph, dict[str, str]]:
-    """One graph of all outputs: what several compute is computed once."""
+def _proofs(output: str, candidate: Candidate) -> list[Proof]:
+    """Of the output, and of the arguments of its functions."""
+    text, (written, _) = candidate.text, candidate.writing.graph(abstract=True)
+    found = [(output, VALUE, text.expression, text.reading, text.value, False)]
+    for name, atom in text.atoms.items():
+        value = atom.reading.read(atom.value)
+        found.append((name, name, atom.value, atom.reading, value, True))
+    return [
+        Proof(
+            name,
+            cast("Graph", graph_of({name: expression})),
+            _renamed(written, end, name),
+            reading,
+            value,
+            argument,
+        )
+        for name, end, expression, reading, value, argument in found
+    ]
+
+
+def _renamed(graph: Graph, output: str, name: str) -> Graph:
+    """What one output needs, under another name."""
+    builder = GraphBuilder()
+    return builder.graph({name: _copied(builder, graph)[graph["outputs"][output]]})
+
+
+def _copied(builder: GraphBuilder, graph: Graph) -> list[Node]:
+    made: list[Node] = []
+    for node in graph["nodes"]:
+        made.append(builder.operation_of(node, [made[part] for part in operands(node)]))
+    return made
+
+
+def _joined(graphs: Mapping[str, Graph]) -> tuple[Graph, dict[str, str]]:
+    """One graph of all outputs, computing once what several need, and names of differences."""
     builder = GraphBuilder()
     ends: dict[str, Node] = {}
     names: dict[str, Node] = {}
-    for output, candidate in candidates.items():
-        made: list[Node] = []
-        for node in candidate.graph["nodes"]:
-            made.append(builder.operation_of(node, [made[part] for part in operands(node)]))
-        for name, number in candidate.graph["outputs"].items():
+    for output, graph in graphs.items():
+        made = _copied(builder, graph)
+        for name, number in graph["outputs"].items():
             ends[output if name == VALUE else f"{output}_{name}"] = made[number]
-        for name, number in candidate.graph.get("names", {}).items():
+        for name, number in graph.get("names", {}).items():
             names[f"{output}_{name}"] = made[number]
     return builder.graph(ends, names), dict.fromkeys(names, REASON)

@@ -66,6 +66,8 @@ def _called(name: str, parts: list[flint.arb]) -> flint.arb:
             return first.exp()
         case "expm1":
             return first.expm1()
+        case "log1p":
+            return first.log1p()
         case "atan2":
             # the origin has no angle, and in the south the sign of a zero decides
             return flint.arb("nan") if first == 0 and last <= 0 else flint.acb(last, first).arg()

@@ -24,6 +24,7 @@ TRUE: Mapping[str, Callable[..., flint.arb]] = {
     "hypot": lambda x, y: (x * x + y * y).sqrt(),
     "exp": flint.arb.exp,
     "expm1": flint.arb.expm1,
+    "log1p": flint.arb.log1p,
 }
 """Of python-flint, nothing of the module that is judged; a test holds that against mpmath."""
 
@@ -35,7 +36,10 @@ def arguments(name: str, dtype: str, count: int) -> list[NDArray[Any]]:
     signs = generator.choice([-1.0, 1.0], count)
     wide = np.exp(generator.uniform(np.log(small), 0, count))
     if name in ("exp", "expm1"):
-        values = [-np.where(generator.random(count) < 0.5, wide, generator.uniform(0, 10, count))]
+        usual = generator.uniform(0, 10, count)
+        values = [signs * np.where(generator.random(count) < 0.5, wide, usual)]
+    elif name == "log1p":
+        values = [np.exp(generator.uniform(np.log(small), -np.log(small), count))]
     elif name in ("sin", "cos"):
         near = generator.integers(1, 5, count) * (np.pi / 2)
         near = near * (1 + generator.integers(-4, 5, count) * 2.0 ** -DIGITS[dtype])

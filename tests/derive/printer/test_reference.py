@@ -78,8 +78,9 @@ def test_roundings_are_counted(write: Write, rounded: Fraction, by_terms: bool) 
         (lambda b, x, z: b.sqrt(x - z), "the root of what may be negative"),
         (lambda b, x, z: b.call("sin", x * z), "sin of a computed number"),
         (lambda b, x, z: b.call("cos", x + z), "cos of a computed number"),
-        (lambda b, x, _z: b.call("exp", x), "exp of what may be positive"),
-        (lambda b, x, _z: b.call("expm1", x * x), "expm1 of what may be positive"),
+        (lambda b, x, _z: b.call("exp", x), "exp of what may have either sign"),
+        (lambda b, x, _z: b.call("expm1", x * x), "expm1 of what may be above 700"),
+        (lambda b, x, _z: b.call("log1p", x), "log1p of what may be negative"),
         (lambda b, x, z: b.call("atan2", x * x - z * z, x), "atan2 of an uncertain value"),
         (lambda b, x, z: b.call("hypot", x * x - z * z, x), "hypot of an uncertain value"),
         (lambda b, x, z: b.select(x, 1, x, z), "select is no operation"),
@@ -222,6 +223,17 @@ def test_a_leg_is_not_longer_than_its_hypotenuse() -> None:
         bound(replace(made, graph=b.graph({"y": power, "size": other}), requirements=()))
 
 
+def test_a_difference_of_exact_numbers_that_never_meet_divides() -> None:
+    """x - 1 from 2 on is at least 1 and not 0; from 1 on it may be 0."""
+    for least, fine in (("2", True), ("1", False)):
+        made = kernel(lambda _b, x, z: z / (x - 1), closed("x", "", least, "1e6"), Z)
+        if fine:
+            assert bound(made) <= 2
+            continue
+        with pytest.raises(PrintingError, match="a division by what may be 0"):
+            bound(made)
+
+
 CALLED: dict[str, Write] = {
     "sin": lambda b, x, _z: b.call("sin", x),
     "cos": lambda b, x, z: b.call("cos", x) * z,
@@ -229,6 +241,9 @@ CALLED: dict[str, Write] = {
     "hypot": lambda b, x, z: b.call("hypot", x, z),
     "exp": lambda b, x, _z: b.call("exp", -(x * x)),
     "expm1": lambda b, x, _z: b.call("expm1", -(x * x)),
+    "exp of a positive number": lambda b, x, _z: b.call("exp", x * x),
+    "expm1 of a positive number": lambda b, x, _z: b.call("expm1", x * x),
+    "log1p": lambda b, x, _z: b.call("log1p", x * x),
     "all": lambda b, x, z: (b.call("sin", x) * b.call("cos", x)) / b.call("hypot", x, z * z + 1),
 }
 
