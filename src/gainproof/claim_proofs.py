@@ -18,21 +18,18 @@ Plain = Mapping[str, Any]
 WORDS = "words"
 
 
-def parts(certificate: Plain | None) -> Iterator[tuple[str, list[Plain]]]:
-    """The proofs in words of one claim, each a list of lemmas and then what was to be proved; under
-    the names of its directions where it has several.
+def parts(certificate: Plain | None) -> Iterator[tuple[str, Plain]]:
+    """What holds the proofs in words of one claim: {"words": lemmas and then what was to be proved,
+    "claims": the id of the claim in whose proof each was needed first}; with the name of its
+    direction where the claim has several.
     """
-    found = certificate or {}
-    if WORDS in found:
-        yield "", list(found[WORDS])
-        return
-    for name, part in found.items():
+    for name, part in (("", certificate), *(certificate or {}).items()):
         if isinstance(part, Mapping) and WORDS in part:
-            yield name, list(part[WORDS])
+            yield name, part
 
 
 def _proofs(claim: Plain) -> list[Plain]:
-    return [proof for _, each in parts(claim["evidence"]["certificate"]) for proof in each]
+    return [proof for _, part in parts(claim["evidence"]["certificate"]) for proof in part[WORDS]]
 
 
 def to_recheck(judgement: Plain) -> dict[str, Any] | None:

@@ -8,7 +8,7 @@ from typing import Any
 from gainproof import witness_text
 from gainproof.claim_proofs import parts as words_of
 from gainproof.page import WIDTH, filled
-from gainproof.proof_text import proof_lines
+from gainproof.proof_text import proof_lines, result_lines
 from gainproof.verdict_reason import is_of_slope, reason, repair_of, solutions
 from gainproof.verify.judge.explain import sections
 
@@ -35,7 +35,7 @@ def explanation(claim: Claim, columns: int = WIDTH, words: str = "", checked: st
         ("Nearest true formula", _repairs(claim)),
     ]
     parts += [(section.title, list(section.lines)) for section in sections(certificate)]
-    parts += _in_words(certificate)
+    parts += _in_words(claim)
     others = certificate.get("against other conventions", {})
     parts.append(("Fails under other conventions", _others(others, witness)))
     for title, inner in parts:
@@ -47,14 +47,23 @@ def explanation(claim: Claim, columns: int = WIDTH, words: str = "", checked: st
     return "\n".join(lines) + "\n"
 
 
-def _in_words(certificate: Mapping[str, Any]) -> list[tuple[str, list[str]]]:
-    """The proofs on matrices of every size: lemmas, and what was to be proved."""
+def _in_words(claim: Claim) -> list[tuple[str, list[str]]]:
+    """The proofs on matrices of every size: lemmas, and what was to be proved; of other claims that
+    are used only what they say, as each has a page of its own.
+    """
     found = []
-    for name, proofs in words_of(certificate):
+    for name, part in words_of(claim["evidence"]["certificate"]):
         way = f"direction {name}: " if name else ""
-        for number, proof in enumerate(proofs, 1):
-            title = "proof" if number == len(proofs) else f"lemma {number}"
-            found.append((f"{way}{title}, for matrices of every size", proof_lines(proof)))
+        proofs = list(zip(part["claims"], part["words"], strict=True))
+        last = {owner: number for number, (owner, _) in enumerate(proofs)}
+        own = [number for number, (owner, _) in enumerate(proofs) if owner in ("", claim["id"])]
+        for number, (owner, proof) in enumerate(proofs):
+            if number in own:
+                place = own.index(number) + 1
+                title = "proof" if place == len(own) else f"lemma {place}"
+                found.append((f"{way}{title}, for matrices of every size", proof_lines(proof)))
+            elif last[owner] == number:
+                found.append((f"{way}claim {owner}, used here", result_lines(proof)))
     return found
 
 

@@ -21,25 +21,46 @@ LONGEST = 400
 
 def proof_lines(proof: Plain) -> list[str]:
     """What the letters stand for, and each statement with the earlier ones that it rests on."""
-    setting = proof["setting"]
-    names = _names(setting)
-    writer = Writer(names, _side)
-    lines = [
-        f"{_listed([names[block] for block in blocks])}: the blocks of the unit matrix of "
-        f"{_size(rows)} rows, {_listed([_size(setting['matrices'][b][1]) for b in blocks])} wide"
-        for rows, blocks in setting["blocks"].items()
-    ]
-    lines += [
-        f"{names[name]} = {_polynomial(value, names)}"
-        for name, value in setting["elements"].items()
-    ]
+    names = _names(proof["setting"])
+    lines = [meaning for _, meaning in _meanings(proof["setting"], names)]
     numbers = {entry["id"]: n for n, entry in enumerate(proof["statements"], 1)}
     for number, entry in enumerate(proof["statements"], 1):
-        said = "".join(relation_lines(entry["kind"], entry["claim"], writer))
         used = sorted({numbers[name] for name in _used(entry["evidence"]) if name in numbers})
         from_ = f" (from {_listed([str(n) for n in used])})" if used else ""
-        lines.append(f"{number}. {' '.join(said.split())}{from_}")
+        lines.append(f"{number}. {_said(entry, names)}{from_}")
     return lines
+
+
+def result_lines(proof: Plain) -> list[str]:
+    """What was proved: the last statement, and others on which nothing rests, that an inverse
+    exists left out; and what their letters stand for.
+    """
+    names, statements = _names(proof["setting"]), proof["statements"]
+    used = {name for entry in statements for name in _used(entry["evidence"])}
+    kept = [e for e in statements[:-1] if e["kind"] != "matrix_invertible" and e["id"] not in used]
+    lines = [_said(entry, names) for entry in (*kept, statements[-1])]
+    for letters, meaning in reversed(_meanings(proof["setting"], names)):
+        if not letters.isdisjoint(re.findall(r"\w+", " ".join(lines))):
+            lines.insert(0, meaning)
+    return lines
+
+
+def _said(entry: Plain, names: Mapping[str, str]) -> str:
+    found = "".join(relation_lines(entry["kind"], entry["claim"], Writer(names, _side)))
+    return " ".join(found.split())
+
+
+def _meanings(setting: Plain, names: Mapping[str, str]) -> list[tuple[set[str], str]]:
+    """Sets of letters with a line on what they stand for, which may speak of those before."""
+    found = []
+    for rows, blocks in setting["blocks"].items():
+        short = [names[block] for block in blocks]
+        widths = _listed([_size(setting["matrices"][block][1]) for block in blocks])
+        said = f"the blocks of the unit matrix of {_size(rows)} rows, {widths} wide"
+        found.append((set(short), f"{_listed(short)}: {said}"))
+    for name, value in setting["elements"].items():
+        found.append(({names[name]}, f"{names[name]} = {_polynomial(value, names)}"))
+    return found
 
 
 def _names(setting: Plain) -> dict[str, str]:

@@ -42,6 +42,15 @@ kind = "inequality"
 setting = "matrices"
 latex = 'A^T V^{-1} A \geq O_{n,n}'
 """
+USING = r"""
+[[claims]]
+id = "3"
+place = "page 1"
+kind = "inequality"
+setting = "matrices"
+latex = '2 A^T V^{-1} A \geq O_{n,n}'
+using = ["2"]
+"""
 
 
 @pytest.fixture(scope="module")
@@ -123,3 +132,16 @@ def test_explain_shows_the_proof_and_that_it_was_checked(
     monkeypatch.setattr(claim_proofs, "rejected", lambda _: "not this one")
     assert cli.main(["explain", str(file), "2"]) == 1
     assert "REJECTED by the checker of certificates: not this one" in capsys.readouterr().out
+
+
+def test_of_claims_that_a_proof_uses_the_page_tells_what_they_say(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "matrix-notes.toml"
+    path.write_text(CLAIMS + USING)
+    assert cli.main(["explain", str(path), "3"]) == 0
+    shown = capsys.readouterr().out
+    used, proof = shown.split("\nProof, for matrices of every size")
+    lines = used.split("Claim 2, used here")[1].split("\n")
+    assert [line.strip() for line in lines if line] == ["A' V^-1 A >= 0 if V > 0"]
+    assert "2 A' V^-1 A >= 0" in proof

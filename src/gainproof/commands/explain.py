@@ -9,9 +9,10 @@ from gainproof.commands import time_limit
 HELP = "print the whole proof or witness of one claim"
 DESCRIPTION = """\
 Prints all that is known about one claim of a claim file: what was decided, by which method, with
-the certificate of a proof or the exact point where a formula fails. The certificate is gone through
-again: proofs on matrices of every size by the checker of certificates, which knows nothing of the
-judge, the others by the judge's own code. Exit status 1 if it leads elsewhere."""
+the certificate of a proof or the exact point where a formula fails. Of other claims that a proof on
+matrices uses it prints what they say; their proofs are on their own pages. The certificate is gone
+through again: proofs on matrices of every size by the checker of certificates, which knows nothing
+of the judge, the others by the judge's own code. Exit status 1 if it leads elsewhere."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:

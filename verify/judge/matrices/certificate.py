@@ -12,17 +12,26 @@ __all__ = ["rejected", "written"]
 
 
 def written(book: Book) -> dict[str, Any]:
-    """Setting and statements as plain data."""
-    return {"setting": _setting(book), "statements": list(book.statements)}
+    """Setting and statements as plain data: those that were asked for, that each inverse which is
+    spoken of exists, and what these rest on.
+    """
+    wanted = set(book.goals)
+    kept: list[Mapping[str, Any]] = []
+    for statement in reversed(book.statements):
+        if statement["id"] in wanted or statement["kind"] == "matrix_invertible":
+            wanted |= set(_texts(statement["evidence"]))
+            kept.append(statement)
+    kept.reverse()
+    return {"setting": _setting(book, kept), "statements": kept}
 
 
-def _setting(book: Book) -> dict[str, Any]:
+def _setting(book: Book, statements: list[Mapping[str, Any]]) -> dict[str, Any]:
     """The letters that are spoken of, and those that they are made of."""
     alphabet = book.alphabet
     names = {name: number for number, name in enumerate(alphabet.names)}
     spoken = {
         names[text.removesuffix("'")]
-        for text in _texts(book.statements)
+        for text in _texts(statements)
         if text.removesuffix("'") in names
     }
     waiting = list(spoken)
@@ -36,7 +45,7 @@ def _setting(book: Book) -> dict[str, Any]:
         waiting += more - spoken
         spoken |= more
     size = alphabet.size_name
-    units = {text for text in _texts(book.statements) if text.startswith("unit_")}
+    units = {text for text in _texts(statements) if text.startswith("unit_")}
     return {
         "parameters": [],
         "matrices": {

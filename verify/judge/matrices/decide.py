@@ -8,7 +8,7 @@ from typing import Any
 
 from gainproof.verify.judge.matrices.conditions import possible_conditions
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
-from gainproof.verify.judge.matrices.layers import Proofs, proof_in
+from gainproof.verify.judge.matrices.layers import Proof, Proofs, proof_in
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import Budget, UnprovedError
 from gainproof.verify.judge.matrices.opened import is_random, within
@@ -105,6 +105,7 @@ def cases_of(claim: MatrixClaim, shapes: Shapes) -> list[Case]:
                 hints,
                 tuple(c.sides[0] for c in wanted if c.operators == (REGULAR,)),
                 premises,
+                claim.id,
             ),
             tuple(b for other in (statement, *claim.given) for b in other.bounds),
         )
@@ -210,7 +211,13 @@ def _proved(
         parts = proof_in(setting, case.question, proofs, budget).certificates
     except UnprovedError as reason:
         return Finding("undecided", f"true at {TRIED + MORE_TRIED} exact instances; {reason}")
-    certificate = {"words": _each_once(parts)}
+    words = _each_once(parts)
+    owners: dict[int, str] = {}
+    for proof in proofs.values():  # those that others use come first
+        if isinstance(proof, Proof):
+            for part in proof.certificates:
+                owners.setdefault(id(part), proof.claim)
+    certificate = {"words": words, "claims": [owners[id(part)] for part in words]}
     return Finding("proved", "for every size", method=METHOD, certificate=certificate)
 
 

@@ -31,10 +31,13 @@ FAILURES = (UnprovedError, TooLongError, Unsupported, NoValueError)
 
 @dataclass(frozen=True)
 class Proof:
-    """Certificates, lemmas first, and what was shown of closed letters on the way."""
+    """Certificates, lemmas first, and what was shown of closed letters on the way; `claim`: the id
+    of the claim that is proved, none where it is proved under hypotheses of another.
+    """
 
     certificates: list[dict[str, Any]]
     facts: tuple[Chain, ...]
+    claim: str
 
 
 Proofs = dict[Any, Proof | str]
@@ -53,7 +56,7 @@ def proof_in(
         layers = Layers(own, proofs, budget or Budget())
         try:
             certificates = layers.prove(question)
-            proofs[key] = Proof(certificates, layers.facts_of(question))
+            proofs[key] = Proof(certificates, layers.facts_of(question), question.claim)
         except UnprovedError as reason:
             if budget is not None:
                 raise  # perhaps for want of what others have spent
@@ -184,7 +187,9 @@ class Layers:
             try:
                 found = proof_in(self.setting, premise, self.proofs)
             except UnprovedError:
-                here = replace(premise, given=question.given, invertible=question.invertible)
+                here = replace(
+                    premise, given=question.given, invertible=question.invertible, claim=""
+                )
                 if here == premise or not supposes_no_more(premise, question):
                     raise
                 found = proof_in(self.setting, here, self.proofs)

@@ -34,7 +34,9 @@ FEW_PRODUCTS = 300
 
 @dataclass(frozen=True)
 class Question:
-    """What is to be proved: chains and inverses, with fitted shapes; `premises` first, in order."""
+    """What is to be proved: chains and inverses, with fitted shapes; `premises` first, in order.
+    `claim` is the id of the claim that asks it, and makes no difference.
+    """
 
     chains: tuple[Chain, ...]
     given: tuple[Chain, ...] = ()
@@ -42,6 +44,7 @@ class Question:
     hints: tuple[Node, ...] = ()
     existing: tuple[Node, ...] = ()
     premises: tuple[Question, ...] = field(default=())
+    claim: str = field(default="", compare=False)
 
     def nodes(self) -> list[Node]:
         """Every formula in it."""
@@ -68,7 +71,7 @@ def proof_of(question: Question, setting: MatrixSetting, most: int, budget: Budg
     establish(book, definite, candidates)
     for premise in question.premises:
         _prove(premise, book, expand)
-    _prove(question, book, expand)
+    book.goals += _prove(question, book, expand)
     return book
 
 
@@ -110,7 +113,9 @@ def links(chains: Iterable[Chain]) -> list[tuple[Node, str, Node]]:
     ]
 
 
-def _prove(question: Question, book: Book, expand: Expander) -> None:
+def _prove(question: Question, book: Book, expand: Expander) -> list[str]:
+    """The names of the statements that say it; that an inverse exists is said of all of them."""
+    names: list[str] = []
     for node in question.existing:
         value = expand.of(node)
         expand.alphabet.inverse_of(expand.alphabet.short_for(value))
@@ -118,14 +123,15 @@ def _prove(question: Question, book: Book, expand: Expander) -> None:
     for left, operator, right in links(question.chains):
         one, other = expand.of(left), expand.of(right)
         if operator == "=":
-            equal(book, one, other)
+            names.append(equal(book, one, other))
         else:
             larger, smaller = (one, other) if operator.startswith(">") else (other, one)
-            order(book, larger, smaller, "=" not in operator)
+            names.append(order(book, larger, smaller, "=" not in operator))
+    return names
 
 
-def equal(book: Book, left: Polynomial, right: Polynomial) -> None:
-    """State that both are equal, and remember it."""
+def equal(book: Book, left: Polynomial, right: Polynomial) -> str:
+    """State that both are equal, and remember it; the name of the statement."""
     residual = left - right
     claim = {"left": book.graph(left), "right": book.graph(right)}
     evidence = _between_orders(book, residual)
@@ -140,6 +146,7 @@ def equal(book: Book, left: Polynomial, right: Polynomial) -> None:
     book.differences[name] = residual
     if residual.terms:
         add_equation(book, book.equation(("statement", name)))
+    return name
 
 
 def _between_orders(book: Book, residual: Polynomial) -> dict[str, Any] | None:
@@ -187,8 +194,8 @@ def order(
     larger: Polynomial,
     smaller: Polynomial,
     strict: bool,
-) -> None:
-    """State that one is at least the other, or more, and remember it."""
+) -> str:
+    """State that one is at least the other, or more, and remember it; the name of the statement."""
     evidence = prove_order(book, larger - smaller, strict)
     claim = {
         "larger": book.graph(larger),
@@ -197,6 +204,7 @@ def order(
     }
     name = book.state("matrix_order", claim, evidence)
     book.known.append(Known(("statement", name), larger - smaller, strict))
+    return name
 
 
 __all__ = ["Question", "UnprovedError", "links", "proof_of"]
