@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -82,7 +83,19 @@ def test_every_method_has_a_page(method: str, capsys: Capture) -> None:
     assert lines[0].startswith(f"{method}: ")
     assert lines[3].split()[::2][:2] == ["x", "m"]
     assert any(line.startswith("vx") for line in lines) == (method != "range-only")
-    assert max(map(len, lines)) <= 96
+    assert max(map(len, lines)) <= 92
+
+
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize("terminal", [60, 80, 120])
+def test_a_page_has_the_width_of_the_terminal(
+    terminal: int, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True, raising=False)
+    monkeypatch.setenv("COLUMNS", str(terminal))
+    assert located() == 0
+    sentences = [line for line in capsys.readouterr().out.splitlines() if line.count("  ") == 0]
+    assert terminal - 15 < max(map(len, sentences)) <= terminal
 
 
 @pytest.mark.usefixtures("folder")

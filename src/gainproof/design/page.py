@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from gainproof.design.belonging import Belonging
 from gainproof.design.sheet import NOT_TOLD, Absent, Row, Sheet
 from gainproof.design.units import Units, in_units
+from gainproof.page import width as columns
 
 GAINS = ("alpha", "beta", "gamma")
 TITLES = {2: "alpha-beta filters", 3: "alpha-beta-gamma filters"}
@@ -19,7 +20,6 @@ HEADINGS = {
     "smoothed_deviation_m": "smoothed, m",
     "settling_s": "settles, s",
 }
-WIDTH = 96
 
 
 def page(sheet: Sheet, units: Units, belongs: Sequence[Belonging] = ()) -> str:
@@ -149,7 +149,7 @@ def _belonging(belongs: Sequence[Belonging]) -> Iterator[str]:
         shown = ", ".join(f"{n} = {g:.10g} (off by {d:.2g})" for n, g, d in parts)
         word = "fits" if each.fits else "does not fit"
         told = f"  {each.name}: with {GAINS[len(others)]} = {number(last)} has {shown}: {word}"
-        yield from textwrap.wrap(told, WIDTH, subsequent_indent="    ", break_on_hyphens=False)
+        yield from textwrap.wrap(told, columns(), subsequent_indent="    ", break_on_hyphens=False)
 
 
 def number(value: float) -> str:
@@ -178,4 +178,4 @@ def poles(values: Sequence[complex]) -> str:
 
 
 def _wrapped(text: str) -> list[str]:
-    return textwrap.wrap(text, WIDTH, subsequent_indent="  ", break_on_hyphens=False)
+    return textwrap.wrap(text, columns(), subsequent_indent="  ", break_on_hyphens=False)

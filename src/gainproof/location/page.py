@@ -12,21 +12,22 @@ from gainproof.location.geometry_words import listed
 from gainproof.location.methods import method_of
 from gainproof.location.result import Convergence, Location
 from gainproof.location.selection import Decision, Selection
+from gainproof.page import width as columns
 
 AXES = "xyz"
-WIDTH = 96
 
 
 def page(found: Location) -> str:
     """The whole page."""
-    lines = [f"{found.method}: {method_of(found.method).title}", "", *_place(found)]
+    title = f"{found.method}: {method_of(found.method).title}"
+    lines = [*textwrap.wrap(title, columns(), subsequent_indent="  "), "", *_place(found)]
     if found.selection is not None:
         lines += ["", *_selection(found.selection)]
     if found.biases:
         lines += ["", *_biases(found)]
     lines += ["", *_convergence(found)]
     for warning in found.warnings:
-        lines += textwrap.wrap(f"warning: {warning}", WIDTH, subsequent_indent="  ")
+        lines += textwrap.wrap(f"warning: {warning}", columns(), subsequent_indent="  ")
     return "\n".join(lines)
 
 
@@ -57,7 +58,7 @@ def _selection(selection: Selection) -> list[str]:
         f"By bias detection. Clean is what does not exceed {selection.threshold:.4g}; a range "
         f"without multipath exceeds it in {_percent(selection.false_alarm)} of all cases."
     )
-    return [*_aligned(cells, "<>>>>"), *textwrap.wrap(words, WIDTH, subsequent_indent="  ")]
+    return [*_aligned(cells, "<>>>>"), *textwrap.wrap(words, columns(), subsequent_indent="  ")]
 
 
 def _statistic(each: Decision) -> str:
@@ -88,7 +89,7 @@ def _convergence(found: Location) -> list[str]:
         told[0] = told[0][0].upper() + told[0][1:]
     ratio = found.convergence.ratio
     told.append(f"Scaled rank {found.rank} of {found.rank}, singular values down to {ratio:.2g}.")
-    return textwrap.wrap(" ".join(told), WIDTH)
+    return textwrap.wrap(" ".join(told), columns())
 
 
 def _ended(told: Convergence) -> str:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
+from gainproof.page import width as columns
 from gainproof.tracking.scans import Scans
 from gainproof.tracking.settings import Settings
 from gainproof.tracking.summary import Course
 from gainproof.tracking.time_text import time_text
 from gainproof.tracking.tracker import Followed
 
-WIDTH = 96
 MOST_SHOWN = 40
 HEADS = ("track", "from, s", "to, s", "detections", "missed", "x, m", "y, m", "1-sigma, m")
 MORE = ("speed, m/s", "course, deg")
@@ -29,7 +29,7 @@ def page(scans: Scans, settings: Settings, found: Followed, told: Sequence[Cours
     )
     gate = f"gate of {100 * settings.gate:.6g} %"
     lines = [f"{settings.filter} filter, {settings.conversion} conversion, {gate}"]
-    lines += textwrap.wrap(words, WIDTH)
+    lines += textwrap.wrap(words, columns())
     if told:
         rows = [_row(each) for each in told[:MOST_SHOWN]]
         lines += ["", *_aligned([(*HEADS, *MORE), *rows])]
@@ -42,7 +42,7 @@ def page(scans: Scans, settings: Settings, found: Followed, told: Sequence[Cours
         lines += textwrap.wrap(
             f"warning: {_counted(found.limited, 'update')} with exact gains: those of first order "
             "were not stable with alpha at most 1 there, so far from the nominal point",
-            WIDTH,
+            columns(),
             subsequent_indent="  ",
         )
     return "\n".join(lines)
