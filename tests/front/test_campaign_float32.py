@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from printed_kernels import printed_kernels
 
 from gainproof.bad_input import BadInputError
 from gainproof.bench.compiler import compiler
@@ -55,6 +56,11 @@ def test_a_thousandth_of_the_inputs_of_all(module: str) -> None:
         if kernel.module == module:
             found = thousandth(kernel)
             assert found.passed, found.text
+
+
+def test_the_kernels_are_those_of_one_input() -> None:
+    """As another reader of the printed modules has them."""
+    assert list(KERNELS) == [kernel.id for kernel in printed_kernels()]
 
 
 def test_the_blocks_are_all_inputs() -> None:

@@ -66,8 +66,10 @@ def swept_kernels() -> Iterator[Swept]:
             continue
         module = import_module(f"gainproof.generated.{found.name}")
         for name in module.__all__:
-            signature = getattr(module, f"_{name.upper()}", None)  # classes of results have none
-            if signature and len(signature.inputs) == 1 and not signature.inputs[0].signed:
+            if not name[0].islower():  # a class of results
+                continue
+            signature = getattr(module, f"_{name.upper()}")
+            if len(signature.inputs) == 1 and not signature.inputs[0].signed:
                 yield Swept(found.name, name, getattr(module, name), signature)
 
 
