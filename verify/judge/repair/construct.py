@@ -79,6 +79,11 @@ def remade(kind: str, value: Value, parts: tuple[Expr, ...]) -> Expr:
             return Expr(kind, value, parts)
 
 
+def is_of_one_number(node: Expr) -> bool:
+    """Whether it is a function's value, as e^{-x} or sin x."""
+    return node.kind == "call" and len(node.parts) == 1
+
+
 def places(expr: Expr) -> Iterator[tuple[Path, Expr]]:
     """Every occurrence of a node, wholes before parts."""
     stack: list[tuple[Path, Expr]] = [((), expr)]

@@ -10,6 +10,7 @@ from gainproof.verify.judge.repair.construct import (
     HALF,
     TWO,
     exchanged,
+    is_of_one_number,
     product,
     quotient,
     raised,
@@ -56,7 +57,7 @@ def factor_two(node: Expr, _: Table) -> Iterator[Edit]:
     """A factor two, lost or too many, in a term of a sum, under an exponent, or in what a function
     is taken of: e^{-x^2} for e^{-x^2/2}.
     """
-    if node.kind not in ("add", "pow", "call"):
+    if node.kind not in ("add", "pow") and not is_of_one_number(node):
         return
     for k, part in enumerate(node.parts):
         for new in (product(TWO, part), quotient(part, TWO)):

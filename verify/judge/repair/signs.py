@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from gainproof.verify.judge.exact.expression import Expr
 from gainproof.verify.judge.repair.construct import (
     exchanged,
+    is_of_one_number,
     opposite,
     product,
     quotient,
@@ -19,7 +20,7 @@ from gainproof.verify.judge.repair.edit import PLAIN, SLIGHT, Edit, Table
 
 def signs(node: Expr, _: Table) -> Iterator[Edit]:
     """One term of a sum, or what a function is taken of, with the other sign."""
-    if node.kind in ("add", "call"):
+    if node.kind == "add" or is_of_one_number(node):
         what = "sign of a term" if node.kind == "add" else "sign of an argument"
         for k, part in enumerate(node.parts):
             parts = exchanged(node.parts, k, opposite(part))
