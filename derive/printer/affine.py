@@ -13,7 +13,7 @@ from fractions import Fraction
 import numpy as np
 
 from gainproof.derive.printer.constant import Constant
-from gainproof.derive.printer.formats import FLOAT64, Format
+from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
 from gainproof.derive.printer.interval import Array, Interval
 from gainproof.derive.printer.program import Program
 
@@ -82,3 +82,13 @@ def affine_sum(program: Program, number: int, form: Format) -> AffineSum | None:
     whole = value[0].is_exact(form)
     found = AffineSum(value[0], value[2], source[1], source[2], 1 if whole else 2)
     return found if whole or found.crosses_zero() else None
+
+
+def in_two_parts(program: Program, number: int) -> tuple[AffineSum, AffineSum] | None:
+    """The step in float64 and float32 where it is printed in two steps: the nearest number to the
+    constant, and the rest, which may be 0 in one of the formats.
+    """
+    double, single = (affine_sum(program, number, form) for form in FORMATS)
+    if double is None or single is None or double.parts == single.parts == 1:
+        return None
+    return double, single

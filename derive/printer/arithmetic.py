@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from gainproof.derive.printer.affine import affine_sum
-from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS
+from gainproof.derive.printer.affine import AffineSum, in_two_parts
+from gainproof.derive.printer.formats import FLOAT32, FORMATS
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.library import NUMPY
 from gainproof.derive.printer.plain import plain
@@ -109,11 +109,9 @@ class Arithmetic:
         if step.operation == "select":
             yield from self._select(number, step, target)
             return
-        parts = [affine_sum(self.program, number, form) for form in FORMATS]
-        if all(part is not None for part in parts) and any(
-            part.parts == 2 for part in parts if part
-        ):
-            yield from self._two_parts(number, step, target)
+        affine = in_two_parts(self.program, number)
+        if affine is not None:
+            yield from self._two_parts(number, step, target, affine[0])
             return
         if step.scale is not None:
             operands = [self._operand(step.operands[0]), literal(step.scale)]
@@ -131,11 +129,9 @@ class Arithmetic:
             name, operands = "square", operands[:1]  # the same product, read once
         yield f"{target}np.{name}({', '.join(operands)}, {register})"
 
-    def _two_parts(self, number: int, step: Step, target: str) -> Iterator[str]:
+    def _two_parts(self, number: int, step: Step, target: str, affine: AffineSum) -> Iterator[str]:
         """A difference with a constant in two parts, the nearest number and the rest."""
         register = self._register(number)
-        affine = affine_sum(self.program, number, FLOAT64)
-        assert affine is not None
         value, sign = affine.constant, affine.sign
         high, lines = self._by_type("high", [value.nearest(form) for form in FORMATS])
         yield from lines

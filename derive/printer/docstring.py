@@ -101,11 +101,7 @@ def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
     """The text between the quotes, lines without indentation."""
     several = SIGNED if has_signs(kernel) else SEVERAL
     sections = [
-        [kernel.summary],
-        [f"    {line}" for line in kernel.equations],
-        [line for given in kernel.inputs for line in _input(given)],
-        [line for required in kernel.requirements for line in _required(required)],
-        [line for row in range(len(kernel.outputs)) for line in _output(kernel, bounds, row)],
+        *mathematics(kernel, bounds),
         _wrap(
             f"{several if len(kernel.inputs) > 1 else ONE} `out`: a tuple of arrays to fill. "
             "`workers`: threads that share the work on long arrays."
@@ -117,6 +113,19 @@ def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
         _wrap(f"Source: {kernel.source}"),
     ]
     return "\n\n".join("\n".join(section) for section in sections if section)
+
+
+def mathematics(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[list[str]]:
+    """What is true of a kernel in every language, as sections of lines: equations, domains,
+    bounds.
+    """
+    return [
+        [kernel.summary],
+        [f"    {line}" for line in kernel.equations],
+        [line for given in kernel.inputs for line in _input(given)],
+        [line for required in kernel.requirements for line in _required(required)],
+        [line for row in range(len(kernel.outputs)) for line in _output(kernel, bounds, row)],
+    ]
 
 
 def _input(given: Input) -> Iterator[str]:

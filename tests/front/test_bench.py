@@ -24,7 +24,7 @@ from gainproof.bench.subjects import Measured, measured_kernels
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.filter_step import subject
 from gainproof.derive.printer.bound import prove
-from gainproof.derive.printer.c_source import c_source
+from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
@@ -85,7 +85,7 @@ def test_what_is_compared_computes_the_same(tmp_path: Path) -> None:
         np.testing.assert_allclose(found, reference, rtol=1e-15)
     if compiler() is not None:
         outputs = [np.empty(3) for _ in expected]
-        compiled(c_source(made.kernel), "kernel", tmp_path)(given, outputs)
+        compiled(c_loop(made.kernel), "kernel", tmp_path)(given, outputs)
         for found, reference in zip(outputs, expected, strict=True):
             np.testing.assert_array_equal(found, reference)
 

@@ -48,9 +48,10 @@ def _missing(required: Required, given: Arrays) -> NDArray[np.intp]:
     """The places where inputs together are not what they must be."""
     value = np.empty_like(given[0])
     work = [np.empty_like(value) for _ in range(required.work)]
+    single = value.dtype == np.float32
     with np.errstate(all="ignore"):
-        required.block(given, [value], work, False)
-    return np.flatnonzero(~(value >= required.double))
+        required.block(given, [value], work, bool(single))
+    return np.flatnonzero(~(value >= (required.single if single else required.double)))
 
 
 def _arguments(domain: Domain, size: int, generator: np.random.Generator) -> NDArray[np.float64]:

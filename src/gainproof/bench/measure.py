@@ -16,7 +16,7 @@ from gainproof.bench.compiler import compiled, compiler
 from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
-from gainproof.derive.printer.c_source import c_source
+from gainproof.derive.printer.c_language.loop import c_loop
 
 SIZE = 1_000_000
 ERROR_POINTS = 400
@@ -62,7 +62,7 @@ def figures(item: Measured, folder: Path, workers: int = 2, constant: str | None
         # a library of its own for each kernel: the loader knows libraries by their path
         place = folder / item.subject
         place.mkdir(exist_ok=True)
-        loop = compiled(c_source(item.kernel), item.kernel.name, place)
+        loop = compiled(c_loop(item.kernel), item.kernel.name, place)
         targets = [np.empty(SIZE) for _ in item.kernel.outputs]
         calls["C"] = lambda: loop(columns, targets)
     if item.textbook is not None:

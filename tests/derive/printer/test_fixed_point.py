@@ -21,7 +21,7 @@ from gainproof.bench.accuracy import ball_outputs
 from gainproof.bench.compiler import compiled, compiler
 from gainproof.derive.printer import boxes
 from gainproof.derive.printer.bound import prove
-from gainproof.derive.printer.c_source import c_source
+from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.exact import enclosures
 from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, FORMATS, Format
@@ -166,7 +166,7 @@ def test_a_fixed_point_inside_the_start_of_another() -> None:
 def test_c_computes_the_same_bits(which: str, tmp_path: Path) -> None:
     kernel = gains_kernel(which)
     x = np.array(points_of(FLOAT64, 2000, 5))
-    loop = compiled(c_source(kernel), kernel.name, tmp_path)
+    loop = compiled(c_loop(kernel), kernel.name, tmp_path)
     found = [np.empty_like(x) for _ in kernel.outputs]
     loop([x], found)
     for own, other in zip(function_of(kernel)(x), found, strict=True):

@@ -1,6 +1,6 @@
 """What a kernel is compared with: its graph as a C loop in double precision, and its bounds.
 
-The loop rounds as the float64 kernel does (see `c_source`), whose proved error is some units of
+The loop rounds as the float64 kernel does (see `c_loop`), whose proved error is some units of
 2^-52: a few 1e-9 of what float32 can tell. It rests on the same graph: it shows the rounding of the
 float32 kernel, and not that the graph is right, which its certificate proves.
 """
@@ -15,7 +15,7 @@ from tempfile import TemporaryDirectory
 from gainproof.bad_input import BadInputError
 from gainproof.bench.compiler import Loop, compiled, compiler
 from gainproof.derive.printer.bound import prove
-from gainproof.derive.printer.c_source import c_source
+from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.formats import FLOAT32
 from gainproof.derive.printer.kernel import Kernel, Output
 from gainproof.derive.subject import Subject
@@ -58,7 +58,7 @@ def reference(module: str, name: str) -> Reference:
     scales = {output.relative_to for output in kernel.outputs if output.relative_to} - {*names}
     rows = [*names, *sorted(scales)]
     with TemporaryDirectory() as folder:
-        loop = compiled(c_source(_with(kernel, rows)), name, Path(folder))
+        loop = compiled(c_loop(_with(kernel, rows)), name, Path(folder))
     bounds = prove(kernel, FLOAT32).outputs
     outputs = tuple(
         Compared(

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from graph_kernels import function_of, kernel_of
 
-from gainproof.derive.printer.c_source import c_source
+from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.graph import GraphBuilder
 
 
@@ -27,7 +27,7 @@ def test_same_bits(tmp_path: Path) -> None:
         upper=10**9,
     )
     source, library = tmp_path / "kernel.c", tmp_path / "kernel.so"
-    source.write_text(c_source(kernel), encoding="utf-8")
+    source.write_text(c_loop(kernel), encoding="utf-8")
     flags = ["-O3", "-std=c99", "-Wall", "-Werror", "-ffp-contract=off", "-shared", "-fPIC"]
     subprocess.run([compiler, *flags, "-o", library, source, "-lm"], check=True)
     given = np.geomspace(1e-300, 9e8, 30_000)

@@ -1,0 +1,109 @@
+"""A module of kernels as a C99 header and source."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator, Sequence
+
+from gainproof.derive.printer.bound import KernelBound
+from gainproof.derive.printer.c_language.body import near_cbrt
+from gainproof.derive.printer.c_language.flavour import FLAVOURS
+from gainproof.derive.printer.c_language.functions import (
+    Names,
+    codes,
+    definitions,
+    names_of,
+    prototypes,
+)
+from gainproof.derive.printer.docstring import mathematics
+from gainproof.derive.printer.kernel import Kernel, Module
+from gainproof.derive.printer.library import NUMPY
+
+Bounds = Sequence[Sequence[KernelBound]]
+
+CHECKED = """\
+#if defined(__FAST_MATH__)
+#error "these kernels keep their error bounds without -ffast-math only"
+#endif
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#error "every operation has to be rounded to its type: on 32-bit x86 compile with -mfpmath=sse"
+#endif
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__FP_FAST_FMA) && !defined(__STRICT_ANSI__) && !defined(CONTRACTION_IS_OFF)
+#error "compile with -std=c99, or with -ffp-contract=off -DCONTRACTION_IS_OFF"
+#endif"""
+"""What would round otherwise does not compile: GCC contracts a * b + c but in ISO mode."""
+
+ABOUT = (
+    "Each kernel has an entry for numbers and one for arrays of n numbers, in double and (_float) "
+    "in float. It returns 0, or the constant of what it refuses: an input outside its domain, NaN "
+    "included; nothing is written then. Of arrays the first element that is refused is written to "
+    "*first, where `first` is not null; they must not overlap. Nothing is allocated, nothing is "
+    "kept."
+)
+
+
+def c_files(module: Module, bounds: Bounds) -> dict[str, str]:
+    """The header and the source by file name, from bounds already proved."""
+    return {
+        f"{module.name}.h": "\n".join(_header(module, bounds)) + "\n",
+        f"{module.name}.c": "\n".join(_source(module, bounds)) + "\n",
+    }
+
+
+def _comment(lines: Sequence[str]) -> Iterator[str]:
+    first, *rest = (line.replace("*/", "* /").replace("/*", "/ *") for line in lines)
+    yield f"/* {first}"
+    yield from (f" * {line}".rstrip() for line in rest)
+    yield " */"
+
+
+def _opening(module: Module) -> list[str]:
+    return [f"Made by: {module.command} --target c", f"From: {module.derivation}", module.title]
+
+
+def _header(module: Module, bounds: Bounds) -> Iterator[str]:
+    guard = f"GAINPROOF_{module.name.upper()}_H"
+    compile_line = f"cc -O2 -std=c99 -ffp-contract=off -c {module.name}.c (linked with -lm)"
+    about = textwrap.wrap(f"{ABOUT} Compile with: {compile_line}", 96, break_on_hyphens=False)
+    yield from _comment([*_opening(module), "", *about])
+    yield from (f"#ifndef {guard}", f"#define {guard}", "", "#include <stddef.h>", "")
+    yield from ("#ifdef __cplusplus", 'extern "C" {', "#endif")
+    for kernel, pair in zip(module.kernels, bounds, strict=True):
+        names = names_of(module.name, kernel)
+        yield from ("", *_comment(_described(kernel, pair)), *_enumeration(kernel, names))
+        for flavour in FLAVOURS:
+            yield from (f"{line};" for line in prototypes(names, flavour))
+    yield from ("", "#ifdef __cplusplus", "}", "#endif", "", "#endif")
+
+
+def _described(kernel: Kernel, pair: Sequence[KernelBound]) -> list[str]:
+    sections = [*mathematics(kernel, pair), textwrap.wrap(f"Source: {kernel.source}", 96)]
+    text = "\n\n".join("\n".join(section) for section in sections if section)
+    for ours, numpys in NUMPY.items():
+        text = text.replace(f"np.{numpys} ", f"{ours} ").replace(f"np.{numpys},", f"{ours},")
+    return text.splitlines()
+
+
+def _enumeration(kernel: Kernel, names: Names) -> Iterator[str]:
+    yield "enum {"
+    found = [f"    {code} = {place}" for place, code in enumerate(codes(kernel, names), start=1)]
+    yield ",\n".join(found)
+    yield "};"
+
+
+def _source(module: Module, bounds: Bounds) -> Iterator[str]:
+    parts, starts = list[str](), list[str]()
+    for flavour, row in zip(FLAVOURS, zip(*bounds, strict=True), strict=True):
+        any_near = False
+        for kernel, bound in zip(module.kernels, row, strict=True):
+            lines, near = definitions(kernel, names_of(module.name, kernel), flavour, bound)
+            parts += lines
+            any_near |= near
+        starts += near_cbrt(flavour) if any_near else []
+    yield from _comment(_opening(module))
+    yield f'#include "{module.name}.h"'
+    yield from ("", "#include <float.h>", "#include <math.h>")
+    yield from ("#include <stdint.h>", "#include <string.h>") if starts else ()
+    yield from ("", CHECKED, "", *starts, *parts[:-1])
