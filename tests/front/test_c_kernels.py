@@ -17,10 +17,10 @@ from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.printer.bound import KernelBound, OutputBound
 from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Kernel, Module
-from gainproof.derive.printer.library import ULP, functions_of
+from gainproof.derive.printer.library import functions_of
 
-DEFAULT = ("random-acceleration", "continuous-white-jerk", "range-doppler")
-"""Roots and choices, starts of cube roots, requirements and signs."""
+DEFAULT = ("random-acceleration", "filter-step")
+"""What takes least time; starts of cube roots and requirements are in a kernel by hand."""
 SUBJECTS = [
     pytest.param(entry, marks=() if entry.name in DEFAULT else pytest.mark.thorough, id=entry.name)
     for entry in CATALOGUE
@@ -56,6 +56,17 @@ def domains_only(module: Module, kernel: Kernel) -> tuple[KernelBound, KernelBou
     return double, single
 
 
+def drawn(signature: Any, size: int, kind: type[Any]) -> Any:
+    """Columns of arguments of the type, each in its domain and together as they must be."""
+    columns = [column.astype(kind) for column in sample(signature, size)]
+    kept = np.ones(size, bool)
+    for domain, column in zip(signature.inputs, columns, strict=True):
+        low, high = domain.single if kind is np.float32 else domain.double
+        magnitude = np.abs(column) if domain.signed else column
+        kept &= ((magnitude >= low) & (magnitude <= high)) | (domain.zero & (column == 0))
+    return fitting(signature, [column[kept] for column in columns])
+
+
 @pytest.mark.parametrize("entry", SUBJECTS)
 def test_the_bits_are_those_of_numpy(
     entry: Any, tmp_path: Path, request: pytest.FixtureRequest
@@ -66,8 +77,8 @@ def test_the_bits_are_those_of_numpy(
     for kernel in module.kernels:
         found = shipped(module, kernel)
         for kind in (np.float64, np.float32):
-            given = [column.astype(kind) for column in sample(found.signature, size)]
-            given = fitting(found.signature, given)
+            given = drawn(found.signature, size, kind)
+            assert given[0].size > size / 2
             code, first, outputs = call_arrays(loaded, module, kernel, given)
             assert (code, first) == (0, -1), kernel.name
             mine = found.function(*given)
@@ -77,7 +88,3 @@ def test_the_bits_are_those_of_numpy(
                     continue
                 same = ours.view(np.uint8) == theirs.view(np.uint8)
                 assert same.all(), (kernel.name, output.name, kind)
-
-
-def test_a_library_function_is_assumed_to_err_as_said() -> None:
-    assert ULP == 4

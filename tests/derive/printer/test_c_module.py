@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import subprocess
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,8 +15,9 @@ from c_library import call_arrays, compiler, library
 from graph_kernels import function_of, kernel_of, several_of
 
 from gainproof.derive.printer.c_language.module import c_files
+from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.kernel import Input, Kernel, Module
+from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, Requirement, signed
 from gainproof.derive.printer.together import prove_all
 
 KINDS = pytest.mark.parametrize("kind", [np.float64, np.float32])
@@ -41,11 +43,34 @@ def two_inputs() -> Kernel:
     return several_of(b.graph({"y": x / (x + z)}), "1e-6", "1e6")
 
 
+def cube_root() -> Kernel:
+    b = GraphBuilder()
+    x = b.symbol("x")
+    first = fixed_point(near_cbrt(x), lambda y: b.sqrt(b.sqrt(x * y)), within="1/25")
+    return kernel_of(b.graph({"y": first}), lower="1e-20", upper="1e20")
+
+
+def apart() -> Kernel:
+    """Inputs of either sign, a requirement on both."""
+    b = GraphBuilder()
+    x, z = b.symbol("x"), b.symbol("z")
+    size = b.sqrt(x * x + z * z)
+    return replace(
+        kernel_of(b.graph({"y": x / size, "root": size})),
+        inputs=(signed("x", "an argument", 0, 10**6), signed("z", "an argument", 0, 10**6)),
+        outputs=(Output("y", "a value"),),
+        requirements=(Requirement("root", "the root", "1e-6", "1e-3"),),
+    )
+
+
 @KINDS
-def test_the_bits_are_those_of_numpy(kind: type[Any], tmp_path: Path) -> None:
-    module = module_of(trial())
+@pytest.mark.parametrize("made", [trial, cube_root])
+def test_the_bits_are_those_of_numpy(
+    made: Callable[[], Kernel], kind: type[Any], tmp_path: Path
+) -> None:
+    module = module_of(made())
     loaded = library(module, prove_all(module.kernels), tmp_path)
-    given = np.geomspace(1e-30, 9e8, 20_000).astype(kind)
+    given = np.geomspace(1e-19, 9e8, 20_000).astype(kind)
     code, first, found = call_arrays(loaded, module, module.kernels[0], [given])
     assert (code, first) == (0, -1)
     for mine, theirs in zip(function_of(module.kernels[0])(given), found, strict=True):
@@ -67,6 +92,24 @@ def test_the_first_that_is_refused_is_told_and_nothing_is_written(
     assert all(np.all(column == -7.0) for column in found)
     given[0][650] = bad
     assert call_arrays(loaded, module, module.kernels[0], given)[:2] == (1, 650)
+
+
+@KINDS
+def test_what_inputs_must_be_together_is_refused_with_its_own_code(
+    kind: type[Any], tmp_path: Path
+) -> None:
+    module = module_of(apart())
+    loaded = library(module, prove_all(module.kernels), tmp_path)
+    given = [np.linspace(-3, 4, 1001).astype(kind), np.zeros(1001, kind)]
+    given[1][:] = 5e-4
+    given[0][600] = 0.0
+    code, first, found = call_arrays(loaded, module, module.kernels[0], given)
+    if kind == np.float32:
+        assert (code, first) == (3, 600)
+        given[1][:] = 2e-3
+        code, first, found = call_arrays(loaded, module, module.kernels[0], given)
+    assert (code, first) == (0, -1)
+    assert np.array_equal(found[0], function_of(module.kernels[0])(*given)[0])
 
 
 def test_numbers_are_taken_one_by_one(tmp_path: Path) -> None:
