@@ -11,6 +11,7 @@ from itertools import product as combinations
 import sympy as sp
 
 from gainproof.derive.printer.bound import OutputBound, prove
+from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Output
@@ -22,6 +23,8 @@ from gainproof.derive.stable_form.rewriting import Rewriting
 from gainproof.derive.stable_form.writing import SCALE, VALUE, Text, Writing
 
 SCALED = Fraction(1, 2**60)  # keeps 1/x from overflowing for the least numbers x
+FIRST = 8  # candidates that are tried for fewer inputs, where none has a bound for all
+RANGES = (500, 200, 100, 50)  # powers of 2 that inputs are then within
 PLACES = (Fraction(0), Fraction(1, 2), Fraction(1))
 
 
@@ -81,7 +84,39 @@ def best(expression: sp.Expr, inputs: Sequence[Input], prefix: str) -> Found:
             break
     if not found:
         raise refusal or NoReading(f"no form of {expression}")
-    return replace(min(found, key=lambda each: each[0])[1], tried=len(seen))
+    ranked = [each for _, each in sorted(found, key=lambda each: each[0])]
+    return replace(_within_range(ranked[:FIRST], inputs), tried=len(seen))
+
+
+def _within_range(ranked: Sequence[Found], inputs: Sequence[Input]) -> Found:
+    """The first, if it has no bound with one for fewer inputs: those far from the format's ends."""
+    if ranked[0].bound is not None:
+        return ranked[0]
+    left = len(ranked[0].candidate.differences)
+    for exponent in RANGES:
+        fewer = [_nearer(given, Fraction(2) ** exponent) for given in inputs]
+        found = [
+            replace(each, bound=bound)
+            for each in ranked
+            for bound in [_bound(each.candidate, fewer)[0]]
+            if bound is not None and len(each.candidate.differences) == left
+        ]
+        if found:
+            return min(found, key=lambda each: _cost(each.candidate, each.bound))
+    return ranked[0]
+
+
+def _nearer(given: Input, most: Fraction) -> Input:
+    """The input, not above `most` and not below its inverse."""
+    low, high = constant(given.lower).rational, None
+    if given.upper is not None:
+        high = constant(given.upper).rational
+    found = given
+    if low is not None and low < 1 / most:
+        found = replace(found, lower=1 / most, lower_open=False, single=None)
+    if given.upper is None or (high is not None and high > most):
+        found = replace(found, upper=most, upper_open=False, single=None)
+    return found
 
 
 def _cost(candidate: Candidate, bound: OutputBound | None) -> tuple[float, ...]:

@@ -14,6 +14,7 @@ from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.stable_form.atoms import Sources
 from gainproof.derive.stable_form.exponents import Exponents, Terms
 from gainproof.derive.stable_form.letters import Letters
+from gainproof.derive.stable_form.lines import Lines
 from gainproof.derive.stable_form.product import Product
 
 
@@ -47,6 +48,7 @@ class Emission:
         self.builder, self.letters, self.sources = builder, letters, sources
         self.nested, self.alternating = order.nested, order.alternating
         self.added = added
+        self.lines = Lines(letters.reading.coordinates, sources)
         self.differences: dict[str, Node] = {}
 
     def product(self, product: Product) -> Node:
@@ -59,7 +61,7 @@ class Emission:
             terms = whole.terms
             constant *= whole.factor**power
             drawn: Exponents = whole.outside
-            number = self.constant(terms)
+            number = self.lines.constant(terms)
             if number is not None:
                 constant *= number**power
             elif len(terms) == 1:
@@ -105,7 +107,7 @@ class Emission:
 
     def polynomial(self, terms: Terms) -> Node:
         """The node of a sum of terms; one of mixed signs that is not exact data is a difference."""
-        exact = self._affine(terms)
+        exact = self.lines.affine(terms)
         if exact is not None:
             return exact
         positive = {term: value for term, value in terms.items() if value > 0}
@@ -122,79 +124,9 @@ class Emission:
         self.differences.setdefault(known.get(node.number, f"difference_{len(known) + 1}"), node)
         return node
 
-    def _affine(self, terms: Terms) -> Node | None:
-        """c0 + c1 x where the terms are that: exact data until its own one rounding."""
-        slopes = self._slopes(terms)
-        if slopes is None or len(slopes) > 2:
-            return None
-        constant = slopes.pop("", Fraction(0))
-        if not slopes:
-            return self.builder.number(constant)
-        ((name, slope),) = slopes.items()
-        return self._line(name, slope, constant)
-
-    def constant(self, terms: Terms) -> Fraction | None:
-        """The number that terms are, as x + (1 - x) is one."""
-        slopes = self._slopes(terms)
-        return None if slopes is None or set(slopes) - {""} else slopes.get("", Fraction(0))
-
-    def _slopes(self, terms: Terms) -> dict[str, Fraction] | None:
-        """Factors of inputs, and the constant as that of "", of a linear function."""
-        found = {"": Fraction(0)}
-        count = self.letters.count
-        for term, value in terms.items():
-            places = [place for place, power in enumerate(term) if power]
-            if len(places) > 1 or any(term[n] != 2 or n >= self.letters.roots for n in places):
-                return None
-            for place in places:
-                each = self.letters.reading.coordinates[place % count]
-                slope, end = self._letter(place)
-                found[each.name] = found.get(each.name, Fraction(0)) + value * slope
-                found[""] += value * end
-            found[""] += 0 if places else value
-        return {name: value for name, value in found.items() if value or not name}
-
-    def _letter(self, place: int) -> tuple[Fraction, Fraction]:
-        """Slope and constant of x - a, b - x, or x."""
-        each = self.letters.reading.coordinates[place % self.letters.count]
-        block = place // self.letters.count
-        if block == 1:
-            assert each.high is not None
-            return Fraction(-1), each.high
-        return Fraction(1), Fraction(0) if block else -each.low
-
-    def _line(self, name: str, slope: Fraction, constant: Fraction) -> Node | None:
-        if name in self.sources.atoms:
-            return self._atom_line(name, slope, constant)
-        x, size = self.builder.symbol(name), abs(slope)
-        outer = Fraction(1)
-        if slope * constant < 0:
-            outer, constant, size = size, constant / size, Fraction(1)
-        if not constant:
-            return self._scaled(x, slope)
-        if slope < 0:
-            return self._scaled(constant - self._scaled(x, size), outer)
-        return self._scaled(self._scaled(x, size) + constant, outer)
-
-    def _atom_line(self, name: str, slope: Fraction, constant: Fraction) -> Node | None:
-        """A multiple of what a function gives, or a sum without subtraction."""
-        outer = constant or abs(slope)
-        node = self.sources.line(name, constant / outer, slope / outer)
-        if node is not None:
-            return self._scaled(node, outer)
-        if constant > 0 and slope > 0:
-            letter = self.sources.line(name, Fraction(0), Fraction(1))
-            return None if letter is None else self._scaled(letter, slope) + constant
-        return None
-
-    def _scaled(self, node: Node, factor: Fraction) -> Node:
-        if factor.numerator == 1 and factor != 1:
-            return node / factor.denominator
-        return node if factor == 1 else node * factor
-
     def _sum(self, terms: Terms) -> Node:
         """Positive terms, one at least."""
-        exact = self._affine(terms)
+        exact = self.lines.affine(terms)
         if exact is not None:
             return exact
         if len(terms) == 1 or not self.nested:
@@ -223,11 +155,11 @@ class Emission:
         """The terms' sum, what is a linear function of one input as exact data."""
         lines: dict[str, dict[Exponents, Fraction]] = {}
         for term, value in terms.items():
-            for name in self._slopes({term: value}) or ():
+            for name in self.lines.slopes({term: value}) or ():
                 lines.setdefault(name, {})[term] = value
         constants = lines.pop("", {})
         largest = max(lines.values(), key=len, default={}) | constants
-        line = largest if len(largest) > 1 and self._affine(largest) is not None else {}
+        line = largest if len(largest) > 1 and self.lines.affine(largest) is not None else {}
         rest = sorted((term, value) for term, value in terms.items() if term not in line)
         nodes = [self._term(*term) for term in rest[::-1]]
         return reduce(Node.__add__, [self.polynomial(line), *nodes] if line else nodes)
@@ -250,8 +182,8 @@ class Emission:
         if place >= self.letters.roots:
             return self._generator(place - self.letters.roots, power)
         name = self.letters.reading.coordinates[place % self.letters.count].name
-        slope, constant = self._letter(place)
-        node = self._line(name, slope, constant)
+        slope, constant = self.lines.letter(place)
+        node = self.lines.line(name, slope, constant)
         assert node is not None, "a letter of an atom is a line of it"
         root: Node | None = None
         if name in self.sources.atoms:
@@ -264,6 +196,6 @@ class Emission:
         whole = self.letters.generators[number]
         node = self.polynomial(whole.terms)
         outer = Fraction(isqrt(whole.factor.numerator), isqrt(whole.factor.denominator))
-        square = self._scaled(node, whole.factor)
-        root = self._scaled(self.builder.sqrt(node), outer)
+        square = self.lines.scaled(node, whole.factor)
+        root = self.lines.scaled(self.builder.sqrt(node), outer)
         return [square] * (power // 2) + [root] * (power % 2)

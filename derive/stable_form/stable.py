@@ -14,6 +14,7 @@ from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, operands
 from gainproof.derive.printer.kernel import Input
 from gainproof.derive.stable_form.candidates import Candidate, best
 from gainproof.derive.stable_form.certificate import Proof, claims, document
+from gainproof.derive.stable_form.conditions import Condition, condition
 from gainproof.derive.stable_form.writing import SCALE, VALUE
 
 REASON = "no form without this subtraction was found"
@@ -26,9 +27,10 @@ class StableForm:
     `graph`: all outputs, as the printer takes them, and for each whose subtractions remain an
     output of the name in `scales`, the same with both sides of every such subtraction added: what
     the error is to be measured by. `cancellations`: names of those differences in the graph's
-    "names", with the reason a kernel needs. `rules`: what was done, by output. `bounds`: the proved
-    error in float64 of each output by itself, None where none was proved: `refusals` says why.
-    `tried`: how many ways of writing were compared.
+    "names", with the reason a kernel needs; `conditions`: how much they may lose, by output.
+    `rules`: what was done, by output. `bounds`: the proved error in float64 of each output by
+    itself, with the inputs for which it holds; None where none was proved. `refusals` says why
+    none was for all inputs. `tried`: how many ways of writing were compared.
 
     `certificate` shows of each output y that its programs given_y and stable_y have the same
     values, and `claims` is what it has to prove, for the checker to compare. Without functions of a
@@ -41,6 +43,7 @@ class StableForm:
     graph: Graph
     scales: Mapping[str, str]
     cancellations: Mapping[str, str]
+    conditions: Mapping[str, Condition]
     rules: Mapping[str, tuple[str, ...]]
     bounds: Mapping[str, OutputBound | None]
     refusals: Mapping[str, str]
@@ -64,12 +67,14 @@ def stable(outputs: Mapping[str, sp.Expr], inputs: Sequence[Input]) -> StableFor
     found = {name: best(expression, inputs, name) for name, expression in outputs.items()}
     candidates = {name: each.candidate for name, each in found.items()}
     graph, cancellations = _joined({name: each.graph for name, each in candidates.items()})
+    scales = {name: f"{name}_{SCALE}" for name in found if f"{name}_{SCALE}" in graph["outputs"]}
     proofs = [proof for name, each in candidates.items() for proof in _proofs(name, each)]
     return StableForm(
         tuple(inputs),
         graph,
-        {name: f"{name}_{SCALE}" for name in found if f"{name}_{SCALE}" in graph["outputs"]},
+        scales,
         cancellations,
+        {name: condition(graph, name, scale, inputs) for name, scale in scales.items()},
         {name: each.rules for name, each in candidates.items()},
         {name: each.bound for name, each in found.items()},
         {name: each.refusal for name, each in found.items() if each.refusal},

@@ -5,17 +5,29 @@ from __future__ import annotations
 import argparse
 
 HELP = "list derivations with their kernels, and claim files with their claims"
-DESCRIPTION = "Lists every derivation with its kernels, and every claim file with its claims."
+DESCRIPTION = """\
+Lists every derivation with its kernels, and every claim file with its claims.
+
+With --cancellations: the kernels in which subtractions of computed values are left, and why. All
+numbers are dimensionless. Exit status 0."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
-    """No options."""
+    """What to list."""
+    parser.add_argument(
+        "--cancellations",
+        action="store_true",
+        help="the subtractions of computed values that are left in kernels, and why",
+    )
 
 
-def run(_options: argparse.Namespace) -> int:
+def run(options: argparse.Namespace) -> int:
     """0."""
-    from gainproof import citing, page
+    from gainproof import cancellations, citing, page
     from gainproof.workshop import open_workshop
 
+    if options.cancellations:
+        print(cancellations.page(page.width()), end="")
+        return 0
     print(citing.listing(open_workshop(quiet=True), page.width()), end="")
     return 0

@@ -14,6 +14,7 @@ from gainproof.verify.certificate import check
 
 X, Z = real("x"), real("z")
 ROOT = sp.sqrt(X**2 + 8 * X)
+LONG = pytest.mark.thorough
 POSITIVE = (Input("x", "a number"),)
 BELOW_ONE = (Input("x", "a number", "0", "1"),)
 PAIR = (closed("x", "a number", "1e-7", "1e7"), closed("z", "a number", "1e-7", "1e7"))
@@ -27,8 +28,8 @@ def accepted(form: StableForm) -> bool:
 @pytest.mark.parametrize(
     ("expression", "inputs", "most"),
     [
-        (((X + 4) * ROOT - X**2 - 8 * X) / 8, POSITIVE, 3.6),
-        ((X**2 + 4 * X - X * ROOT) / 4, POSITIVE, 4.1),
+        pytest.param(((X + 4) * ROOT - X**2 - 8 * X) / 8, POSITIVE, 2.6, marks=LONG),
+        pytest.param((X**2 + 4 * X - X * ROOT) / 4, POSITIVE, 2, marks=LONG),
         (sp.sqrt(X + 1) - sp.sqrt(X), POSITIVE, 2.6),
         (2 * (2 - X) - 4 * sp.sqrt(1 - X), BELOW_ONE, 2.6),
         (X**2 - X + 1, BELOW_ONE, 2.6),

@@ -1,0 +1,76 @@
+"""The subtractions of computed values that are left in the kernels, as their docstrings say.
+
+What a docstring says is printed from the kernel's graph: the printer refuses any other subtraction
+but those of exact numbers, which cost one rounding.
+"""
+
+from __future__ import annotations
+
+import pkgutil
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib import import_module
+from inspect import isfunction
+
+from gainproof import generated
+from gainproof.page import WIDTH, filled
+
+_NAMED = re.compile(r"Cancellation in (\w+), condition number ([\d.e+]+): (.*?)(?:\.(?= |$))")
+_TERMS = "Error over the sum of its terms taken positive"
+
+
+@dataclass(frozen=True)
+class Left:
+    """What is left in one function: (difference, condition number, reason), and outputs of terms.
+
+    The condition number is by how much errors of the difference's two sides, each relative to their
+    sum, enter an output over its scale. `by_terms`: outputs whose terms may have either sign.
+    """
+
+    name: str
+    differences: tuple[tuple[str, str, str], ...]
+    by_terms: int
+
+
+def left() -> Iterator[Left]:
+    """Of every kernel, in order."""
+    for found in pkgutil.iter_modules(generated.__path__):
+        if found.name.startswith("_"):
+            continue
+        module = import_module(f"{generated.__name__}.{found.name}")
+        for name in module.__all__:
+            function = getattr(module, name)
+            if isfunction(function):
+                text = " ".join((function.__doc__ or "").split())
+                named = dict.fromkeys(_NAMED.findall(text))
+                yield Left(f"{found.name}.{name}", tuple(named), text.count(_TERMS))
+
+
+def page(columns: int = WIDTH) -> str:
+    """The kernels with subtractions and their reasons, in lines of at most `columns`."""
+    kernels = list(left())
+    named = [kernel for kernel in kernels if kernel.differences]
+    signed = [kernel for kernel in kernels if kernel.by_terms]
+    free = sum(not kernel.differences and not kernel.by_terms for kernel in kernels)
+    count = sum(len(kernel.differences) for kernel in named)
+    terms = sum(kernel.by_terms for kernel in signed)
+    lines = [
+        *filled(
+            f"{len(kernels)} kernels. {free} subtract no computed values. {len(named)} hold "
+            f"{count} differences that vanish inside the domain or nearly so: their errors are "
+            f"bounded over the sum of both sides, and so are the condition numbers below. {len(signed)} take inputs of either sign and "
+            f"have {terms} outputs whose errors are bounded over the sum of their terms.",
+            columns=columns,
+        )
+    ]
+    for kernel in named:
+        lines += ["", kernel.name]
+        for difference, condition, reason in kernel.differences:
+            text = f"{difference}, condition number {condition}: {reason}"
+            lines += filled(text, "  ", "      ", columns=columns)
+    for kernel in signed:
+        outputs = "1 output" if kernel.by_terms == 1 else f"{kernel.by_terms} outputs"
+        text = f"{kernel.name}: {outputs} over the sum of terms"
+        lines += ["", *filled(text, "", "  ", columns=columns)]
+    return "\n".join(lines) + "\n"
