@@ -59,8 +59,9 @@ def page(columns: int = WIDTH) -> str:
         *filled(
             f"{len(kernels)} kernels. {free} subtract no computed values. {len(named)} hold "
             f"{count} differences that vanish inside the domain or nearly so: their errors are "
-            f"bounded over the sum of both sides, and so are the condition numbers below. {len(signed)} take inputs of either sign and "
-            f"have {terms} outputs whose errors are bounded over the sum of their terms.",
+            "bounded over the sum of both sides, and so are the condition numbers below. "
+            f"{len(signed)} take inputs of either sign and have {terms} outputs whose errors are "
+            "bounded over the sum of their terms.",
             columns=columns,
         )
     ]
