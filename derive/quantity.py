@@ -10,31 +10,41 @@ import sympy as sp
 
 @dataclass(frozen=True)
 class Unit:
-    """Rational exponents of metre and second; the radian is a label of dimension one."""
+    """Rational exponents of base units; the radian is a label of dimension one."""
 
     metre: Fraction = Fraction(0)
     second: Fraction = Fraction(0)
+    kilogram: Fraction = Fraction(0)
+    kelvin: Fraction = Fraction(0)
+    ampere: Fraction = Fraction(0)
 
     def __mul__(self, other: Unit) -> Unit:
-        return Unit(self.metre + other.metre, self.second + other.second)
+        return Unit(*(a + b for a, b in zip(self.exponents, other.exponents, strict=True)))
 
     def __truediv__(self, other: Unit) -> Unit:
-        return Unit(self.metre - other.metre, self.second - other.second)
+        return self * other**-1
 
     def __pow__(self, exponent: int | Fraction) -> Unit:
-        return Unit(self.metre * exponent, self.second * exponent)
+        return Unit(*(power * exponent for power in self.exponents))
+
+    @property
+    def exponents(self) -> tuple[Fraction, ...]:
+        """In the order of the fields."""
+        return self.metre, self.second, self.kilogram, self.kelvin, self.ampere
 
     def __str__(self) -> str:
-        parts = [
-            name if power == 1 else f"{name}^{power}"
-            for name, power in (("m", self.metre), ("s", self.second))
-            if power
-        ]
+        named = zip(("m", "s", "kg", "K", "A"), self.exponents, strict=True)
+        parts = [name if power == 1 else f"{name}^{power}" for name, power in named if power]
         return " ".join(parts) or "1"
 
 
 METRE = Unit(metre=Fraction(1))
 SECOND = Unit(second=Fraction(1))
+KILOGRAM = Unit(kilogram=Fraction(1))
+KELVIN = Unit(kelvin=Fraction(1))
+AMPERE = Unit(ampere=Fraction(1))
+ONE = Unit()
+"""Of numbers and angles."""
 
 
 @dataclass(frozen=True)

@@ -185,4 +185,6 @@ def _ball(nodes: Sequence[tuple[str | int, ...]], number: int) -> flint.arb:
             return parts[0].sqrt()
         case "call" if node[1] == "abs":
             return abs(parts[0])
+        case "call" if node[1] == "pi":
+            return flint.arb.pi()
     raise ValueError(f"node {number} ({node[0]}) is not a real constant")

@@ -5,7 +5,7 @@ earlier nodes only::
 
     ["number", "p/q"] | ["symbol", "name"] | ["add", i, j, ...] | ["mul", i, j, ...]
     | ["div", i, j] | ["neg", i] | ["pow", i, "1/2"]
-    | ["call", "abs", i] | ["call", "select", a, b, x, y]
+    | ["call", "abs", i] | ["call", "select", a, b, x, y] | ["call", "pi"]
 
 `fixed_point` tells of three more calls.
 

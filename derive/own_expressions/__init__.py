@@ -1,0 +1,1 @@
+"""Kernels of a user's own expressions: inputs with domains and units, outputs by SymPy."""

@@ -1,0 +1,93 @@
+"""What is wrong with the names and symbols of expressions, before anything is computed."""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Iterable, Sequence
+
+import sympy as sp
+
+from gainproof.derive.own_expressions.expressions import (
+    ExpressionError,
+    ExpressionKernel,
+    ExpressionSet,
+)
+
+NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+TAKEN = frozenset({"np", "evaluate", "annotations", "out"})
+"""Names that a printed module or function has for something else."""
+PARTS = re.compile(r"(part|over)_\d+(_of.*)?")
+"""Names of what is no polynomial, see `parts`."""
+
+
+def require_written_well(given: ExpressionSet) -> None:
+    """Raise ExpressionError for names that cannot be, and symbols that nothing defines."""
+    module = given.name.replace("-", "_")
+    _require_name("the set", module)
+    if not given.kernels:
+        raise ExpressionError(f"{given.name}: a kernel at least is wanted, there is none")
+    _require_different("kernels", [kernel.name for kernel in given.kernels])
+    _require_line(given.name, given.title)
+    for kernel in given.kernels:
+        _require_kernel(kernel)
+
+
+def _require_kernel(kernel: ExpressionKernel) -> None:
+    _require_name("a kernel", kernel.name)
+    _require_line(kernel.name, kernel.title)
+    for what, quantities in (
+        ("inputs", [each.quantity for each in kernel.inputs]),
+        ("outputs", [each.quantity for each in kernel.outputs]),
+    ):
+        if not quantities:
+            raise ExpressionError(f"{kernel.name}: {what} are wanted, there are none")
+        names = [quantity.name for quantity in quantities]
+        for quantity in quantities:
+            _require_name(f"{kernel.name}: one of the {what}", quantity.name)
+            _require_line(f"{kernel.name}: {quantity.name}", quantity.meaning)
+        _require_different(f"{kernel.name}: {what}", names)
+    known = {each.quantity.symbol for each in kernel.inputs}
+    used: set[sp.Basic] = set()
+    for output in kernel.outputs:
+        place = f"{kernel.name}: {output.quantity.name}"
+        try:
+            expression = sp.sympify(output.expression, strict=True)
+        except sp.SympifyError:
+            expression = None
+        if not isinstance(expression, sp.Expr):
+            raise ExpressionError(f"{place}: an expression is wanted, {output.expression!r} came")
+        for symbol in sorted(expression.free_symbols - known, key=str):
+            raise ExpressionError(
+                f"{place}: the symbol {symbol} is of no input's quantity; wanted: one of "
+                f"{', '.join(sorted(map(str, known)))}, as Quantity(...).symbol"
+            )
+        if expression.has(sp.Float):
+            raise ExpressionError(
+                f"{place}: exact numbers are wanted, {expression} holds a float; write a quotient "
+                "of whole numbers (sp.Rational)"
+            )
+        used |= expression.free_symbols
+    for symbol in sorted(known - used, key=str):
+        raise ExpressionError(f"{kernel.name}: the input {symbol} occurs in no output")
+
+
+def _require_name(what: str, name: str) -> None:
+    fits = NAME.fullmatch(name) and not keyword.iskeyword(name) and not PARTS.fullmatch(name)
+    if not fits or name in TAKEN or len(name) > 50:
+        raise ExpressionError(
+            f"{what}: a name in small letters, digits and single underscores that is not taken is "
+            f"wanted, {name!r} came"
+        )
+
+
+def _require_line(place: str, text: str) -> None:
+    if not text.strip() or "\n" in text or '"' in text or "\\" in text:
+        raise ExpressionError(f"{place}: a line of text without quotes is wanted, {text!r} came")
+
+
+def _require_different(what: str, names: Sequence[str] | Iterable[str]) -> None:
+    listed = list(names)
+    for name in listed:
+        if listed.count(name) > 1:
+            raise ExpressionError(f"{what}: two are called {name}")

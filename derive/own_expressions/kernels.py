@@ -1,0 +1,97 @@
+"""A user's kernel as the printer takes it."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from gainproof.derive.own_expressions.expressions import (
+    Argument,
+    ExpressionError,
+    ExpressionKernel,
+    Result,
+)
+from gainproof.derive.printer.formats import FLOAT64
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.kernel import Input, Kernel, Output, closed, signed
+from gainproof.derive.printer.signed_inputs import has_signs, references
+from gainproof.derive.quantity import ONE, Quantity
+
+COLUMNS = 88
+"""Of a formula in a docstring."""
+
+
+def kernel_of(given: ExpressionKernel, graph: Graph) -> Kernel:
+    """The kernel of this graph. An output whose terms may cancel is measured by them.
+
+    PrintingError where it has no bound, ExpressionError for a domain that cannot be one.
+    """
+    made = Kernel(
+        name=given.name,
+        result="".join(word.capitalize() for word in given.name.split("_")),
+        summary=f"{given.title.removesuffix('.')}.",
+        equations=tuple(line for output in given.outputs for line in _formula(output)),
+        inputs=inputs_of(given),
+        outputs=tuple(Output(o.quantity.name, _meaning(o.quantity)) for o in given.outputs),
+        graph=graph,
+        source=given.source,
+    )
+    if not has_signs(made):
+        return made
+    used, known = references(made, FLOAT64)
+    outputs = (
+        replace(output, by_terms=not known[used.outputs[output.name]].tight)
+        for output in made.outputs
+    )
+    return replace(made, outputs=tuple(outputs))
+
+
+def inputs_of(given: ExpressionKernel) -> tuple[Input, ...]:
+    """The inputs as the printer takes them; ExpressionError for a domain that cannot be one."""
+    return tuple(_input(each, given) for each in given.inputs)
+
+
+def _formula(output: Result) -> Iterator[str]:
+    text = f"{output.quantity.name} = {output.expression}"
+    yield from textwrap.wrap(text, COLUMNS, subsequent_indent="    ", break_long_words=False)
+
+
+def _meaning(quantity: Quantity) -> str:
+    return quantity.meaning if quantity.unit == ONE else f"{quantity.meaning}, {quantity.unit}"
+
+
+def _input(argument: Argument, kernel: ExpressionKernel) -> Input:
+    quantity = argument.quantity
+    place = f"{kernel.name}: {quantity.name}"
+    lower, upper = _number(place, argument.lower), argument.upper
+    if lower < 0 or (upper is not None and _number(place, upper) <= lower):
+        raise ExpressionError(
+            f"{place}: a domain of positive numbers is wanted, its greatest above its least, it is "
+            f"{argument.lower} to {upper}; signed=True makes it one of magnitudes"
+        )
+    for text in argument.single or ():
+        _number(place, text)
+    words = quantity.name, _meaning(quantity)
+    if upper is not None and (argument.signed or lower > 0):
+        if argument.signed:
+            return signed(*words, argument.lower, upper, argument.single)
+        return closed(*words, argument.lower, upper, argument.single, argument.zero)
+    if len(kernel.inputs) > 1 or argument.signed:
+        raise ExpressionError(
+            f"{place}: one of several inputs, or a signed one, needs a greatest number, and a "
+            f"least one above 0 unless it is signed; it is from {argument.lower} to {upper}"
+        )
+    if argument.zero:
+        raise ExpressionError(f"{place}: 0 is admitted beside a domain with both ends above 0")
+    return Input(*words, argument.lower, upper, lower == 0, upper is None, single=argument.single)
+
+
+def _number(place: str, text: str) -> Fraction:
+    try:
+        if isinstance(text, str):
+            return Fraction(text)
+    except (ValueError, ZeroDivisionError):
+        pass
+    raise ExpressionError(f"{place}: an end of a domain is a number as text, {text!r} came")

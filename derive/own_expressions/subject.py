@@ -1,0 +1,84 @@
+"""A module of a user's expressions as a subject: checked, brought into form, certified."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from gainproof.derive.derivation import Derivation
+from gainproof.derive.own_expressions.as_written import as_written
+from gainproof.derive.own_expressions.checks import require_written_well
+from gainproof.derive.own_expressions.dimensions import require_units
+from gainproof.derive.own_expressions.expressions import (
+    ExpressionError,
+    ExpressionKernel,
+    ExpressionSet,
+)
+from gainproof.derive.own_expressions.formed import Formed
+from gainproof.derive.own_expressions.held import held
+from gainproof.derive.own_expressions.rewritten import rewritten
+from gainproof.derive.printer.kernel import Module
+from gainproof.derive.printer.together import prove_all
+from gainproof.derive.subject import Subject
+
+OPENING = (
+    "Expressions of the user's own, with the domains and units that their author gives them. Where "
+    "nothing is lost to a subtraction the kernel computes them as they are written, elsewhere in a "
+    "form that is proved equal."
+)
+
+
+def derive_expressions(given: ExpressionSet) -> Subject:
+    """The subject of a set of expressions.
+
+    ExpressionError, naming kernel and quantity, for what cannot be used; PrintingError where an
+    error has no bound.
+    """
+    require_written_well(given)
+    for kernel in given.kernels:
+        require_units(kernel)
+    made = [_formed(kernel) for kernel in given.kernels]
+    title = given.title.removesuffix(".")
+    return Subject(
+        name=given.name,
+        title=title,
+        model=None,
+        derivation=Derivation(OPENING, tuple(step for each in made for step in each.steps), ()),
+        towers={},
+        programs={name: program for each in made for name, program in each.programs.items()},
+        module=Module(
+            name=given.name.replace("-", "_"),
+            title=f"{title}.",
+            command=f"gainproof generate {given.name}",
+            derivation=f"gainproof derive {given.name}, SymPy {sp.__version__}",
+            kernels=tuple(each.kernel for each in made),
+        ),
+        textbook=lambda: {
+            kernel.name: {
+                each.quantity.name: sp.sympify(each.expression) for each in kernel.outputs
+            }
+            for kernel in given.kernels
+        },
+        settings={name: tower for each in made for name, tower in each.towers.items()},
+        held=held,
+    )
+
+
+def _formed(given: ExpressionKernel) -> Formed:
+    """As it is written if that has a bound, else in another form."""
+    try:
+        formed = as_written(given)
+        prove_all([formed.kernel])
+    except ExpressionError:
+        raise
+    except (ValueError, NotImplementedError) as error:
+        if any(each.signed or each.zero for each in given.inputs):
+            raise ExpressionError(str(error)) from None
+        refusal = str(error)
+    else:
+        return formed
+    try:
+        formed = rewritten(given)
+        prove_all([formed.kernel])
+    except (ValueError, NotImplementedError) as error:
+        raise ExpressionError(f"{refusal}. No other form helps: {error}") from None
+    return formed
