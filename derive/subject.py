@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 import sympy as sp
 
@@ -15,9 +15,15 @@ from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.model import ScaledModel
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Module
-from gainproof.derive.words.setting import Setting
+from gainproof.derive.sensors.algebraic import algebraic
 
 FORMAT = "gainproof certificate 1"
+
+
+class Spoken(Protocol):
+    """What statements speak of, as plain data; `spoken` are the names that occur."""
+
+    def data(self, spoken: Collection[str] | None = None, /) -> dict[str, Any]: ...
 
 
 @dataclass(frozen=True)
@@ -33,8 +39,9 @@ class Subject:
     """What one catalogue entry derives; `model` is None where there is no state-space model.
 
     `textbook` gives the kernels' outputs as textbooks print them, over the kernel's argument;
-    kernels are compared with these forms, never printed from them. `settings`: what statements on
-    matrices of every size speak of, each in place of a tower.
+    kernels are compared with these forms, never printed from them. `settings`: what statements
+    speak of whose evidence is ready, each in place of a tower, such as matrices of every size.
+    `held`: what a certificate holds of a kernel's graph.
     """
 
     name: str
@@ -45,7 +52,8 @@ class Subject:
     programs: Mapping[str, Program]
     module: Module
     textbook: Callable[[], Mapping[str, Mapping[str, sp.Expr]]]
-    settings: Mapping[str, Setting] = field(default_factory=dict)
+    settings: Mapping[str, Spoken] = field(default_factory=dict)
+    held: Callable[[Graph], Graph] = algebraic
 
     @property
     def model_data(self) -> dict[str, Any] | None:

@@ -144,7 +144,7 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
         scale = "Error over the sum of its terms taken positive"
     found = [(bound.format, bound.outputs[row]) for bound in bounds]
     sizes = ", ".join(
-        f"{_decimal(each)} * 2^{1 - form.digits} ({form.name})" for form, each in found
+        f"{decimal_text(each)} * 2^{1 - form.digits} ({form.name})" for form, each in found
     )
     text = f"{output.name}: {output.meaning}. {scale} at most {sizes}, proved for "
     places = [
@@ -155,9 +155,9 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
     text += "every input." if len(kernel.inputs) > 1 else " and ".join(places) + "."
     if has_signs(kernel):
         beside = [(each.beside, form) for form, each in found if each.beside]
-        more = " and ".join(f"{_upwards(size)} ({form.name})" for size, form in beside)
+        more = " and ".join(f"{rounded_up(size)} ({form.name})" for size, form in beside)
         more = f", and {more} beside it where a product underflows" if more else ""
-        text = f"{text.removesuffix('.')}{more}{_assumption(kernel, output.name)}."
+        text = f"{text.removesuffix('.')}{more}{assumption(kernel, output.name)}."
     for name, reason in kernel.cancellations.items():
         if found[0][1].amplification.get(name):
             most = max(each.amplification[name] for _, each in found)
@@ -165,7 +165,7 @@ def _output(kernel: Kernel, bounds: Sequence[KernelBound], row: int) -> Iterator
     yield from _wrap(text, "    ")
 
 
-def _assumption(kernel: Kernel, output: str) -> str:
+def assumption(kernel: Kernel, output: str) -> str:
     """On which functions' errors the bound of an output rests."""
     used = kernel.program
     names = functions_of(used, [used.outputs[output]])
@@ -176,14 +176,14 @@ def _assumption(kernel: Kernel, output: str) -> str:
     return f", provided {listed} {ASSUMED if first else ASSUMED.replace('err', 'errs', 1)}"
 
 
-def _upwards(size: float) -> str:
+def rounded_up(size: float) -> str:
     """A size with one digit, rounded up."""
     digit, _, exponent = f"{size:.0e}".partition("e")
     text = f"{digit}e{int(exponent)}"
     return text if float(text) >= size else f"{int(digit) + 1}e{int(exponent)}"
 
 
-def _decimal(bound: OutputBound) -> str:
+def decimal_text(bound: OutputBound) -> str:
     hundredths = int(bound.bound * 100)
     return f"{hundredths // 100}.{hundredths % 100:02d}"
 

@@ -18,6 +18,9 @@ from gainproof.derive.printer.unrolled import Cycle
 
 GREATEST_PRECISION = 2048
 
+Point = tuple[Fraction, ...]
+"""An exact number for each input."""
+
 
 def enclosures(
     program: Program, x: float, form: Format, precision: int, last: int | None = None
@@ -26,7 +29,13 @@ def enclosures(
 
     A branch that is not chosen may hold no number.
     """
-    point = Fraction(x)
+    return enclosures_at(program, (Fraction(x),), form, precision, last)
+
+
+def enclosures_at(
+    program: Program, point: Point, form: Format, precision: int, last: int | None = None
+) -> list[flint.arb]:
+    """The same at numbers of the format for any number of inputs, in their order."""
     with flint.ctx.workprec(precision):
         balls: list[flint.arb] = []
         roots = {cycle.iterates[-1]: cycle for cycle in program.cycles}
@@ -42,7 +51,7 @@ def _ball(
     program: Program,
     step: Step,
     balls: Mapping[int, flint.arb] | Sequence[flint.arb],
-    point: Fraction,
+    point: Point,
     form: Format,
     precision: int,
 ) -> flint.arb:
@@ -52,7 +61,8 @@ def _ball(
         return parts[0] * flint.arb(step.scale)
     match step.operation:
         case "input":
-            return flint.arb(flint.fmpq(point.numerator, point.denominator))
+            x = point[program.inputs.index(step.label)]
+            return flint.arb(flint.fmpq(x.numerator, x.denominator))
         case "constant":
             assert step.constant is not None
             return step.constant.ball(precision)
@@ -74,9 +84,13 @@ def _ball(
             return parts[0].root(3)
         case "start" | "iterate":
             return parts[0]
+        case "select" if len(point) > 1:
+            if parts[0] < parts[1]:
+                return parts[2]
+            return parts[3] if parts[0] >= parts[1] else flint.arb("nan")
         case "select":
             limit = threshold(program, step, form)
-            scaled, value = point * Fraction(limit.factor), Fraction(limit.value)
+            scaled, value = point[0] * Fraction(limit.factor), Fraction(limit.value)
             holds = scaled < value if limit.input_first else value < scaled
             return parts[2] if holds else parts[3]
     if step.operation in FUNCTIONS:
@@ -88,7 +102,7 @@ def _root(
     program: Program,
     cycle: Cycle,
     balls: Sequence[flint.arb],
-    point: Fraction,
+    point: Point,
     form: Format,
     precision: int,
 ) -> flint.arb:

@@ -26,6 +26,11 @@ def code_source(name: str) -> str:
     return (SHIPPED / name).read_text(encoding="utf-8").replace(HERE, PLACE)
 
 
+def beside(text: str) -> str:
+    """A file of `generated` for a package of its own: what it imports of ours lies beside it."""
+    return text.replace(f"from {PLACE}.", "from .")
+
+
 def _list(titles: Mapping[str, str]) -> str:
     lines = [
         '"""Kernels that need NumPy only, printed from derivations with proved error bounds.',

@@ -10,7 +10,7 @@ from gainproof.derive.printer.domain import product
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.interval import SLACK
 from gainproof.derive.printer.kernel import Kernel
-from gainproof.derive.printer.program import FUNCTIONS
+from gainproof.derive.printer.program import FUNCTIONS, Program
 from gainproof.derive.printer.proof import Settled
 from gainproof.derive.printer.reference import Reference
 from gainproof.derive.printer.reference_steps import References
@@ -29,15 +29,8 @@ def by_reference(kernel: Kernel, form: Format) -> Settled:
     PrintingError, naming the node, for what may overflow, for a division by what may be 0, and for
     an output whose terms may cancel and that is not said to be measured by them.
     """
-    names = tuple(given.name for given in kernel.inputs)
-    used = kernel.program
-    if not set(used.inputs) <= set(names):
-        raise PrintingError(f"the graph has inputs {used.inputs}, the kernel has {names}")
     box = product(kernel.inputs, form)
-    signs = [0 if given.signed else 1 for given in kernel.inputs]
-    zeros = [given.zero for given in kernel.inputs]
-    used = replace(used, inputs=names)
-    steps = References(used, form, box, signs, zeros).run(kernel.requirements)
+    used, steps = references(kernel, form)
     bounds, beside = [], []
     for output in kernel.outputs:
         if output.relative_to is not None:
@@ -49,6 +42,19 @@ def by_reference(kernel: Kernel, form: Format) -> Settled:
         bounds.append(_bound(found, form))
         beside.append(found.stray)
     return Settled(box, [box for _ in bounds], np.array(bounds), {}, 0, tuple(beside))
+
+
+def references(kernel: Kernel, form: Format) -> tuple[Program, list[Reference]]:
+    """The steps of a kernel over its inputs in their order, and what is known of each."""
+    names = tuple(given.name for given in kernel.inputs)
+    used = kernel.program
+    if not set(used.inputs) <= set(names):
+        raise PrintingError(f"the graph has inputs {used.inputs}, the kernel has {names}")
+    used = replace(used, inputs=names)
+    signs = [0 if given.signed else 1 for given in kernel.inputs]
+    zeros = [given.zero for given in kernel.inputs]
+    found = References(used, form, product(kernel.inputs, form), signs, zeros)
+    return used, found.run(kernel.requirements)
 
 
 def _bound(found: Reference, form: Format) -> float:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.kernel import Module
-from gainproof.derive.printer.numpy_source import module_source, results_source
+from gainproof.derive.printer.numpy_source import printed, results_source
 from gainproof.derive.printer.package import shared_files
+from gainproof.derive.printer.together import prove_all
 
 
 def all_files(
@@ -25,12 +27,23 @@ def all_files(
         raise ValueError(f"modules {sorted(names)} and certificates {sorted(certificates)} differ")
     files = shared_files({module.name: module.title for module in modules})
     for module in sorted(modules, key=lambda module: module.name):
-        files[f"{module.name}.py"] = module_source(module)
-        files[f"{module.name}.json"] = canonical_json(certificates[module.name])
-        if module.results:
-            results = results_source(module)
-            if files.setdefault(f"{module.results}.py", results) != results:
+        own = module_files(module, certificates[module.name], prove_all(module.kernels))
+        for name, text in own.items():
+            if files.setdefault(name, text) != text:
                 raise ValueError(
                     f"{module.name}: its results differ from those in {module.results}"
                 )
     return {name: text.encode("utf-8") for name, text in files.items()}
+
+
+def module_files(
+    module: Module, certificate: Mapping[str, Any], bounds: Sequence[Sequence[KernelBound]]
+) -> dict[str, str]:
+    """Texts by file name of one module from bounds already proved: itself, its certificate, and its
+    results where these are a file of their own.
+    """
+    files = {
+        f"{module.name}.py": printed(module, bounds),
+        f"{module.name}.json": canonical_json(certificate),
+    }
+    return files | ({f"{module.results}.py": results_source(module)} if module.results else {})

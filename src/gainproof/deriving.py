@@ -6,8 +6,8 @@ from typing import Any, Literal
 
 from gainproof.bad_input import unknown_name
 from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.quantity import MEASUREMENT_DEVIATION, SAMPLING_INTERVAL
-from gainproof.derive.sensors.algebraic import algebraic
 from gainproof.derive.source import SOURCES
 from gainproof.derive.subject import Subject
 from gainproof.derived import Derived, DerivedStep
@@ -36,11 +36,22 @@ def overview_of(subject: Subject) -> dict[str, Any]:
     }
 
 
-def _kernels(subject: Subject) -> list[dict[str, str]]:
+def _kernels(subject: Subject) -> list[dict[str, Any]]:
     return [
-        {"name": kernel.name, "summary": kernel.summary, "module": subject.module.name}
+        {
+            "name": kernel.name,
+            "summary": kernel.summary,
+            "module": subject.module.name,
+            "scales": _scales(kernel),
+        }
         for kernel in subject.module.kernels
     ]
+
+
+def _scales(kernel: Kernel) -> list[str]:
+    """What errors are measured by and no caller gets."""
+    names = {output.relative_to for output in kernel.outputs if output.relative_to}
+    return sorted(names - {output.name for output in kernel.outputs})
 
 
 def build(name: str) -> Subject:
@@ -84,12 +95,12 @@ def plain_subject(subject: Subject) -> Derived:
 
 
 def _programs(subject: Subject) -> dict[str, Any]:
-    """The programs that must be proved: with the graphs that the kernels are printed from, or, of
-    those with sines and the like, with what `algebraic` leaves of these.
+    """The programs that must be proved: with what a certificate holds of the graphs that the
+    kernels are printed from.
 
     Raises LookupError for a kernel that no program describes: it would ship unproved.
     """
-    printed = {kernel.name: algebraic(kernel.graph) for kernel in subject.module.kernels}
+    printed = {kernel.name: subject.held(kernel.graph) for kernel in subject.module.kernels}
     unproved = sorted(set(printed) - set(subject.programs))
     if unproved:
         raise LookupError(f"{subject.name}: kernels without a program to prove: {unproved}")

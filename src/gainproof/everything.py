@@ -36,7 +36,7 @@ def find(shop: Workshop, *, accept: bool = False) -> Findings:
     claim_files = places.claim_files()
     shop.ahead([derivations.CATALOGUE], following(shop, folder, claim_files), DONE)
     subjects = derivations.derive(derivations.catalogue(shop), shop)
-    files = generated_files.fresh(None, shop)
+    files = generated_files.fresh((), shop)
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
     reports = derivations.recheck(pairs, shop)
     judged = judgements.judge(claim_files, shop)

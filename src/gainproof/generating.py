@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from gainproof.derive.printer.package import CODE, LIST
-from gainproof.derive.printer.write import all_files
+from gainproof.derive.formulas import formulas_source
+from gainproof.derive.printer.canonical_json import canonical_json
+from gainproof.derive.printer.known_values import known_values
+from gainproof.derive.printer.together import prove_all
+from gainproof.derive.printer.write import module_files
 from gainproof.derive.subject import Subject
+from gainproof.derive.subject_page import subject_page
 
 
 def printed(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
@@ -15,6 +19,23 @@ def printed(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
     name; a file of results may come from other subjects too, and is then the same.
     """
     module = subject.module
-    made = all_files((module,), {module.name: certificate})
-    files = {name: made[name].decode("utf-8") for name in made if name not in {CODE, LIST}}
+    files = module_files(module, certificate, prove_all(module.kernels))
+    return {"module": module.name, "title": module.title, "files": files}
+
+
+def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
+    """The same for a package of its own: with a page, and values that its tests read."""
+    module = subject.module
+    bounds = prove_all(module.kernels)
+    values = {
+        kernel.name: known_values(kernel, pair, module.name)
+        for kernel, pair in zip(module.kernels, bounds, strict=True)
+    }
+    files = {
+        **module_files(module, certificate, bounds),
+        f"{module.name}.md": subject_page(subject, bounds),
+        f"tests/values_{module.name}.json": canonical_json(values),
+    }
+    formulas = formulas_source(subject)
+    files |= {f"tests/formulas_{module.name}.py": formulas} if formulas else {}
     return {"module": module.name, "title": module.title, "files": files}

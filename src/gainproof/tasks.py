@@ -46,11 +46,11 @@ def everything(desk: Desk, name: str) -> list[Plain]:
 
 
 def derive_file(_: Desk, path: str) -> Plain:
-    """Derive the model of a user's file: `Derived` as plain data. The file is executed."""
+    """Derive what a user's file defines: `Derived` as plain data. The file is executed."""
     from gainproof.deriving import plain_subject
-    from gainproof.model_file import build_model_file
+    from gainproof.own_file import build_own_file
 
-    return plain_subject(build_model_file(path)).plain()
+    return plain_subject(build_own_file(path)).plain()
 
 
 def print_one(desk: Desk, name: str) -> Plain:
@@ -60,13 +60,25 @@ def print_one(desk: Desk, name: str) -> Plain:
     return printed(_subject(desk, name), derive(desk, name)["certificate"])
 
 
-def print_file(_: Desk, path: str) -> Plain:
-    """The same of the model of a user's file, which is executed."""
-    from gainproof.generating import printed
-    from gainproof.model_file import build_model_file
+def package_one(desk: Desk, name: str) -> Plain:
+    """One subject of the catalogue for a package of its own: {"derived", "part"}, of which the
+    first is what `derive` answers, the second like what `print_one` does.
+    """
+    from gainproof.generating import packaged
 
-    subject = build_model_file(path)
-    return printed(subject, subject.certificate())
+    derived = derive(desk, name)
+    return {"derived": derived, "part": packaged(_subject(desk, name), derived["certificate"])}
+
+
+def package_file(_: Desk, path: str) -> Plain:
+    """The same of what a user's file defines. The file is executed."""
+    from gainproof.deriving import plain_subject
+    from gainproof.generating import packaged
+    from gainproof.own_file import build_own_file
+
+    subject = build_own_file(path)
+    derived = plain_subject(subject).plain()
+    return {"derived": derived, "part": packaged(subject, derived["certificate"])}
 
 
 def recheck(_: Desk, certificate: Any, expected: Plain) -> Plain:
@@ -118,12 +130,16 @@ TASKS: Mapping[str, Callable[..., Any]] = {
     "everything": everything,
     "derive_file": derive_file,
     "print_one": print_one,
-    "print_file": print_file,
+    "package_one": package_one,
+    "package_file": package_file,
     "recheck": recheck,
     "recheck_proofs": recheck_proofs,
     "judge": judge,
 }
 DERIVING = frozenset(
-    {"catalogue", "outline", "derive", "everything", "derive_file", "print_one", "print_file"}
+    {
+        *("catalogue", "outline", "derive", "everything", "derive_file"),
+        *("print_one", "package_one", "package_file"),
+    }
 )
 """Tasks that import SymPy. The others are never done in a process in which one of these was."""

@@ -10,7 +10,7 @@ import pytest
 
 from gainproof import cli, derivations
 from gainproof.bad_input import BadInputError
-from gainproof.model_file import build_model_file
+from gainproof.own_file import build_own_file
 
 Capture = pytest.CaptureFixture[str]
 
@@ -80,7 +80,7 @@ def test_own_model_is_derived_and_proved(file: Path, capsys: Capture) -> None:
 def test_each_mistake_is_bad_input_and_names_the_file(text: str, message: str, file: Path) -> None:
     file.write_text(text)
     with pytest.raises(BadInputError) as caught:
-        build_model_file(str(file))
+        build_own_file(str(file))
     assert message in str(caught.value)
     assert "own_model.py" in str(caught.value)
 
@@ -117,16 +117,16 @@ def test_a_changed_file_is_derived_again(file: Path, capsys: Capture) -> None:
     assert capsys.readouterr().out.startswith("Another title\n")
 
 
-def test_kernels_of_an_own_model_are_written_and_run(
-    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_kernels_of_an_own_model_are_written_tested_and_run(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:
-    out = tmp_path / "kernels"
-    assert cli.main(["generate", str(file), "--out", str(out)]) == 0
-    assert sorted(p.name for p in out.iterdir()) == ["half_and_half.json", "half_and_half.py"]
+    out = tmp_path / "own_kernels"
+    assert cli.main(["generate", str(file), "--out", str(out), "--test"]) == 0
+    assert re.search(r"\d{3} passed", capsys.readouterr().out)
     text = (out / "half_and_half.py").read_text(encoding="utf-8")
     assert text.startswith("# Made by: gainproof generate own_model.py --out DIR\n")
-    monkeypatch.syspath_prepend(str(out))
-    kernels = importlib.import_module("half_and_half")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    kernels = importlib.import_module("own_kernels.half_and_half")
     alpha, beta = kernels.gains(1.0)
     assert 0 < alpha < 1
     assert 0 < beta < 2
@@ -137,7 +137,7 @@ def test_no_kernel_is_written_of_what_the_checker_rejects(
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:
     rejected = {"accepted": False, "reason": "riccati: not the stated combination"}
-    monkeypatch.setattr(derivations, "own_report", lambda *_: rejected)
+    monkeypatch.setattr(derivations, "recheck", lambda *_: [rejected])
     assert cli.main(["generate", str(file), "--out", str(tmp_path / "kernels")]) == 2
     assert "the checker rejects the derivation" in capsys.readouterr().err
     assert not (tmp_path / "kernels").exists()

@@ -13,9 +13,12 @@ import shown_commands
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 PAGES = sorted(path for path in DOCS.glob("*.md") if "```console" in path.read_text("utf-8"))
-BLOCK = re.compile(r"^```(toml|latex|csv|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+# of Python what is a file: its name stands in the first line
+BLOCK = re.compile(
+    r"^```(toml|latex|csv|python(?=\n# \w+\.py\n)|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL
+)
 COMMAND = re.compile(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
-SECONDS = re.compile(r"\d+\.\d+ s\b")
+SECONDS = re.compile(r"\d+\.\d+ ?s\b")
 
 
 def printed(command: str, folder: Path) -> str:

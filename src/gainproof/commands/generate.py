@@ -3,44 +3,92 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
 
-HELP = "write kernels and certificates, or compare them with a fresh derivation"
+if TYPE_CHECKING:
+    from gainproof.drift import Difference
+    from gainproof.workshop import Workshop
+
+HELP = "write kernels and certificates, or a package of your own with its tests"
 DESCRIPTION = """\
-Derives afresh and writes the kernels (NumPy modules) with their certificates (JSON): all of them,
-those of one subject, or those of a model of your own. FILE is a Python file that defines MODEL, a
-gainproof.derive.model.Model; the file is executed. With --check nothing is written: exit status 1
-if a file is missing, different or left over."""
+Derives afresh and writes the kernels (NumPy modules) with their certificates (JSON) into the
+package's own folder: all of them, or those of the subjects named.
+
+With --out DIR they become a package that imports nothing of gainproof: modules, the code that they
+share, certificates, a page in Markdown each, tests, licence. DIR is the package, its last part the
+name. FILE is a Python file of your own that defines MODEL, a gainproof.derive.model.Model, or
+EXPRESSIONS, a gainproof.derive.own_expressions.expressions.ExpressionSet; the file is executed.
+Other files in DIR are left alone, and nothing is written that would replace one.
+
+With --check nothing is written. Exit status 0: written, or as derived; 1: with --check a file is
+missing, different or left over, with --test a test fails; 2: bad input, nothing is written."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("subject", metavar="NAME|FILE", nargs="?", help="default: everything")
-    parser.add_argument("--out", metavar="DIR", help="default: the package's own folder")
+    parser.add_argument("subjects", metavar="NAME|FILE", nargs="*", help="default: everything")
+    parser.add_argument("--out", metavar="DIR", help="write a package of its own into this folder")
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
+    parser.add_argument("--test", action="store_true", help="run the tests of the package too")
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
 
 
 def run(options: argparse.Namespace) -> int:
-    """0; with --check 1 on a difference."""
-    from pathlib import Path
-
-    from gainproof import derivations, drift, generated_files, places
+    """0; with --check 1 on a difference, with --test 1 on a test that fails."""
+    from gainproof import derivations
     from gainproof.bad_input import BadInputError
     from gainproof.workshop import open_workshop
 
-    shop = open_workshop(fresh=options.fresh)
-    if options.subject and derivations.is_file(options.subject) and not options.out:
-        raise BadInputError("kernels of your own model need a place: give --out DIR")
-    folder = Path(options.out) if options.out else places.generated_folder()
-    files = generated_files.fresh(options.subject, shop, own=not options.out)
-    differences = drift.compare(files, folder, only=bool(options.subject or options.out))
+    shop = open_workshop(fresh=options.fresh, only_terminal=options.out is not None)
+    if options.out is not None:
+        return _package(options, shop)
+    if options.test:
+        raise BadInputError("--test runs the tests of a package: give --out DIR")
+    if any(map(derivations.is_file, options.subjects)):
+        raise BadInputError("kernels of your own need a place: give --out DIR")
+    return _own_folder(options, shop)
+
+
+def _own_folder(options: argparse.Namespace, shop: Workshop) -> int:
+    from gainproof import drift, generated_files, places
+
+    folder = places.generated_folder()
+    files = generated_files.fresh(options.subjects, shop)
+    differences = drift.compare(files, folder, only=bool(options.subjects))
     if options.check:
-        for difference in differences:
-            print(difference.text())
-        if differences:
-            print(f"{len(differences)} files are not as derived; {drift.CURE}")
-            return 1
-        print(f"{len(files)} files are as derived")
-        return 0
+        return _checked(len(files), differences, drift.CURE)
     written = generated_files.put(files, differences, folder)
-    print(f"{written} of {len(files)} files written to {places.shown(folder)}, the rest unchanged")
+    return _said(written, len(files), folder)
+
+
+def _package(options: argparse.Namespace, shop: Workshop) -> int:
+    from gainproof.standalone import making, record, testing
+
+    if options.test:
+        testing.require_pytest()
+    folder = Path(options.out)
+    files = making.fresh(options.subjects, shop, folder)
+    if options.check:
+        cure = f"`{making.command(options.subjects, making.package_name(folder))}` writes them"
+        status = _checked(len(files) + 1, record.differences(files, folder), cure)
+    else:
+        status = _said(record.put(files, folder), len(files) + 1, folder)
+    return int(not testing.passes(folder)) if options.test and status == 0 else status
+
+
+def _checked(count: int, differences: Sequence[Difference], cure: str) -> int:
+    for difference in differences:
+        print(difference.text())
+    if differences:
+        print(f"{len(differences)} files are not as derived; {cure}")
+        return 1
+    print(f"{count} files are as derived")
+    return 0
+
+
+def _said(written: int, count: int, folder: Path) -> int:
+    from gainproof import places
+
+    print(f"{written} of {count} files written to {places.shown(folder)}, the rest unchanged")
     return 0

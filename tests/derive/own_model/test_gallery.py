@@ -22,7 +22,7 @@ from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.subject import Subject
 from gainproof.deriving import plain_subject
 from gainproof.generating import printed
-from gainproof.model_file import build_model_file
+from gainproof.own_file import build_own_file
 from gainproof.rechecking import expected_of, recheck
 from gainproof.verify.oracles.distance import relative_error
 from gainproof.verify.oracles.enclosure import enclose
@@ -52,7 +52,7 @@ class Made:
 
 @cache
 def made(name: str) -> Made:
-    subject = build_model_file(str(FOLDER / f"{name}.py"))
+    subject = build_own_file(str(FOLDER / f"{name}.py"))
     derived = plain_subject(subject)
     report = recheck(derived.certificate, expected_of(derived))
     return Made(subject, report, printed(subject, derived.certificate)["files"])

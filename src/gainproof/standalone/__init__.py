@@ -1,0 +1,1 @@
+"""Packages of kernels that import nothing of gainproof: files, folder, tests."""

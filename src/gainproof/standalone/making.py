@@ -1,0 +1,79 @@
+"""The files of a package from names of the catalogue and files of the user's own."""
+
+from __future__ import annotations
+
+import keyword
+import os
+import sys
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from gainproof import derivations, workers
+from gainproof.bad_input import BadInputError
+from gainproof.derived import derived_from
+from gainproof.standalone.files import package_files
+from gainproof.workshop import Workshop
+
+TAKEN = frozenset({*sys.stdlib_module_names, "gainproof", "mpmath", "numpy", "pytest", "tests"})
+"""Names under which nothing else could be imported any more, or that a package itself uses."""
+
+
+def fresh(subjects: Sequence[str], shop: Workshop, folder: Path) -> dict[str, bytes]:
+    """Content by file name; no subjects are all of the catalogue. Raises BadInputError, also for
+    a derivation that the checker rejects.
+    """
+    name = package_name(folder)
+    chosen = list(subjects) or derivations.catalogue(shop)
+    derivations.require_names([each for each in chosen if not derivations.is_file(each)], shop)
+    found = _packaged(chosen, shop)
+    derived = [derived_from(each["derived"]) for each in found]
+    pairs = [(each.certificate, each) for each in derived]
+    for subject, report in zip(chosen, derivations.recheck(pairs, shop), strict=True):
+        if not report["accepted"]:
+            raise BadInputError(
+                f"{subject}: the checker rejects the derivation, no kernel is written: "
+                f"{report['reason']}"
+            )
+    parts = [each["part"] for each in found]
+    _require_apart(chosen, parts)
+    return package_files(parts, name, command(subjects, name))
+
+
+def package_name(folder: Path) -> str:
+    """The name under which a folder is imported. Raises BadInputError for one that cannot be."""
+    name = Path(os.path.abspath(folder)).name
+    if not name.isidentifier() or keyword.iskeyword(name) or name in TAKEN:
+        why = "the name of another package" if name in TAKEN else "no name in Python"
+        raise BadInputError(f"--out is to be a package that can be imported; {name!r} is {why}")
+    return name
+
+
+def command(subjects: Sequence[str], name: str) -> str:
+    """The command that makes the package, wherever its files lie."""
+    words = [Path(s).name if derivations.is_file(s) else s for s in subjects]
+    return " ".join(["gainproof generate", *words, "--out", name])
+
+
+def _packaged(chosen: Sequence[str], shop: Workshop) -> list[dict[str, Any]]:
+    """Each subject derived, with its part of the package. A file counts by its text."""
+    jobs, texts = [], []
+    for subject in chosen:
+        if derivations.is_file(subject):
+            texts.append(derivations.model_text(Path(subject)))
+            arguments = {"path": str(Path(subject).resolve())}
+            jobs.append(workers.Job(subject, "package_file", arguments))
+        else:
+            jobs.append(workers.Job(subject, "package_one", {"name": subject}))
+    return shop.results("derived and printed", jobs, *texts)
+
+
+def _require_apart(chosen: Sequence[str], parts: Sequence[dict[str, Any]]) -> None:
+    """That each module has a name of its own, and none that of the tests."""
+    names = [str(part["module"]) for part in parts]
+    for subject, name in zip(chosen, names, strict=True):
+        if Counter(names)[name] > 1:
+            raise BadInputError(f"{subject}: another one makes a module {name} too")
+        if name in ("tests", "readme"):
+            raise BadInputError(f"{subject}: a module of a package cannot be called {name}")

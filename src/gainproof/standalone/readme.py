@@ -1,0 +1,74 @@
+"""The page that a package opens with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gainproof.standalone.record import RECORD
+from gainproof.version import VERSION
+
+
+def readme(name: str, titles: Mapping[str, str], command: str) -> str:
+    """What is here, how it is used, tested and checked again; `titles` are by module."""
+    modules = "\n".join(
+        f"| [`{module}`]({module}.md) | {title} |" for module, title in sorted(titles.items())
+    )
+    first = min(titles)
+    return f"""\
+# {name}
+
+Functions of NumPy arrays whose rounding errors are proved, written by gainproof {VERSION}:
+
+    {command}
+
+They need Python 3.11 and NumPy; nothing here imports gainproof.
+
+| module | what it is |
+|---|---|
+{modules}
+
+The page of each module has its formulas, domains, units and proved bounds.
+
+## Use
+
+The folder is a package: put it where your code imports from, under this or any other name.
+
+```python
+from {name} import {first}
+```
+
+It has no `pyproject.toml`: there is nothing to build, and it has the version of the code that it
+is part of. Imports inside it are relative.
+
+## Test
+
+    python -m pytest {name}
+
+needs pytest and mpmath. Every kernel is held against exact values within its proved bound, in
+float64 and float32, and its guards against what they must refuse. Gains and covariances of a
+steady state are held against the Riccati equation, solved from the matrices of the model alone;
+an expression against itself as it was written, in intervals.
+
+## Check again
+
+`NAME.json` is the certificate of `NAME.py`: every statement with the evidence that decides it.
+Where gainproof is installed,
+
+    {command} --check
+
+derives all anew, has the certificates checked and compares every file byte for byte. The checker
+alone says whether a certificate is right, not whether it speaks of this code:
+
+```python
+import json
+from gainproof.verify.certificate import check
+
+report = check(json.load(open("{name}/{first}.json")))
+report.accepted, report.reason
+```
+
+## Files
+
+`{RECORD}` names what the command has written: it replaces and deletes nothing else. What you add
+is left alone. The licence of these files is in `LICENSE`.
+"""
