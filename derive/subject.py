@@ -14,7 +14,7 @@ from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.model import ScaledModel
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.printer.kernel import Module
+from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.sensors.algebraic import algebraic
 
 FORMAT = "gainproof certificate 1"
@@ -24,6 +24,11 @@ class Spoken(Protocol):
     """What statements speak of, as plain data; `spoken` are the names that occur."""
 
     def data(self, spoken: Collection[str] | None = None, /) -> dict[str, Any]: ...
+
+
+def held_whole(kernel: Kernel) -> Mapping[str, Graph]:
+    """One program of the kernel's name; of sines and the like what `algebraic` leaves of them."""
+    return {kernel.name: algebraic(kernel.graph)}
 
 
 @dataclass(frozen=True)
@@ -41,7 +46,7 @@ class Subject:
     `textbook` gives the kernels' outputs as textbooks print them, over the kernel's argument;
     kernels are compared with these forms, never printed from them. `settings`: what statements
     speak of whose evidence is ready, each in place of a tower, such as matrices of every size.
-    `held`: what a certificate holds of a kernel's graph.
+    `held`: what a certificate holds of a kernel's graph, programs by name.
     """
 
     name: str
@@ -53,7 +58,7 @@ class Subject:
     module: Module
     textbook: Callable[[], Mapping[str, Mapping[str, sp.Expr]]]
     settings: Mapping[str, Spoken] = field(default_factory=dict)
-    held: Callable[[Graph], Graph] = algebraic
+    held: Callable[[Kernel], Mapping[str, Graph]] = held_whole
 
     @property
     def model_data(self) -> dict[str, Any] | None:

@@ -24,7 +24,7 @@ NO_EVIDENCE: Mapping[str, Any] = {"roots": {}, "branches": {}, "gaps": {}, "nonz
 def as_written(given: ExpressionKernel) -> Formed:
     """The kernel, and that the arguments of its parts and its outputs are these polynomials.
 
-    ExpressionError for what a kernel cannot compute, PrintingError where it has no bound.
+    NotReadError for what a kernel cannot compute, PrintingError where it has no bound.
     """
     parts = Parts()
     meant = {each.quantity.name: parts.read(each.expression) for each in given.outputs}
@@ -54,4 +54,5 @@ def as_written(given: ExpressionKernel) -> Formed:
         {tower.name: Ready(tower_data(tower))},
         {given.name: Program({name: name for name in symbols}, kept)},
         (first_step(given, tower.name), step),
+        lambda kernel: {kernel.name: held(kernel.graph)},
     )

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from gainproof.derive.derivation import Step
 from gainproof.derive.own_expressions.expressions import ExpressionKernel
+from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.relation import described
 from gainproof.derive.subject import Program
@@ -27,13 +28,14 @@ class Ready:
 @dataclass(frozen=True)
 class Formed:
     """The kernel that is printed; towers and programs by name, and the steps over them, each with
-    its evidence.
+    its evidence. `held` are those of the programs that are the kernel's graph, or parts of it.
     """
 
     kernel: Kernel
     towers: Mapping[str, Ready]
     programs: Mapping[str, Program]
     steps: tuple[Step, ...]
+    held: Callable[[Kernel], Mapping[str, Graph]]
 
 
 def first_step(given: ExpressionKernel, tower: str) -> Step:

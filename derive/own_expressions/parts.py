@@ -13,7 +13,6 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from gainproof.derive.expression import real
-from gainproof.derive.own_expressions.expressions import ExpressionError
 
 FUNCTIONS = {
     sp.sin: "sin",
@@ -23,6 +22,10 @@ FUNCTIONS = {
     sp.Abs: "abs",
 }
 SQRT, OVER, PI = "sqrt", "over", "pi"
+
+
+class NotReadError(ValueError):
+    """An expression that a kernel cannot compute as it is written."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +44,7 @@ class Parts:
     known: dict[tuple[str, tuple[sp.Expr, ...]], Part] = field(default_factory=dict)
 
     def read(self, value: sp.Expr) -> sp.Expr:
-        """The expression as a polynomial over inputs and parts; ExpressionError names what is none
+        """The expression as a polynomial over inputs and parts; NotReadError names what is none
         of what a kernel can compute.
         """
         if isinstance(value, (sp.Rational, sp.Symbol)):
@@ -56,7 +59,7 @@ class Parts:
         if function is not None:
             return self._part(function, *map(self.read, value.args))
         known = ", ".join(sorted(FUNCTIONS.values()))
-        raise ExpressionError(
+        raise NotReadError(
             f"+ - * /, whole powers, roots of order 2, 4, 8, ..., pi and {known} are what a kernel "
             f"computes, {value} came"
         )
@@ -67,7 +70,7 @@ class Parts:
             return self._part(OVER, self._power(base, -exponent))
         order = int(exponent.q)
         if order & (order - 1):
-            raise ExpressionError(f"a root of order 2, 4, 8, ... is wanted, {base**exponent} came")
+            raise NotReadError(f"a root of order 2, 4, 8, ... is wanted, {base**exponent} came")
         whole, rest = divmod(int(exponent.p), order)
         inner = self.read(base)
         root = inner

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from gainproof.derive.derivation import Step
 from gainproof.derive.own_expressions.expressions import ExpressionKernel
 from gainproof.derive.own_expressions.formed import Formed, Ready, first_step
+from gainproof.derive.own_expressions.instance import require_instance
 from gainproof.derive.own_expressions.kernels import inputs_of, kernel_of
+from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.relation import Relation
 from gainproof.derive.stable_form import StableForm, stable
 from gainproof.derive.stable_form.certificate import GIVEN, STABLE
@@ -31,37 +34,52 @@ def rewritten(given: ExpressionKernel) -> Formed:
             replace(output, relative_to=form.scales.get(output.name)) for output in kernel.outputs
         ),
     )
-    document = form.certificate
-    names = {GIVEN: f"{given.name}_as_given", STABLE: given.name}
-    towers = {name: f"{given.name}_{name}" for name in document["towers"]}
+    document, name = form.certificate, given.name
+    towers = {tower: f"{name}_{tower}" for tower in document["towers"]}
+    programs = {
+        f"{name}_{key}": Program(program["inputs"], program["graph"])
+        for key, program in document["programs"].items()
+    }
     return Formed(
         kernel,
-        {towers[name]: Ready(data) for name, data in document["towers"].items()},
-        {
-            names[key]: Program(program["inputs"], program["graph"])
-            for key, program in document["programs"].items()
-        },
-        (first_step(given, next(iter(towers.values()))), *_steps(form, names, towers)),
+        {towers[tower]: Ready(data) for tower, data in document["towers"].items()},
+        programs,
+        (first_step(given, next(iter(towers.values()))), *_steps(form, name, towers)),
+        lambda made: _held(made, programs),
     )
 
 
-def _steps(form: StableForm, names: dict[str, str], towers: dict[str, str]) -> Iterator[Step]:
+def _held(kernel: Kernel, programs: Mapping[str, Program]) -> dict[str, Graph]:
+    """The program of each output, functions of a library as symbols; ValueError if the kernel's
+    graph is not that.
+    """
+    names = {output.name: f"{kernel.name}_{STABLE}_{output.name}" for output in kernel.outputs}
+    for program in names.values():
+        require_instance(kernel.graph, programs[program].graph)
+    return {program: programs[program].graph for program in names.values()}
+
+
+def _steps(form: StableForm, name: str, towers: Mapping[str, str]) -> Iterator[Step]:
     for statement in form.certificate["statements"]:
-        program, output = statement["claim"]["program"], statement["tower"]
-        if program == GIVEN:
-            sentence = (
-                f"On the domain {output} as written is an element of a tower of positive roots."
-            )
+        kind, subject = statement["kind"], statement["tower"]
+        claim = dict(statement["claim"])
+        if kind == "positive":
+            sentence = f"{subject}, of which a function is taken, is positive."
+            reason = "It has no minus sign."
+        elif claim["program"].startswith(GIVEN):
+            sentence = f"On the domain {subject} as it came is an element of a tower of roots."
             reason = "Every root and every divisor is shown to be positive or negative."
         else:
-            rules = "; ".join(form.rules[output]) or "sums and products in another order"
+            rules = "; ".join(form.rules.get(subject, ())) or "terms and factors in another order"
             sentence = f"The form that is printed is the same element. What was done: {rules}."
             reason = "Both are reduced to one normal form."
+        if "program" in claim:
+            claim["program"] = f"{name}_{claim['program']}"
         yield Step(
-            f"kernel-{names[program]}-{output}".replace("_", "-"),
+            f"{name}-{statement['id']}".replace("_", "-"),
             sentence,
-            Relation("program", {**statement["claim"], "program": names[program]}),
+            Relation(kind, claim),
             reason,
-            tower=towers[output],
+            tower=towers[subject],
             hint={"evidence": statement["evidence"]},
         )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from gainproof.derive.derivation import Derivation
@@ -14,7 +16,6 @@ from gainproof.derive.own_expressions.expressions import (
     ExpressionSet,
 )
 from gainproof.derive.own_expressions.formed import Formed
-from gainproof.derive.own_expressions.held import held
 from gainproof.derive.own_expressions.rewritten import rewritten
 from gainproof.derive.printer.kernel import Module
 from gainproof.derive.printer.together import prove_all
@@ -37,6 +38,7 @@ def derive_expressions(given: ExpressionSet) -> Subject:
     for kernel in given.kernels:
         require_units(kernel)
     made = [_formed(kernel) for kernel in given.kernels]
+    by_name = {each.kernel.name: each for each in made}
     title = given.title.removesuffix(".")
     return Subject(
         name=given.name,
@@ -59,26 +61,34 @@ def derive_expressions(given: ExpressionSet) -> Subject:
             for kernel in given.kernels
         },
         settings={name: tower for each in made for name, tower in each.towers.items()},
-        held=held,
+        held=lambda kernel: by_name[kernel.name].held(kernel),
     )
 
 
 def _formed(given: ExpressionKernel) -> Formed:
-    """As it is written if that has a bound, else in another form."""
+    """As it is written if that has a bound relative to each output, else in another form if that
+    has one; then again as it is written, with errors over the terms of an output.
+    """
+    formed, refusal = _proved(as_written, given)
+    if formed is not None and not any(output.by_terms for output in formed.kernel.outputs):
+        return formed
+    if not any(each.signed or each.zero for each in given.inputs):
+        other, reason = _proved(rewritten, given)
+        formed, refusal = other or formed, f"{refusal}. No other form helps: {reason}"
+    if formed is None:
+        raise ExpressionError(refusal)
+    return formed
+
+
+def _proved(
+    form: Callable[[ExpressionKernel], Formed], given: ExpressionKernel
+) -> tuple[Formed | None, str]:
+    """The kernel in a form that has proved bounds, or why there is none."""
     try:
-        formed = as_written(given)
+        formed = form(given)
         prove_all([formed.kernel])
     except ExpressionError:
         raise
     except (ValueError, NotImplementedError) as error:
-        if any(each.signed or each.zero for each in given.inputs):
-            raise ExpressionError(str(error)) from None
-        refusal = str(error)
-    else:
-        return formed
-    try:
-        formed = rewritten(given)
-        prove_all([formed.kernel])
-    except (ValueError, NotImplementedError) as error:
-        raise ExpressionError(f"{refusal}. No other form helps: {error}") from None
-    return formed
+        return None, str(error)
+    return formed, ""

@@ -34,8 +34,8 @@ class Derived:
     """One subject of the catalogue.
 
     `symbols`: LaTeX of the names that occur. `model`: the scaled model, or None. `sources`: records
-    of the works this rests on (key, text, rests_on). `kernels`: name, summary and module of each,
-    with the outputs of its graph that are `scales` of errors alone.
+    of the works this rests on (key, text, rests_on). `kernels`: name, summary, module and
+    programs of each.
 
     What the certificate is expected to prove: `claims`; for the parameters in `domains`, by tower;
     of the `programs`, whose graphs are those that the kernels are printed from; and of what the

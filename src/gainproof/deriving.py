@@ -6,7 +6,6 @@ from typing import Any, Literal
 
 from gainproof.bad_input import unknown_name
 from gainproof.derive.catalogue import CATALOGUE
-from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.quantity import MEASUREMENT_DEVIATION, SAMPLING_INTERVAL
 from gainproof.derive.source import SOURCES
 from gainproof.derive.subject import Subject
@@ -42,16 +41,10 @@ def _kernels(subject: Subject) -> list[dict[str, Any]]:
             "name": kernel.name,
             "summary": kernel.summary,
             "module": subject.module.name,
-            "scales": _scales(kernel),
+            "programs": list(subject.held(kernel)),
         }
         for kernel in subject.module.kernels
     ]
-
-
-def _scales(kernel: Kernel) -> list[str]:
-    """What errors are measured by and no caller gets."""
-    names = {output.relative_to for output in kernel.outputs if output.relative_to}
-    return sorted(names - {output.name for output in kernel.outputs})
 
 
 def build(name: str) -> Subject:
@@ -100,7 +93,11 @@ def _programs(subject: Subject) -> dict[str, Any]:
 
     Raises LookupError for a kernel that no program describes: it would ship unproved.
     """
-    printed = {kernel.name: subject.held(kernel.graph) for kernel in subject.module.kernels}
+    printed = {
+        name: graph
+        for kernel in subject.module.kernels
+        for name, graph in subject.held(kernel).items()
+    }
     unproved = sorted(set(printed) - set(subject.programs))
     if unproved:
         raise LookupError(f"{subject.name}: kernels without a program to prove: {unproved}")
