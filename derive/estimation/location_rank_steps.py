@@ -53,10 +53,11 @@ def rank_steps(found: Found) -> list[Step]:
     return [
         prove_equal("bent-columns", Search(LOCATION), A @ BENT, DOPPLER @ B).step(
             "(68) is a statement on the Doppler alone: `A' A > 0` if and only if `B' B > 0` for "
-            "the `n` by `2 d` matrix `B` of (123). Position and velocity with the biases that "
-            "undo them in every range leave the Doppler.",
-            "`A' A` is the sum of the squares of `E_l' A` and of `B N_a`; `[N_a' - S_b A_l T_l', "
-            "S_b]` is invertible.",
+            "the `n` by `2 d` matrix `B` of (123). The columns of `W` are "
+            "position and velocity with the biases that undo them in every range: they leave the "
+            "Doppler.",
+            "`A' A` is the sum of the squares of `E_l' A` and of `B N_a`; `[W, S_b]` is "
+            "invertible.",
         ),
         *meanings(LOCATION, "B bent doppler_gram"),
         *together(

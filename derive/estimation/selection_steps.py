@@ -47,16 +47,18 @@ def _columns() -> list[Step]:
             SELECTION,
             "two-choices",
             "Two choices of clean ranges, (111): the first `u` are clean in both, the next `w` in "
-            "the larger choice only, the last `b` in neither; `E_1`, `E_2`, `E_3` are their "
-            "columns of the unit matrix. `H_L = E_3` and `H_S`, of `E_2` and `E_3`, are (59). Each "
-            "of the three numbers may be 0, which the blocks of (114) to (117) then lack; with "
-            "`b = 0`, `n_b = n`, `H` has no columns and (101) is the zero matrix (102).",
-            "u = n_bS, u + w = n_bL, u + w + b = n",
+            "the larger choice only, the last `b` in neither; `E1`, `E2`, `E3` are their columns "
+            "of the unit matrix. `H_L = E3` and `H_S`, of `E2` and `E3`, are (59); `T2` and `T3` "
+            "are the columns of the unit matrix of `t` rows that pick the one and the other from "
+            "`H_S`. Each of the three numbers may be 0, which the blocks of (114) to (117) then "
+            "lack; with `b = 0`, `n_b = n`, `H` has no columns and (101) is the zero matrix (102).",
+            "u = n_bS, u + w = n_bL, u + w + b = n, t = w + b",
             "The order of the ranges is arbitrary.",
             heading="More clean ranges",
         ),
         prove_equal("columns-large", Search(SELECTION), H_L.T @ H_L, UNIT_B).step(
-            "(75), (76) and (81):", "`E_i' E_i = I`, `E_i' E_j = 0`, and their squares add to `I`."
+            "(75), (76) and (81):",
+            "`E_i' E_i = I`, `E_i' E_j = 0` for other `j`, and their squares add to `I`.",
         ),
         *meanings(SELECTION, "H_small H_large"),
         *together(
@@ -133,7 +135,7 @@ def _shares() -> list[Step]:
         prove_equal("weight-blocks", Search(SELECTION, [symmetric("G11")]), G11, blocks).step(
             "(114) and (115) are `G11` in blocks, and `F22 = H_S' G11 H_S`; with `G11 > 0` its "
             "blocks have inverses.",
-            "`E_1 E_1' + E_2 E_2' + E_3 E_3' = I` on both sides.",
+            "`E1 E1' + E2 E2' + E3 E3' = I` on both sides.",
         ),
         *meanings(SELECTION, "C11 C12 C13 C22 C23 C33 F22"),
         *together(

@@ -59,6 +59,8 @@ def document(derived: Derived, report: Mapping[str, Any]) -> str:
         r"\documentclass{article}",
         r"\usepackage{amsmath}",
         r"\usepackage[margin=25mm]{geometry}",
+        # names with hyphens leave few places to break a line: gaps may become wide instead
+        r"\setlength{\emergencystretch}{4em}",
         r"\allowdisplaybreaks",
         rf"\title{{{escaped(derived.title)}}}",
         r"\author{}",

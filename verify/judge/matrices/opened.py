@@ -42,6 +42,19 @@ def names_in(nodes: Iterable[Node], setting: MatrixSetting) -> list[str]:
     return list(dict.fromkeys(part.name for part in parts if part.kind == "name"))
 
 
+def outside_means(nodes: Iterable[Node], setting: MatrixSetting) -> set[str]:
+    """The letters on whose values formulas depend elsewhere than under a mean."""
+    waiting, found = list(nodes), set[str]()
+    while waiting:
+        node = waiting.pop()
+        if node.kind == "name" and node.name not in found:
+            found.add(node.name)
+            definition = setting.letters[node.name].definition
+            waiting += [] if definition is None else [definition]
+        waiting += [] if node.kind == "expectation" else node.parts
+    return found
+
+
 def within(nodes: Iterable[Node], setting: MatrixSetting) -> MatrixSetting:
     """Only the letters that formulas depend on, in the order of the setting."""
     found = set(names_in(nodes, setting))

@@ -10,7 +10,7 @@ from gainproof.verify.judge.exact.statement import Enclosure, Witness
 from gainproof.verify.judge.matrices.definite_values import bad_direction, is_symmetric
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError
 from gainproof.verify.judge.matrices.letter import MatrixSetting
-from gainproof.verify.judge.matrices.opened import names_in
+from gainproof.verify.judge.matrices.opened import names_in, outside_means
 from gainproof.verify.judge.matrices.prove import Question, links
 from gainproof.verify.judge.matrices.sample import compared
 
@@ -33,8 +33,15 @@ def witness_of(question: Question, setting: MatrixSetting, instance: Instance) -
 
 
 def _point(question: Question, setting: MatrixSetting, instance: Instance) -> dict[str, str]:
-    """Sizes, and the free letters that the claim depends on."""
-    used = names_in(question.nodes(), setting)
+    """Sizes, and the free letters that the claim depends on; of random ones of which it takes means
+    their variances say all.
+    """
+    needed = outside_means(question.nodes(), setting)
+    used = [
+        name
+        for name in names_in(question.nodes(), setting)
+        if setting.letters[name].variance is None or name in needed
+    ]
     sizes = {name: str(size.value(instance.steps)) for name, size in setting.sizes.names.items()}
     free = [name for name in used if name in instance.values]
     return sizes | {name: text_of(instance.values[name]) for name in free}

@@ -159,3 +159,14 @@ def test_a_determinant_that_is_not_zero_is_an_inverse() -> None:
     assert judged_matrices(r"B^T B > 0", "inequality", more).verdict == "proved"
     alone = judged_matrices("(B - 2 C)^{-1} (B - 2 C) = I_n")
     assert (alone.verdict, alone.domain) == ("conditional", "B - 2 C has an inverse")
+
+
+def test_a_counterexample_lists_no_values_of_what_means_are_taken_of() -> None:
+    found = judged_matrices("E[(A a + v) v^T] = 2 R", "covariance")
+    assert found.witness is not None
+    assert {"R", "m", "n"} <= set(found.witness["point"])
+    assert "v" not in found.witness["point"]
+    # outside of means its value matters
+    found = judged_matrices("v^T R v = 2 v^T v")
+    assert found.witness is not None
+    assert "v" in found.witness["point"]
