@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from gainproof.verify.judge.charted import judge_in
+from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.dimension import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
@@ -26,11 +27,13 @@ def judge_claim(claim: Claim, setting: Setting, environment: Environment) -> Fin
     for label, attempt in _attempts(claim, setting, environment):
         finding = replace(_attempt(attempt), reading=label)
         finding = replace(finding, domain=_in_index(finding.domain, setting, environment))
-        if environment.facts and finding.certificate:
-            established = [fact.sentence for fact in environment.facts]
-            finding = replace(
-                finding, certificate={**finding.certificate, "established": established}
-            )
+        told = {
+            "established": [fact.sentence for fact in environment.facts],
+            "cited": cited(claim, setting),
+        }
+        if finding.certificate:
+            more = {name: sentences for name, sentences in told.items() if sentences}
+            finding = replace(finding, certificate={**finding.certificate, **more})
         if finding.verdict == "proved":
             return finding
         findings.append(finding)

@@ -21,6 +21,10 @@ from gainproof.verify.judge.readable import readable
 Certificate = Mapping[str, Any]
 _LIMIT, _VARIABLE = "L", "variable"
 _PARTS = {"there": "First direction", "back": "Second direction"}
+_TOLD = {
+    "Shown about the setting before, from its matrices alone": "established",
+    "Cited: used and not proved here": "cited",
+}
 _NEGATIVE = re.compile(r"\+ \(-(\d+)\)")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
@@ -43,10 +47,11 @@ def sections(certificate: Certificate) -> list[Section]:
             found.append(Section(f"{prefix}what was decided", tuple(decided)))
         if how:
             found.append(Section(f"{prefix}how", tuple(how)))
-    facts = certificate.get("established", [])
-    numbered = tuple(f"{n}. {fact}" for n, fact in enumerate(facts, start=1))
-    if numbered:
-        found.append(Section("Shown about the setting before, from its matrices alone", numbered))
+    for title, name in _TOLD.items():
+        facts = certificate.get(name, [])
+        numbered = tuple(f"{n}. {fact}" for n, fact in enumerate(facts, start=1))
+        if numbered:
+            found.append(Section(title, numbered))
     return found
 
 

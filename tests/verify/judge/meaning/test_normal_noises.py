@@ -84,3 +84,18 @@ def test_a_variance_that_is_random_is_no_variance() -> None:
     found = judged("identity", "E[z^2] = v^2", SYMBOLS)
     check(found, "undecided")
     assert "random itself" in found.reason
+
+
+@pytest.mark.parametrize(
+    ("latex", "said"),
+    [
+        (r"E[\cos w] = e^{-t^2/2}", True),
+        (r"E[c] = r e^{-t^2/2} \cos a", True),
+        ("E[u^2] = q", False),
+        ("a + b = b + a", False),
+    ],
+)
+def test_the_theorem_on_normal_noises_is_cited_where_it_is_used(latex: str, said: bool) -> None:
+    found = judged("identity", latex, WITHOUT)
+    assert found.verdict == "proved"
+    assert ("cited" in found.certificate) == said
