@@ -1,44 +1,44 @@
 """Every printed certificate altered in all ways, and offered for something else: always rejected.
 
-    python tests/campaigns/certificates.py [--jobs N] [--state FILE] [--only TEXT] [--sample N]
+    python tests/campaigns/certificates.py [--only TEXT] [--sample N] [--seed N]
+                                           [--executor WHERE] [--state FILE]
 
 Every number of every certificate of generated/ is altered and every field deleted, one at a time
 (`gainproof.verify.certificate.altered` says how). Each certificate is offered for every other
 subject, as a whole and with one part alone expected: its model, claims or programs. And the domain
 of each parameter is made smaller, which may leave everything true. What is expected comes from a
 derivation made afresh. All of this takes most of a day; with --sample only some of each 500
-alterations are tried, drawn with the seed, in an order drawn with it too. The state file is written
-after every chunk; a campaign that was interrupted goes on from it as long as checker and
-certificates are the same. Status 1 where one was accepted.
+alterations are tried, drawn with the seed, in an order drawn with it too. A campaign that was
+interrupted goes on as long as checker and certificates are the same. Status 1 where one was
+accepted.
 """
 
 from __future__ import annotations
 
 import argparse
-import hashlib
 import json
-import os
 import random
 import sys
-import time
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
-from saved_state import save
+from files_digest import files_digest
 
 import gainproof.generated
 import gainproof.verify.certificate
+from gainproof.campaign.campaign import Campaign, Done, Report
+from gainproof.campaign.carrying_out import carry_out
+from gainproof.campaign.options import add_options
 from gainproof.deriving import build, plain_subject
 from gainproof.rechecking import expected_of, recheck
 from gainproof.verify.certificate import check
-from gainproof.verify.certificate.alteration import Campaign
+from gainproof.verify.certificate.alteration import Campaign as Altered
 from gainproof.verify.certificate.altered import alterations
 from gainproof.verify.certificate.plain import plain
 
@@ -52,43 +52,24 @@ Data = dict[str, Any]
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=HELP)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--state", type=Path, default=Path("certificates.state.json"))
     parser.add_argument("--only", default="", help="text that a certificate's name must contain")
     parser.add_argument("--sample", type=int, default=CHUNK, help=f"of each {CHUNK} alterations")
     parser.add_argument("--seed", type=int, default=1)
+    add_options(parser)
     options = parser.parse_args()
-    state = load(options.state, f"{digest()} {options.sample} {options.seed}")
-    files = [path for path in CERTIFICATES if options.only in path.name]
-    counts = {path.name: sum(1 for _ in alterations(plain(read(path)))) for path in files}
-    todo = [
-        (path, first)
-        for path in files
-        for first in places(counts[path.name])
-        if f"{path.name} {first}" not in state
+    files = {path.name: path for path in CERTIFICATES if options.only in path.name}
+    counts = {name: sum(1 for _ in alterations(plain(read(p)))) for name, p in files.items()}
+    code = digest()
+    blocks = [
+        (name, first, options.sample, options.seed, code)
+        for name, count in counts.items()
+        for first in range(0, count, CHUNK)
     ]
     if options.sample < CHUNK:
-        random.Random(options.seed).shuffle(todo)
-    start = time.monotonic()
-    with ProcessPoolExecutor(options.jobs) as pool:
-        tasks = [
-            pool.submit(chunk, path, first, options.sample, options.seed) for path, first in todo
-        ]
-        for done, task in enumerate(as_completed(tasks), 1):
-            key, tally = task.result()
-            state[key] = tally
-            save(options.state, state)
-            left = (time.monotonic() - start) / done * (len(todo) - done)
-            sys.stderr.write(f"\r{done}/{len(todo)} chunks, about {left / 60:.1f} min left ")
-            sys.stderr.flush()
-    sys.stderr.write("\n")
-    sums = [report(name, count, state) for name, count in counts.items()]
-    listed = (state[f"{name} {first}"] for name in counts for first in places(counts[name]))
-    total = sum(map(tried, listed))
-    sys.stdout.write(
-        f"tried: {total} of {sum(counts.values())} alterations, accepted {sum(sums)}\n"
-    )
-    return 1 if sum(sums) + offered(files) else 0
+        random.Random(options.seed).shuffle(blocks)
+    campaign = Campaign("certificates", chunk, blocks, partial(report, counts))
+    status = carry_out(campaign, options)
+    return 1 if offered(list(files.values())) else status
 
 
 def read(path: Path) -> Data:
@@ -96,14 +77,15 @@ def read(path: Path) -> Data:
     return certificate
 
 
-def chunk(path: Path, first: int, sample: int, seed: int) -> tuple[str, Data]:
+def chunk(name: str, first: int, sample: int, seed: int, _code: str) -> Data:
     """A chunk of the alterations of one certificate: how many came to what, those accepted."""
-    campaign = _campaign(path)
-    chosen = campaign.alterations()[first : first + CHUNK]
+    (path,) = (path for path in CERTIFICATES if path.name == name)
+    altered = _altered(path)
+    chosen = altered.alterations()[first : first + CHUNK]
     if sample < len(chosen):
-        chosen = random.Random(f"{seed} {path.name} {first}").sample(chosen, sample)
-    tally = campaign.run(chosen)
-    counted = {
+        chosen = random.Random(f"{seed} {name} {first}").sample(chosen, sample)
+    tally = altered.run(chosen)
+    return {
         "chosen": len(chosen),
         "deleted": sum(alteration.how == "deleted" for alteration in chosen),
         "malformed": tally.malformed,
@@ -111,43 +93,34 @@ def chunk(path: Path, first: int, sample: int, seed: int) -> tuple[str, Data]:
         "unexpected": tally.unexpected,
         "accepted": [str(alteration) for alteration in tally.accepted],
     }
-    return f"{path.name} {first}", counted
 
 
 @cache
-def _campaign(path: Path) -> Campaign:
+def _altered(path: Path) -> Altered:
     """Its certificate is checked once by each process."""
-    return Campaign(read(path))
+    return Altered(read(path))
 
 
-def places(count: int) -> range:
-    """The first alteration of each chunk."""
-    return range(0, count, CHUNK)
-
-
-def tried(tally: Data) -> int:
-    """How many alterations of a chunk were decided."""
-    outcomes: int = sum(tally[word] for word in OUTCOMES)
-    return outcomes + len(tally["accepted"])
-
-
-def report(name: str, count: int, state: Mapping[str, Data]) -> int:
-    """Write what came of one certificate; how many alterations were accepted."""
-    tallies = [state[f"{name} {first}"] for first in places(count)]
-    number, deleted, malformed, refuted, unexpected = (
-        sum(tally[word] for tally in tallies) for word in ("chosen", "deleted", *OUTCOMES)
-    )
-    accepted = [text for tally in tallies for text in tally["accepted"]]
-    if sum(map(tried, tallies)) != number:
-        raise ValueError(f"{name}: not every alteration was decided")
-    sys.stdout.write(
-        f"{name}: {number} of {count} alterations ({deleted} fields deleted, "
-        f"{number - deleted} numbers): "
-        f"{malformed} break the format, {refuted} refuted, {unexpected} true of something else, "
-        f"accepted {len(accepted)}\n"
-    )
-    sys.stdout.writelines(f"  ACCEPTED {text}\n" for text in accepted)
-    return len(accepted)
+def report(counts: Mapping[str, int], done: Sequence[Done]) -> Report:
+    """What came of each certificate; an alteration that was accepted is wrong."""
+    lines, total, accepted = [], 0, 0
+    for name, count in counts.items():
+        tallies = [each.result for each in done if each.arguments[0] == name]
+        number, deleted, malformed, refuted, unexpected = (
+            sum(tally[word] for tally in tallies) for word in ("chosen", "deleted", *OUTCOMES)
+        )
+        wrong = [text for tally in tallies for text in tally["accepted"]]
+        if malformed + refuted + unexpected + len(wrong) != number:
+            raise ValueError(f"{name}: not every alteration was decided")
+        lines.append(
+            f"{name}: {number} of {count} alterations ({deleted} fields deleted, "
+            f"{number - deleted} numbers): {malformed} break the format, {refuted} refuted, "
+            f"{unexpected} true of something else, accepted {len(wrong)}"
+        )
+        lines += [f"  ACCEPTED {text}" for text in wrong]
+        total, accepted = total + number, accepted + len(wrong)
+    lines.append(f"tried: {total} of {sum(counts.values())} alterations, accepted {accepted}")
+    return Report("\n".join(lines), not accepted)
 
 
 def offered(files: list[Path]) -> int:
@@ -216,21 +189,8 @@ def _smaller_ends(parameter: Mapping[str, str]) -> list[tuple[str, str]]:
 
 def digest() -> str:
     """A digest of the checker's code and of the certificates."""
-    found = hashlib.sha256()
     checker = Path(gainproof.verify.certificate.__file__).parent
-    for file in (*sorted(checker.rglob("*.py")), *CERTIFICATES):
-        found.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
-    return found.hexdigest()
-
-
-def load(path: Path, key: str) -> dict[str, Any]:
-    """What was found by this very checker of these certificates; nothing where one changed."""
-    if path.exists():
-        state: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-        if state["key"] == key:
-            return state
-        sys.stderr.write(f"{path} is about another checker or certificates: starting anew\n")
-    return {"key": key}
+    return files_digest((*sorted(checker.rglob("*.py")), *CERTIFICATES))
 
 
 if __name__ == "__main__":

@@ -1,44 +1,40 @@
 """Worst error of every kernel output over very many points, beside its stated bound.
 
-    python tests/campaigns/kernel_ulp.py [--points N] [--jobs N] [--state FILE] [--only TEXT]
+    python tests/campaigns/kernel_ulp.py [--points N] [--only TEXT] [--executor WHERE]
+                                         [--state FILE]
 
 For every family, argument and format the points are log-uniform over the domain of the bounds
 (for a gain half of them, the others in their distance from its upper end), and log-uniform over
 1e-6..1e6 for the tracking index. Truth is a ball round the Riccati solution. Kernels of several
 arguments have their points over the whole domain, over 1e-6..1e6 and on a grid of half decades;
 their truth is their own graph, evaluated in balls. Kernels with signed inputs (filter_step,
-polar_coordinates) are left out: they have tests of their own. The state file is
-written every few chunks; a campaign that was interrupted goes on from it as long as the kernels
-are the same, and one that is complete prints its table at once. Status 1 when a measured error
-exceeds its bound.
+polar_coordinates) are left out: they have tests of their own. A campaign that was interrupted goes
+on as long as the kernels are the same. Status 1 when a measured error exceeds its bound.
 """
 
 from __future__ import annotations
 
 import argparse
-import hashlib
-import json
-import os
 import sys
-import time
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from collections.abc import Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
+from files_digest import files_digest
 from kernel_errors import Worst, log_uniform, measure, near_supremum
 from kernel_table import table
 from printed_kernels import DTYPES, common_domain, groups, printed_kernels
 from printed_pairs import measure_pairs, pair_groups, points_in, printed_pairs
-from saved_state import save
-from spoken_lines import say, tell
 
 import gainproof.generated
+from gainproof.campaign.campaign import Campaign, Done, Report
+from gainproof.campaign.carrying_out import carry_out
+from gainproof.campaign.options import add_options
 
 CHUNK = 500
-Found = dict[str, tuple[float, Any, int]]
 HELP = "worst error of every kernel output over very many points, beside its stated bound; "
 HELP += "none of the kernels with signed inputs, which have tests of their own"
 
@@ -93,82 +89,43 @@ def points_of(task: Task) -> list[float]:
     return log_uniform(low, high, CHUNK // 2, seed) + near_supremum(high, CHUNK // 2, seed)
 
 
-def run(task: Task) -> Found:
-    """The worst error of each output over one chunk."""
-    pairs = pair_groups(printed_pairs()).get((task.family, task.argument))
+def run(
+    family: str, argument: str, dtype: str, span: str, seed: int, _code: str
+) -> dict[str, list[Any]]:
+    """The worst error of each output over one chunk, where it is, and the number of points."""
+    pairs = pair_groups(printed_pairs()).get((family, argument))
     if pairs is not None:
         table = measure_pairs(
-            pairs,
-            task.dtype,
-            lambda pair: points_in(pair, task.dtype, task.span, CHUNK, 1000 * task.seed),
+            pairs, dtype, lambda pair: points_in(pair, dtype, span, CHUNK, 1000 * seed)
         )
     else:
-        kernels = groups(printed_kernels())[task.family, task.argument]
-        table = measure(kernels, task.dtype, points_of(task))
-    return {f"{name}.{output}": (w.error, w.at, w.points) for (name, output), w in table.items()}
+        kernels = groups(printed_kernels())[family, argument]
+        table = measure(kernels, dtype, points_of(Task(family, argument, dtype, span, seed)))
+    return {f"{name}.{output}": [w.error, w.at, w.points] for (name, output), w in table.items()}
 
 
-def load(path: Path) -> dict[str, Any]:
-    """What was measured of these very kernels; nothing when they have changed since."""
-    kernels = digest()
-    if path.exists():
-        state: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-        if state["kernels"] == kernels:
-            return state
-        sys.stderr.write(f"{path} is about other kernels: starting anew\n")
-    return {"kernels": kernels, "done": [], "worst": {}}
-
-
-def digest() -> str:
-    """A digest of the text of all generated modules."""
-    found = hashlib.sha256()
-    for folder in gainproof.generated.__path__:
-        for file in sorted(Path(folder).glob("*.py")):
-            found.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
-    return found.hexdigest()
-
-
-def note(state: dict[str, Any], task: Task, found: Found) -> None:
-    for output, measured in found.items():
-        key = f"{task.family}/{output}/{task.dtype}/{task.span}"
-        before = Worst(*state["worst"].get(key, (0.0, 0.0, 0)))
-        state["worst"][key] = list(vars(before.joined(Worst(*measured))).values())
-    state["done"].append(task.key)
+def report(only: str, done: Sequence[Done]) -> Report:
+    """The table of all outputs; a measured error above its bound is wrong."""
+    worst: dict[str, Worst] = {}
+    for each in done:
+        family, _, dtype, span, *_ = each.arguments
+        for output, measured in each.result.items():
+            key = f"{family}/{output}/{dtype}/{span}"
+            worst[key] = worst.get(key, Worst()).joined(Worst(*measured))
+    lines, kept = table(worst, only)
+    return Report("\n".join(lines), kept)
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=HELP)
     parser.add_argument("--points", type=int, default=100_000, help="of each kind")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--state", type=Path, default=Path("kernel_ulp.state.json"))
     parser.add_argument("--only", default="", help="a part of family/argument/format/span")
+    add_options(parser)
     options = parser.parse_args()
-    state = load(options.state)
-    done = set(state["done"])
-    todo = [task for task in tasks(options.points, options.only) if task.key not in done]
-    start = time.monotonic()
-    with ProcessPoolExecutor(options.jobs) as pool:
-        for count, (task, found) in enumerate(finished(pool, todo, options.jobs), 1):
-            note(state, task, found)
-            if count % 20 and count < len(todo):
-                continue
-            save(options.state, state)
-            left = (time.monotonic() - start) / count * (len(todo) - count)
-            tell(f"{count}/{len(todo)} chunks, about {left / 60:.1f} min left", count == len(todo))
-    lines, kept = table(state, options.only)
-    for line in lines:
-        say(line)
-    return 0 if kept else 1
-
-
-def finished(
-    pool: ProcessPoolExecutor, todo: list[Task], jobs: int
-) -> Iterator[tuple[Task, Found]]:
-    """Results as they come, with few chunks in hand so that an interrupt is quick."""
-    for start in range(0, len(todo), 8 * jobs):
-        pending = {pool.submit(run, task): task for task in todo[start : start + 8 * jobs]}
-        for future in as_completed(pending):
-            yield pending[future], future.result()
+    folders = map(Path, gainproof.generated.__path__)
+    code = files_digest(file for folder in folders for file in sorted(folder.glob("*.py")))
+    blocks = [(*task, code) for task in tasks(options.points, options.only)]
+    return carry_out(Campaign("kernel_ulp", run, blocks, partial(report, options.only)), options)
 
 
 if __name__ == "__main__":

@@ -1,30 +1,33 @@
 """The whole mutation campaign on the relations of the derivations.
 
-    python tests/campaigns/mutation.py [--mutants N] [--seed N] [--only TEXT] [--state FILE]
+    python tests/campaigns/mutation.py [--mutants N] [--seed N] [--only TEXT] [--executor WHERE]
+                                       [--state FILE]
 
-Each relation is broken, the mutants that an oracle calls false are judged, and a line says how many
-were refused; who was not is named at once. The state file is written after every relation: a
-campaign that was interrupted goes on from it as long as code, mutants and seed are the same.
+Each relation is broken, and the mutants that an oracle calls false are judged; who was not refused
+is named in the end. A campaign that was interrupted goes on as long as code, mutants and seed are
+the same.
 """
 
 from __future__ import annotations
 
 import argparse
-import json
 import sys
-import time
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 
-from mutation.campaign import REFUSED, Relation, Result, mutants_of, report
+from mutation.campaign import REFUSED, Relation, Result, mutants_of
+from mutation.campaign import report as score
 from mutation.relations import claimed_relations, derived_relations
-from saved_state import save
-from spoken_lines import say, tell
 
 from gainproof import code_digest
+from gainproof.campaign.campaign import Campaign, Done, Report
+from gainproof.campaign.carrying_out import carry_out
+from gainproof.campaign.options import add_options
 
 HELP = "break the relations of the derivations and of the claim files, and judge what comes"
 
@@ -35,47 +38,32 @@ def main() -> int:
     parser.add_argument("--mutants", type=int, default=20, help="mutants of each relation")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="", help="a part of the relation's name")
-    parser.add_argument("--state", type=Path, default=Path("mutation.state.json"))
+    add_options(parser)
     options = parser.parse_args()
-    state = load(options.state, f"{code_digest.of_everything()} {options.mutants} {options.seed}")
-    tell("deriving")
+    code = code_digest.of_everything()
+    names = [name for name in relations() if options.only in name]
+    blocks = [(name, options.mutants, options.seed, code) for name in names]
+    return carry_out(Campaign("mutation", broken, blocks, report), options)
+
+
+@cache
+def relations() -> Mapping[str, Relation]:
+    """All by name; each process derives them once."""
     everything = [*claimed_relations(), *derived_relations(whole=True)]
-    relations = [relation for relation in everything if options.only in relation.name]
-    start = time.perf_counter()
-    for number, relation in enumerate(relations, 1):
-        if relation.name not in state["done"]:
-            found, seconds = broken(relation, options.mutants, options.seed)
-            state["done"][relation.name] = [asdict(result) for result in found]
-            save(options.state, state)
-            say(f"{number}/{len(relations)} {told(relation.name, found, seconds)}")
-    results = [Result(**each) for r in relations for each in state["done"][r.name]]
-    seconds = time.perf_counter() - start
-    say(f"relations: {len(relations)}, seconds: {seconds:.0f}\n{report(results)}")
-    return 0 if all(result.verdict in REFUSED for result in results) else 1
+    return {relation.name: relation for relation in everything}
 
 
-def broken(relation: Relation, count: int, seed: int) -> tuple[list[Result], float]:
-    """The false mutants of a relation, judged, and the seconds it took."""
-    start = time.perf_counter()
-    found = mutants_of(relation, count, seed)
-    return found, time.perf_counter() - start
+def broken(name: str, count: int, seed: int, _code: str) -> list[dict[str, Any]]:
+    """The false mutants of a relation, judged."""
+    return [asdict(result) for result in mutants_of(relations()[name], count, seed)]
 
 
-def told(name: str, found: list[Result], seconds: float) -> str:
-    """A line on one relation, and one on each mutant that was not refused."""
-    left = [result for result in found if result.verdict not in REFUSED]
-    head = f"{name}: {len(found) - len(left)} of {len(found)} refused, {seconds:.1f} s"
-    return "\n".join([head, *(f"  {r.verdict}: {r.name}: {r.reason}" for r in left)])
-
-
-def load(path: Path, key: str) -> dict[str, Any]:
-    """What was judged by this very code with these mutants and seed; else nothing."""
-    if path.exists():
-        state: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-        if state["key"] == key:
-            return state
-        tell(f"{path} is of another campaign: starting anew")
-    return {"key": key, "done": {}}
+def report(done: Sequence[Done]) -> Report:
+    """The score, and a line on each mutant that was not refused."""
+    results = [Result(**result) for each in done for result in each.result]
+    left = [result for result in results if result.verdict not in REFUSED]
+    lines = [f"  {r.verdict}: {r.relation}, {r.name}: {r.reason}" for r in left]
+    return Report("\n".join([*lines, f"relations: {len(done)}", score(results)]), not left)
 
 
 if __name__ == "__main__":

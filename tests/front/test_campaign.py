@@ -81,7 +81,11 @@ def test_lines_of_others_count_for_nothing(tmp_path: Path) -> None:
         {"campaign": "squares", "block": [0, str(notes), 0.0]},
         [entry],
     ]
-    file.write_text("\n".join(["\x00", "{}", *map(json.dumps, lines)]), encoding="utf-8")
+    file.write_text(
+        "\n".join(["\x00", "\ud800", "{}", *map(json.dumps, lines)]),
+        encoding="utf-8",
+        errors="surrogatepass",
+    )
     assert not state.read(file, campaign(3, notes))
 
 
@@ -132,7 +136,9 @@ def test_an_interrupt_begins_nothing_more(tmp_path: Path) -> None:
         (["--blocks", "all"], "got 'all'"),
         (["--jobs", "0"], "--jobs is a number from 1 on, got 0"),
         (["--executor", "prozesses"], "no executor is called 'prozesses'; wanted: processes"),
-        (["--state", "/"], "/: cannot be read"),
+        (["--state", "/"], "/: a state file is wanted"),
+        (["--state", "/dev/zero"], "/dev/zero: a state file is wanted"),
+        (["--state", "/proc/none/state"], "/proc/none/state: cannot be written"),
     ],
 )
 def test_what_cannot_be_used_is_refused(tmp_path: Path, arguments: list[str], message: str) -> None:
@@ -140,6 +146,11 @@ def test_what_cannot_be_used_is_refused(tmp_path: Path, arguments: list[str], me
     with pytest.raises(BadInputError, match=message):
         carry_out(campaign(9, tmp_path / "notes"), given(tmp_path, *words))
     assert not carried_out(tmp_path / "notes")
+
+
+def test_a_campaign_without_blocks_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(BadInputError, match="squares: nothing is chosen"):
+        carry_out(campaign(0, tmp_path / "notes"), given(tmp_path))
 
 
 def test_the_command_lists_and_refuses(capsys: Capture) -> None:

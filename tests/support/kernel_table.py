@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kernel_errors import Worst
 from printed_kernels import DTYPES, printed_kernels
@@ -54,17 +54,19 @@ def ranges(domain: Sequence[tuple[float, float]]) -> str:
     return " x ".join(text if count == 1 else f"({text})^{count}" for text, count in same)
 
 
-def table(state: Mapping[str, Any], only: str) -> tuple[list[str], bool]:
-    """Lines of the table, and whether every measured error keeps its bound."""
+def table(worst: Mapping[str, Worst], only: str) -> tuple[list[str], bool]:
+    """Lines of the table, and whether every measured error keeps its bound. `worst` is by family,
+    kernel and output, format and span.
+    """
     head = ("output", "format", "range of the bound", "bound", "domain", "1e-6..1e6", "grid")
     rows, kept = [], True
     for said in statements():
         start = f"{said.kernel.replace('.', '/', 1)}.{said.output}/{said.dtype}"
-        measured = [Worst(*state["worst"].get(f"{start}/{span}", (0.0, 0.0, 0))) for span in SPANS]
-        count = sum(worst.points for worst in measured)
+        measured = [worst.get(f"{start}/{span}", Worst()) for span in SPANS]
+        count = sum(each.points for each in measured)
         if not count or not said.chosen(only):
             continue
-        kept &= all(worst.error <= said.bound for worst in measured)
+        kept &= all(each.error <= said.bound for each in measured)
         name = f"{said.kernel}.{said.output}"
         errors = (f"{w.error:.2f}" if w.points else "" for w in measured)
         rows.append((name, said.dtype, said.where, f"{float(said.bound):.2f}", *errors, str(count)))

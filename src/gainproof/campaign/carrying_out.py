@@ -20,6 +20,8 @@ def carry_out(campaign: Campaign, options: argparse.Namespace) -> int:
     """
     if options.jobs is not None and options.jobs < 1:
         raise BadInputError(f"--jobs is a number from 1 on, got {options.jobs}")
+    if not campaign.blocks:
+        raise BadInputError(f"{campaign.name}: nothing is chosen")
     wanted = _numbers(options.blocks, len(campaign.blocks))
     path = Path(options.state or f"{campaign.name}.state.jsonl")
     done = _all_done(campaign, wanted, path, options)

@@ -23,17 +23,19 @@ Keep = Callable[[Done], None]
 def read(path: Path, campaign: Campaign) -> dict[int, Done]:
     """The blocks of the campaign that the file has as done, by number; none if there is no file.
 
-    Raises BadInputError where it cannot be read.
+    Raises BadInputError where it cannot be read or is no file, as a device is.
     """
     numbers = {_key(arguments): number for number, arguments in enumerate(campaign.blocks)}
     found: dict[int, Done] = {}
+    if path.exists() and not path.is_file():
+        raise BadInputError(f"{path}: a state file is wanted, and this is no regular file")
     try:
-        text = path.read_text(encoding="utf-8", errors="replace")
+        content = path.read_bytes()
     except FileNotFoundError:
         return found
     except OSError as error:
         raise BadInputError(f"{path}: cannot be read: {error.strerror}") from None
-    for entry in map(_entry, text.split("\n")):
+    for entry in map(_entry, content.split(b"\n")):
         if entry.get("campaign") == campaign.name:
             number = numbers.get(_key(entry["block"]))
             if number is not None:
@@ -42,7 +44,7 @@ def read(path: Path, campaign: Campaign) -> dict[int, Done]:
     return found
 
 
-def _entry(line: str) -> dict[str, Any]:
+def _entry(line: bytes) -> dict[str, Any]:
     """What a line says; nothing where it is none of ours."""
     try:
         entry = json.loads(line)

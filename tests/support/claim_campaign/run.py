@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -28,17 +27,13 @@ if the evaluator finds the claim itself false.
 """
 
 
-def processors() -> int:
-    """How many processes to judge in."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 2
-
-
 def run(
     subjects: Sequence[Subject],
     models: Sequence[Mapping[str, Any]],
     count: int,
     seed: int,
     seconds: float,
+    processes: int,
 ) -> dict[str, Record]:
     """Breaks each claim in `count` ways that are false by the evaluator, rewrites it, and judges
     all that; by the subject's name.
@@ -63,7 +58,7 @@ def run(
             ask(
                 subject, "rewrites", {"name": name}, TrialTask(_with_id(claim, len(tasks)), setting)
             )
-    for identifier, trial in tried_apart(tasks, models, seconds, processors()).items():
+    for identifier, trial in tried_apart(tasks, models, seconds, processes).items():
         name, what, entry = places[identifier]
         records[name][what].append(entry | _said(trial, what))
     return records

@@ -10,7 +10,6 @@ from typing import Any
 
 import catalogue_subjects
 import pytest
-from claim_campaign import run as campaign
 from claim_campaign.broken import mutants
 from claim_campaign.falsehood import is_false
 from claim_campaign.proved import names_proved_before, subjects
@@ -36,12 +35,6 @@ HAND_PICKED = (
 )
 
 
-@pytest.fixture(autouse=True)
-def _one_child(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A child process takes longer to start than most of these claims to be judged."""
-    monkeypatch.setattr(campaign, "processors", lambda: 1)
-
-
 @pytest.fixture(scope="module")
 def models() -> list[Mapping[str, Any]]:
     return catalogue_subjects.models()
@@ -59,7 +52,7 @@ def test_no_false_mutant_is_proved_and_rewritings_are(
     names = Random(seed).sample(names_proved_before(), SAMPLE)
     some = subjects(names, models, 60.0, 1)
     assert len(some) > SAMPLE / 2
-    records = run(some, models, 5, seed, 60.0)
+    records = run(some, models, 5, seed, 60.0, 1)
     broken = [mutant for record in records.values() for mutant in record["mutants"]]
     assert len(broken) > 3 * len(some)
     assert any(mutant["near"] for mutant in broken)
