@@ -11,7 +11,9 @@ Arguments = tuple[Any, ...]
 
 
 class Done(NamedTuple):
-    """A block's arguments, what came of it as plain data, and its seconds of the processor."""
+    """A block's arguments, what came of it as plain data, and the seconds of the processor of the
+    thread that carried it out, without those of processes that it started.
+    """
 
     arguments: Arguments
     result: Any

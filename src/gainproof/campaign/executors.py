@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import signal
+import threading
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
 from importlib import import_module
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
+from types import FrameType
 
 from gainproof.bad_input import BadInputError
 from gainproof.campaign.options import EXECUTORS
@@ -25,7 +28,7 @@ def opened(name: str, jobs: int | None = None) -> Iterator[Executor]:
     if name == "processes":
         # new interpreters: what is forked may hold locks of other threads
         with ProcessPoolExecutor(
-            jobs or processors(), mp_context=get_context("spawn"), initializer=_deaf
+            jobs or processors(), mp_context=get_context("spawn"), initializer=_begin
         ) as pool:
             yield pool
     elif name == "threads":
@@ -38,10 +41,25 @@ def opened(name: str, jobs: int | None = None) -> Iterator[Executor]:
         raise BadInputError(f"no executor is called {name!r}; wanted: {EXECUTORS}")
 
 
-def _deaf() -> None:
-    """What is to end all processes of a terminal or a job reaches each: the first alone decides."""
+def _begin() -> None:
+    """What is to end all processes of a terminal or a job reaches each: the first alone decides,
+    and the others end with it, however it ends.
+    """
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, signal.SIG_IGN)
+        # not SIG_IGN, which processes that a block starts would inherit
+        signal.signal(number, _pass)
+    threading.Thread(target=_end_with_the_first, daemon=True).start()
+
+
+def _pass(_number: int, _frame: FrameType | None) -> None:
+    """Nothing."""
+
+
+def _end_with_the_first() -> None:
+    first = parent_process()
+    if first is not None:
+        first.join()
+        os._exit(1)
 
 
 @contextmanager
