@@ -23,7 +23,9 @@ from gainproof.derive.stable_form.rewriting import Rewriting
 from gainproof.derive.stable_form.writing import SCALE, VALUE, Text, Writing
 
 SCALED = Fraction(1, 2**60)  # keeps 1/x from overflowing for the least numbers x
+LONGER = 2  # times as many nodes as the shortest candidate: not worth a proof
 FIRST = 8  # candidates that are tried for fewer inputs, where none has a bound for all
+SHORTEST = 3  # candidates that are tried where differences are left
 RANGES = (500, 200, 100, 50)  # powers of 2 that inputs are then within
 PLACES = (Fraction(0), Fraction(1, 2), Fraction(1))
 
@@ -72,11 +74,15 @@ def best(expression: sp.Expr, inputs: Sequence[Input], prefix: str) -> Found:
             except NoReading as error:
                 refusal = error
                 break
+            shortest = min(len(candidate.graph["nodes"]) for candidate in candidates)
             for candidate in candidates:
-                if candidate.graph in seen:
+                if candidate.graph in seen or len(candidate.graph["nodes"]) > LONGER * shortest:
                     continue
                 seen.append(candidate.graph)
-                bound, reason = _bound(candidate, inputs)
+                # proofs of differences take long: only those of the shortest are made, at the end
+                bound, reason = None, ""
+                if not candidate.differences:
+                    bound, reason = _bound(candidate, inputs)
                 found.append((_cost(candidate, bound), Found(candidate, bound, reason, 0)))
             if found and min(each[0] for each in found)[:2] == (0, 0):
                 break
@@ -93,6 +99,11 @@ def _within_range(ranked: Sequence[Found], inputs: Sequence[Input]) -> Found:
     if ranked[0].bound is not None:
         return ranked[0]
     left = len(ranked[0].candidate.differences)
+    if left:
+        ranked = [_proved(each, inputs) for each in ranked[:SHORTEST]]
+        ranked.sort(key=lambda each: _cost(each.candidate, each.bound))
+        if ranked[0].bound is not None:
+            return ranked[0]
     for exponent in RANGES:
         fewer = [_nearer(given, Fraction(2) ** exponent) for given in inputs]
         found = [
@@ -104,6 +115,11 @@ def _within_range(ranked: Sequence[Found], inputs: Sequence[Input]) -> Found:
         if found:
             return min(found, key=lambda each: _cost(each.candidate, each.bound))
     return ranked[0]
+
+
+def _proved(found: Found, inputs: Sequence[Input]) -> Found:
+    bound, reason = _bound(found.candidate, inputs)
+    return replace(found, bound=bound, refusal=reason)
 
 
 def _nearer(given: Input, most: Fraction) -> Input:

@@ -30,9 +30,15 @@ class Products:
     def __init__(self, tower: Tower) -> None:
         self.tower, self.normal = tower, Normal(tower)
         self.order = range(len(tower.generators))[::-1]
+        self._known: dict[sp.Expr, Product] = {}
 
     def by_factors(self, value: sp.Expr) -> Product:
         """Products and powers factor by factor, sums as they are best."""
+        if value not in self._known:
+            self._known[value] = self._by_factors(value)
+        return self._known[value]
+
+    def _by_factors(self, value: sp.Expr) -> Product:
         if isinstance(value, sp.Mul):
             return reduce(mul, map(self.by_factors, value.args))
         if isinstance(value, sp.Pow):

@@ -107,7 +107,7 @@ class Reading:
 
     def _root_of_factor(self, factor: sp.Expr) -> sp.Expr:
         for each in self.coordinates:
-            if factor == real(each.parameter):
+            if factor == real(each.parameter) and not each.rooted:
                 raise RootOfParameter(each.name)
         poly = self.tower.fraction(factor).num
         for parts in halves(self.tower, poly):

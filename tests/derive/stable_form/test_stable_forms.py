@@ -36,6 +36,7 @@ def accepted(form: StableForm) -> bool:
         (1 / (X + 1) - 2 / X + 1 / (X - 1), (Input("x", "a number", "2"),), 3.1),
         (sp.sqrt(X + 1) - 2 * sp.sqrt(X) + sp.sqrt(X - 1), (Input("x", "", "2"),), 4.1),
         (sp.sqrt(X**2 + Z**2) - X, PAIR, 2.6),
+        (sp.sqrt(sp.sqrt(X) / (X + 3)), PAIR[:1], 3.1),
         (X / sp.sqrt(1 + X / 2 - sp.sqrt(2 * X)), (Input("x", "a number", "0", "2"),), 3.6),
     ],
 )
