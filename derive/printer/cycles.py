@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import sqrt
 from typing import TYPE_CHECKING
+from weakref import proxy
 
 import numpy as np
 
@@ -32,7 +33,9 @@ class Cycles:
     """
 
     def __init__(self, program: Program, forward: Forward) -> None:
-        self.program, self.forward = program, forward
+        self.program = program
+        # a reference proper would keep the arrays of every pass until cycles are looked for
+        self.forward: Forward = proxy(forward)
         self.of = {number: cycle for cycle in program.cycles for number in cycle.iterates}
         self.slope = max((float(c.convergence.slope) for c in program.cycles), default=0.0) * UP
         self.roots: dict[Cycle, Value] = {}
