@@ -7,6 +7,7 @@ program, 130 interrupted.
 from __future__ import annotations
 
 import argparse
+import gc
 import io
 import os
 import signal
@@ -48,6 +49,9 @@ COMMANDS: Mapping[str, ModuleType] = {
     "bench": bench,
     "campaign": campaign,
 }
+COLLECTED = 100_000
+"""New objects after which cycles are looked for. Certificates and verdicts are millions of objects
+without any: after every 700, as is usual, looking took more than half of this process's time."""
 DESCRIPTION = """\
 Steady-state gains of tracking filters: derived step by step, proved by certificates, printed as
 NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
@@ -85,6 +89,7 @@ def make_parser() -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status."""
+    gc.set_threshold(COLLECTED)
     given = list(sys.argv[1:] if arguments is None else arguments)
     if threading.current_thread() is threading.main_thread():
         for name in ("SIGTERM", "SIGHUP"):

@@ -75,8 +75,8 @@ def following(
         if job.task == "catalogue":
             names = derivations.catalogue(shop)
             missing.update(names)
-            # the longest first, so that the last to end is a short one
-            names.sort(key=lambda name: _size(_path(folder, name)), reverse=True)
+            # the shortest first: what follows from the last comes first, and so the longest checks
+            names.sort(key=lambda name: _size(_path(folder, name)))
             return [derivations.everything_job(name) for name in names]
         if job.task == "judge":
             judged = shop.answered(job)

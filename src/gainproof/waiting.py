@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Generic, TypeVar
 
 Item = TypeVar("Item")
@@ -23,21 +23,26 @@ class Waiting(Generic[Item]):
         self._busy = 0
         self._changed = asyncio.Condition()
 
-    async def following(self) -> tuple[int, Item] | None:
-        """The next one and its number, which has to be `done` some time; None if all are."""
+    async def following(
+        self, suits: Callable[[Item], bool] = lambda _: True
+    ) -> tuple[int, Item] | None:
+        """The first that suits, or the first if none does, and its number, which has to be `done`
+        some time; None if all are.
+        """
         async with self._changed:
             await self._changed.wait_for(lambda: self._waiting or not self._busy)
             if not self._waiting:
                 return None
             self._busy += 1
-            return self._waiting.popleft()
+            chosen = next((each for each in self._waiting if suits(each[1])), self._waiting[0])
+            self._waiting.remove(chosen)
+            return chosen
 
-    async def done(self, number: int, result: Any, further: Iterable[Item] = ()) -> None:
-        """What an item came to, and what follows from it: after all that waits."""
+    async def done(self, number: int, result: Any, further: Sequence[Item] = ()) -> None:
+        """What an item came to, and what follows from it: before all that waits."""
         async with self._changed:
             self.found[number] = result
             self._busy -= 1
-            for item in further:
-                self._waiting.append((self._came, item))
-                self._came += 1
+            self._waiting.extendleft(reversed(list(enumerate(further, self._came))))
+            self._came += len(further)
             self._changed.notify_all()

@@ -12,7 +12,7 @@ import json
 import os
 import sys
 import traceback
-from typing import Any
+from typing import Any, NoReturn
 
 from gainproof.desk import Desk
 
@@ -21,7 +21,7 @@ COLLECTED = 20_000
 after every 700, as is usual, looking took a twelfth of the time. Beyond this it costs memory."""
 
 
-def main() -> int:
+def main() -> NoReturn:
     gc.set_threshold(COLLECTED)
     # the answers have standard output to themselves
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "w", encoding="utf-8")
@@ -36,7 +36,10 @@ def main() -> int:
         for line in sys.stdin:
             say(_answer(json.loads(line), desk))
     answers.close()
-    return 0
+    sys.stdout.flush()
+    sys.stderr.flush()
+    # to take down all that was kept, object by object, takes up to a third of a second
+    os._exit(0)
 
 
 def _answer(request: dict[str, Any], desk: Desk) -> dict[str, Any]:
@@ -53,4 +56,4 @@ def _answer(request: dict[str, Any], desk: Desk) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -8,9 +8,11 @@ Works alike wherever Python does, since nothing is forked.
 from __future__ import annotations
 
 import asyncio
+import json
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from gainproof.bad_input import BadInputError
@@ -36,6 +38,11 @@ class Job:
     arguments: Mapping[str, Any]
     also: Mapping[str, Any] = field(default_factory=dict)
     answers: tuple[Job, ...] = ()
+
+    @cached_property
+    def text(self) -> str:
+        """All on which the result depends, as one text."""
+        return json.dumps([self.task, self.arguments], sort_keys=True)
 
     def request(self) -> dict[str, Any]:
         """What the process is asked."""
@@ -112,16 +119,20 @@ async def _one_after_the_other(
     waiting: Waiting[Job], listener: _Listener, settings: Mapping[str, str]
 ) -> None:
     """Jobs in one process, until none is waiting and none can follow. A job that derives and one
-    that does not have different processes.
+    that does not have different processes: those that the process can do come first.
     """
     clock = asyncio.get_running_loop().time
     process: Process | None = None
     derives = False
+
+    def suits(job: Job) -> bool:
+        return process is None or derives == (job.task in DERIVING)
+
     try:
-        while (following := await waiting.following()) is not None:
+        while (following := await waiting.following(suits)) is not None:
             number, job = following
             start = clock()
-            if process is not None and derives != (job.task in DERIVING):
+            if process is not None and not suits(job):
                 await process.finish()
                 process = None
             if process is None:

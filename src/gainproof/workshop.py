@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -100,7 +99,7 @@ class Workshop:
         workers.run(first, on_done=said, on_told=told, on_result=found)
 
     def _key(self, job: workers.Job, *depends: bytes) -> str:
-        return key_of(job.task, self.code, _text(job), *depends)
+        return key_of(job.task, self.code, job.text, *depends)
 
 
 def open_workshop(
@@ -111,7 +110,3 @@ def open_workshop(
     """
     quiet = quiet or (only_terminal and not sys.stderr.isatty())
     return Workshop(Cache(default_folder(), fresh), Progress(quiet), code_digest.of_everything())
-
-
-def _text(job: workers.Job) -> str:
-    return json.dumps([job.task, job.arguments], sort_keys=True)

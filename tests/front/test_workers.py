@@ -126,11 +126,18 @@ def test_a_failure_among_what_follows_is_that_of_the_run() -> None:
 
 def test_what_derives_and_what_judges_have_different_processes() -> None:
     """So that SymPy is not there where certificates are checked and claims are judged."""
-    jobs = [Job("", "process", {}), Job("", "catalogue", {}), Job("", "process", {})]
-    before, _, after = workers.run(jobs, limit=1)
-    assert before != after
+    derives = Job("second", "catalogue", {})
+    then = {"first": [derives], "second": [Job("third", "process", {})]}
+    found: dict[str, Any] = {}
+
+    def further(job: Job, result: Any) -> list[Job]:
+        found[job.label] = result
+        return then.get(job.label, [])
+
+    workers.run([Job("first", "process", {})], on_result=further, limit=1)
+    assert found["first"] != found["third"]
     imported = Job("", "imported", {"name": "sympy"})
-    assert workers.run([jobs[1], imported], limit=1)[1] is False
+    assert workers.run([derives, imported], limit=1)[1] is False
     for task in DERIVING - {"catalogue"}:
         assert task in TASKS
 
@@ -214,3 +221,18 @@ def test_what_a_job_has_started_ends_with_it() -> None:
 
     asyncio.run(interrupted())
     assert not still_running()
+
+
+def test_a_process_first_does_what_it_can_and_what_follows_comes_before_what_waits() -> None:
+    done: list[str] = []
+
+    def further(job: Job, _: Any) -> list[Job]:
+        return [Job("follows", "wait", {"seconds": 0})] if job.label == "first" else []
+
+    jobs = [
+        Job("first", "wait", {"seconds": 0}),
+        Job("derives", "catalogue", {}),
+        Job("last", "wait", {"seconds": 0}),
+    ]
+    workers.run(jobs, on_result=further, on_done=lambda job, _: done.append(job.label), limit=1)
+    assert done == ["first", "follows", "last", "derives"]

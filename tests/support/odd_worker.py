@@ -62,4 +62,4 @@ if __name__ == "__main__":
         "several": several,
         "start_another": start_another,
     }
-    sys.exit(worker.main())
+    worker.main()
