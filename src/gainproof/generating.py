@@ -6,7 +6,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from gainproof.derive.formulas import formulas_source
+from gainproof.derive.printer.c_language.module import c_files
+from gainproof.derive.printer.c_language.trial import c_trial
 from gainproof.derive.printer.canonical_json import canonical_json
+from gainproof.derive.printer.fpcore import fpcore
 from gainproof.derive.printer.known_values import known_values
 from gainproof.derive.printer.together import prove_all
 from gainproof.derive.printer.write import module_files
@@ -24,7 +27,9 @@ def printed(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
-    """The same for a package of its own: with a page, and values that its tests read."""
+    """The same for a package of its own: with a page, values that its tests read, and what the
+    other targets have, in folders called after them.
+    """
     module = subject.module
     bounds = prove_all(module.kernels)
     values = {
@@ -36,6 +41,9 @@ def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]
         f"{module.name}.md": subject_page(subject, bounds),
         f"tests/values_{module.name}.json": canonical_json(values),
     }
+    files |= {f"c/{name}": text for name, text in c_files(module, bounds).items()}
+    files[f"c/test_{module.name}.c"] = c_trial(module, values)
+    files[f"fpcore/{module.name}.fpcore"] = fpcore(module, bounds)
     formulas = formulas_source(subject)
     files |= {f"tests/formulas_{module.name}.py": formulas} if formulas else {}
     return {"module": module.name, "title": module.title, "files": files}

@@ -21,6 +21,8 @@ share, certificates, a page in Markdown each, tests, licence. DIR is the package
 name. FILE is a Python file of your own that defines MODEL, a gainproof.derive.model.Model, or
 EXPRESSIONS, a gainproof.derive.own_expressions.expressions.ExpressionSet; the file is executed.
 Other files in DIR are left alone, and nothing is written that would replace one.
+--target c puts a C99 header, source and test program of each module besides, into DIR/c, and
+--target fpcore its expressions as FPCore, into DIR/fpcore.
 
 With --check nothing is written. Exit status 0: written, or as derived; 1: with --check a file is
 missing, different or left over, with --test a test fails; 2: bad input, nothing is written."""
@@ -29,6 +31,13 @@ missing, different or left over, with --test a test fails; 2: bad input, nothing
 def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("subjects", metavar="NAME|FILE", nargs="*", help="default: everything")
     parser.add_argument("--out", metavar="DIR", help="write a package of its own into this folder")
+    parser.add_argument(
+        "--target",
+        choices=("numpy", "c", "fpcore"),
+        action="append",
+        default=[],
+        help="write this besides NumPy modules; may be given twice",
+    )
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
     parser.add_argument("--test", action="store_true", help="run the tests of the package too")
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
@@ -45,6 +54,8 @@ def run(options: argparse.Namespace) -> int:
         return _package(options, shop)
     if options.test:
         raise BadInputError("--test runs the tests of a package: give --out DIR")
+    if set(options.target) - {"numpy"}:
+        raise BadInputError("--target puts files into a package: give --out DIR")
     if any(map(derivations.is_file, options.subjects)):
         raise BadInputError("kernels of your own need a place: give --out DIR")
     return _own_folder(options, shop)
@@ -68,9 +79,11 @@ def _package(options: argparse.Namespace, shop: Workshop) -> int:
     if options.test:
         testing.require_pytest()
     folder = Path(options.out)
-    files = making.fresh(options.subjects, shop, folder)
+    targets = [target for target in making.TARGETS if target in options.target]
+    files = making.fresh(options.subjects, shop, folder, targets)
     if options.check:
-        cure = f"`{making.command(options.subjects, making.package_name(folder))}` writes them"
+        line = making.command(options.subjects, making.package_name(folder), targets)
+        cure = f"`{line}` writes them"
         status = _checked(len(files) + 1, record.differences(files, folder), cure)
     else:
         status = _said(record.put(files, folder), len(files) + 1, folder)

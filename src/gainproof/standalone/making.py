@@ -16,13 +16,17 @@ from gainproof.derived import derived_from
 from gainproof.standalone.files import package_files
 from gainproof.workshop import Workshop
 
+TARGETS = ("c", "fpcore")
+"""What there may be besides NumPy modules; also the folders in which it lies."""
 TAKEN = frozenset({*sys.stdlib_module_names, "gainproof", "mpmath", "numpy", "pytest", "tests"})
 """Names under which nothing else could be imported any more, or that a package itself uses."""
 
 
-def fresh(subjects: Sequence[str], shop: Workshop, folder: Path) -> dict[str, bytes]:
-    """Content by file name; no subjects are all of the catalogue. Raises BadInputError, also for
-    a derivation that the checker rejects.
+def fresh(
+    subjects: Sequence[str], shop: Workshop, folder: Path, targets: Sequence[str] = ()
+) -> dict[str, bytes]:
+    """Content by file name; no subjects are all of the catalogue, `targets` what there is besides
+    NumPy modules. Raises BadInputError, also for a derivation that the checker rejects.
     """
     name = package_name(folder)
     chosen = list(subjects) or derivations.catalogue(shop)
@@ -36,9 +40,16 @@ def fresh(subjects: Sequence[str], shop: Workshop, folder: Path) -> dict[str, by
                 f"{subject}: the checker rejects the derivation, no kernel is written: "
                 f"{report['reason']}"
             )
-    parts = [each["part"] for each in found]
+    parts = [_aimed(each["part"], targets) for each in found]
     _require_apart(chosen, parts)
-    return package_files(parts, name, command(subjects, name))
+    return package_files(parts, name, command(subjects, name, targets))
+
+
+def _aimed(part: dict[str, Any], targets: Sequence[str]) -> dict[str, Any]:
+    """Without what is only for targets that are not wanted."""
+    others = tuple(f"{target}/" for target in TARGETS if target not in targets)
+    files = {name: text for name, text in part["files"].items() if not name.startswith(others)}
+    return {**part, "files": files}
 
 
 def package_name(folder: Path) -> str:
@@ -50,10 +61,11 @@ def package_name(folder: Path) -> str:
     return name
 
 
-def command(subjects: Sequence[str], name: str) -> str:
+def command(subjects: Sequence[str], name: str, targets: Sequence[str] = ()) -> str:
     """The command that makes the package, wherever its files lie."""
     words = [Path(s).name if derivations.is_file(s) else s for s in subjects]
-    return " ".join(["gainproof generate", *words, "--out", name])
+    aims = [word for target in targets for word in ("--target", target)]
+    return " ".join(["gainproof generate", *words, "--out", name, *aims])
 
 
 def _packaged(chosen: Sequence[str], shop: Workshop) -> list[dict[str, Any]]:

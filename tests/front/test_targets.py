@@ -1,0 +1,54 @@
+"""Packages with C and FPCore besides: in folders of their own, tested, gone when not wanted."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from gainproof import cli
+
+SUBJECT, MODULE = "least-squares-mean", "least_squares_mean"
+BOTH = ("--target", "fpcore", "--target", "c", "--target", "numpy")
+QUIET = ("-q", "-o", "addopts=", "-p", "no:cacheprovider")
+
+
+def generate(folder: Path, *options: str) -> int:
+    return cli.main(["generate", SUBJECT, "--out", str(folder), *options])
+
+
+def names(folder: Path) -> set[str]:
+    return {p.relative_to(folder).as_posix() for p in folder.rglob("*.*")}
+
+
+def tested(folder: Path) -> subprocess.CompletedProcess[str]:
+    run = [sys.executable, "-m", "pytest", *QUIET, str(folder / "tests/test_c.py")]
+    own = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
+    return subprocess.run(run, env=own, capture_output=True, text=True, check=False)
+
+
+def test_other_targets_lie_in_folders_of_their_own(tmp_path: Path) -> None:
+    package = tmp_path / "mean_kernels"
+    assert generate(package) == 0
+    before = names(package)
+    assert generate(package, *BOTH) == 0
+    c_files = {f"c/{MODULE}.h", f"c/{MODULE}.c", f"c/test_{MODULE}.c", "tests/test_c.py"}
+    assert names(package) - before == {*c_files, f"fpcore/{MODULE}.fpcore"}
+    assert generate(package, *BOTH, "--check") == 0
+    assert tested(package).returncode == 0
+    source = package / "c" / f"{MODULE}.c"
+    text = source.read_text(encoding="utf-8")
+    source.write_text(text.replace(" + 1.0;", " + 1.0000000000001;"), encoding="utf-8")
+    assert source.read_text(encoding="utf-8") != text
+    said = tested(package).stdout
+    assert "skipped" in said or "2 failed" in said, said
+    assert generate(package) == 0  # what is no longer wanted goes
+    assert names(package) == before
+
+
+def test_other_targets_need_a_package(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["generate", SUBJECT, "--target", "c"]) == 2
+    assert "give --out DIR" in capsys.readouterr().err
