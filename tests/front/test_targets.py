@@ -24,7 +24,7 @@ def names(folder: Path) -> set[str]:
     return {p.relative_to(folder).as_posix() for p in folder.rglob("*.*")}
 
 
-def tested(folder: Path) -> subprocess.CompletedProcess[str]:
+def run_tests(folder: Path) -> subprocess.CompletedProcess[str]:
     run = [sys.executable, "-m", "pytest", *QUIET, str(folder / "tests/test_c.py")]
     own = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     return subprocess.run(run, env=own, capture_output=True, text=True, check=False)
@@ -38,12 +38,12 @@ def test_other_targets_lie_in_folders_of_their_own(tmp_path: Path) -> None:
     c_files = {f"c/{MODULE}.h", f"c/{MODULE}.c", f"c/test_{MODULE}.c", "tests/test_c.py"}
     assert names(package) - before == {*c_files, f"fpcore/{MODULE}.fpcore"}
     assert generate(package, *BOTH, "--check") == 0
-    assert tested(package).returncode == 0
+    assert run_tests(package).returncode == 0
     source = package / "c" / f"{MODULE}.c"
     text = source.read_text(encoding="utf-8")
     source.write_text(text.replace(" + 1.0;", " + 1.0000000000001;"), encoding="utf-8")
     assert source.read_text(encoding="utf-8") != text
-    said = tested(package).stdout
+    said = run_tests(package).stdout
     assert "skipped" in said or "2 failed" in said, said
     assert generate(package) == 0  # what is no longer wanted goes
     assert names(package) == before
