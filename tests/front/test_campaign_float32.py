@@ -38,7 +38,7 @@ def thousandth(kernel: Swept) -> Any:
     inner = random.Random(kernel.id).sample(range(kernel.start, kernel.stop - size), PIECES - 2)
     places = [kernel.start, *inner, kernel.stop - size]
     results = [block(kernel.id, kernel.digest(), first, size) for first in places]
-    return report([Done((kernel.id,), result, 0.0) for result in results])
+    return report([Done((kernel.id, kernel.digest()), result, 0.0) for result in results])
 
 
 @needs_compiler
@@ -61,6 +61,25 @@ def test_a_thousandth_of_the_inputs_of_all(module: str) -> None:
 def test_the_kernels_are_those_of_one_input() -> None:
     """As another reader of the printed modules has them."""
     assert list(KERNELS) == [kernel.id for kernel in printed_kernels()]
+
+
+def test_the_digest_is_of_arithmetic_and_bounds() -> None:
+    """Other words in the docstring change nothing; another bound or another step does."""
+    kernel = KERNELS["random_velocity.gains"]
+    text = str(kernel.function.__doc__)
+
+    def described(words: str) -> str:
+        def function() -> None: ...
+
+        function.__doc__ = words
+        return replace(kernel, function=function).digest()
+
+    assert described(text) == described(text + " More.") == kernel.digest()
+    assert text.count("* 2^-23 (float32)") == len(kernel.signature.outputs)
+    assert described(text.replace("* 2^-23 (float32)", "* 2^-22 (float32)")) != kernel.digest()
+    other = KERNELS["random_velocity.predictor_gains"].signature.block
+    changed = replace(kernel, signature=kernel.signature._replace(block=other))
+    assert changed.digest() != kernel.digest()
 
 
 def test_the_blocks_are_all_inputs() -> None:
@@ -124,7 +143,7 @@ def test_parts_join_to_the_whole() -> None:
     assert both["worst"] == both["ulp"] == float("inf")
     assert both["at"] == 1.0
     failing = report(
-        [Done(("k",), {"inputs": 4, "outputs": {"y": part}}, 0.0) for part in (one, both)]
+        [Done(("k", "0"), {"inputs": 4, "outputs": {"y": part}}, 0.0) for part in (one, both)]
     )
     assert not failing.passed
     assert "1 kernels, 8 inputs, above or undocumented: 1" in failing.text

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import inspect
 import pkgutil
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from importlib import import_module
@@ -47,14 +48,20 @@ class Swept:
         return _bits(self.signature.inputs[0].single[1]) + 1
 
     def digest(self) -> str:
-        """Of what the results rest on: the kernel's text, bounds and domain included, how its bits
-        are chosen, and the code of the sweep.
+        """Of what the results rest on: the kernel's arithmetic and domain, the bounds that it
+        states, how bits are chosen, and what is measured. How its graph is computed in double
+        precision is not counted: it is the same graph.
         """
-        found = hashlib.sha256()
-        for part in (self.function, self.signature.block):
-            found.update(inspect.getsource(part).encode())
+        found = hashlib.sha256(inspect.getsource(self.signature.block).encode())
         found.update(repr(self.signature.inputs).encode())
-        for path in (package_folder("generated") / "_bits.py", *_code()):
+        text = " ".join(str(self.function.__doc__).split())
+        found.update("".join(re.findall(r" at most .*? \(float32\)\.", text)).encode())
+        here = Path(__file__).parent
+        for path in (
+            package_folder("generated") / "_bits.py",
+            here / "sweep.py",
+            here / "tally.py",
+        ):
             found.update(path.read_bytes())
         return found.hexdigest()[:16]
 
@@ -85,8 +92,3 @@ def chosen(kernels: Iterable[Swept], names: Sequence[str]) -> list[Swept]:
 
 def _bits(value: float) -> int:
     return int(np.float32(value).view(np.int32))
-
-
-def _code() -> list[Path]:
-    here = Path(__file__).parent
-    return [here / name for name in ("sweep.py", "tally.py", "reference.py")]

@@ -16,7 +16,8 @@ def report(done: Sequence[Done]) -> Report:
     """A table; it is as it should be where no error is above its bound and nothing undocumented."""
     kernels: dict[str, list[Any]] = {}
     for each in done:
-        kernels.setdefault(each.arguments[0], []).append(each.result)
+        # the digest beside the name: of what the errors are
+        kernels.setdefault(" ".join(each.arguments[:2]), []).append(each.result)
     lines = []
     failures = 0
     for kernel, results in kernels.items():
