@@ -1,0 +1,175 @@
+"""A user's expressions: what is wrong is told with its place, what is right is proved."""
+
+from __future__ import annotations
+
+from copy import deepcopy
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from gainproof.derive.own_expressions.dimensions import unit_of
+from gainproof.derive.own_expressions.expressions import (
+    Argument,
+    ExpressionError,
+    ExpressionKernel,
+    ExpressionSet,
+    Result,
+)
+from gainproof.derive.own_expressions.graphs import graph_of_outputs
+from gainproof.derive.own_expressions.held import held
+from gainproof.derive.own_expressions.instance import require_instance
+from gainproof.derive.own_expressions.parts import NotReadError, Parts
+from gainproof.derive.own_expressions.subject import derive_expressions
+from gainproof.derive.printer.graph import GraphBuilder
+from gainproof.derive.quantity import KILOGRAM, METRE, ONE, SECOND, Quantity, Unit
+from gainproof.deriving import plain_subject
+from gainproof.own_file import build_own_file
+from gainproof.rechecking import expected_of, recheck
+
+GALLERY = Path(__file__).resolve().parents[3] / "docs" / "expressions"
+LENGTH = Quantity("x", "x", "a length", METRE)
+TIME = Quantity("t", "t", "a time", SECOND)
+NUMBER = Quantity("n", "n", "a number", ONE)
+x, t, n = LENGTH.symbol, TIME.symbol, NUMBER.symbol
+PLACE = Argument(LENGTH, "1/1000", "1000")
+MOMENT = Argument(TIME, "1/1000", "1000")
+PURE = Argument(NUMBER, "1/1000", "10")
+SPEED = METRE / SECOND
+LIGHT = Argument(Quantity("c", "c", "a speed", SPEED), "1", "1000")
+SPEED_OF_LIGHT = LIGHT.quantity.symbol
+
+
+def one(
+    expression: Any, *inputs: Argument, unit: Unit = ONE, name: str = "kernel_1"
+) -> ExpressionSet:
+    """A set of one kernel with one output."""
+    output = Result(Quantity("y", "y", "the value", unit), expression)
+    kernel = ExpressionKernel(name, "A title", inputs, (output,))
+    return ExpressionSet("some-set", "A set", (kernel,))
+
+
+def accepted(given: ExpressionSet) -> bool:
+    derived = plain_subject(derive_expressions(given))
+    return bool(recheck(derived.certificate, expected_of(derived))["accepted"])
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        one(x / t, PLACE, MOMENT, unit=SPEED),
+        one(sp.sqrt(n + 1) - sp.sqrt(n), PURE),
+        # what is left of it is a difference
+        pytest.param(one(n**3 - 3 * n + 1, PURE), marks=pytest.mark.thorough),
+        one(n**4 / (n + 1) ** 2 + sp.Rational(2, 7) / sp.sqrt(n), PURE),
+        one(sp.exp(n) - 1, PURE),
+        one(sp.log(1 + n), PURE),
+        one(n * sp.sin(n) + sp.pi, Argument(NUMBER, "1/1000", "1", signed=True)),
+        one(x - t * SPEED_OF_LIGHT, replace(PLACE, signed=True), MOMENT, LIGHT, unit=METRE),
+    ],
+    ids=lambda given: str(given.kernels[0].outputs[0].expression),
+)
+def test_expressions_are_proved(given: ExpressionSet) -> None:
+    assert accepted(given)
+
+
+@pytest.mark.parametrize("path", sorted(GALLERY.glob("*.py")), ids=lambda path: path.stem)
+def test_the_gallery_is_proved(path: Path) -> None:
+    derived = plain_subject(build_own_file(str(path)))
+    assert recheck(derived.certificate, expected_of(derived))["accepted"]
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        (one(x + t, PLACE, MOMENT), "kernel_1: y: t has the unit s and x has m, in t + x"),
+        (one(x / t, PLACE, MOMENT), "y should have the unit 1, its expression has m s^-1"),
+        (one(sp.sin(x), PLACE), "x should have the unit 1, it has m, in sin(x)"),
+        (one(n**x, PURE, PLACE), "a rational exponent is wanted"),
+        (one(n + x / x, PURE, PLACE), "the input x occurs in no output"),
+        (one(sp.Symbol("n") + 1, PURE), "the symbol n is of no input's quantity"),
+        (one(0.5 * n, PURE), "holds a float"),
+        (one("n", PURE), "an expression is wanted, 'n' came"),
+        (one(sp.Eq(n, 1), PURE), "an expression is wanted"),
+        (one(n, PURE, name="out"), "a name in small letters"),
+        (one(n, PURE, name="lambda"), "a name in small letters"),
+        (one(n, PURE, name="part_1"), "a name in small letters"),
+        (one(n, Argument(NUMBER, "2", "1")), "its greatest above its least, it is 2 to 1"),
+        (one(n, Argument(NUMBER, "-1", "1")), "signed=True makes it one of magnitudes"),
+        (one(n, Argument(NUMBER, "a", "1")), "an end of a domain is a number as text"),
+        (one(n, Argument(NUMBER, 1, "2")), "as text, 1 came"),  # type: ignore[arg-type]
+        (one(n * x, PURE, Argument(LENGTH), unit=METRE), "needs a greatest number"),
+        (one(n ** sp.Rational(1, 3), PURE), "a root of order 2, 4, 8, ... is wanted"),
+        (one(sp.gamma(n), PURE), "are what a kernel computes, gamma(n) came"),
+        (one(sp.sqrt(n - 20), PURE), "No other form helps"),
+        (one(1 / n, Argument(NUMBER, "1/10", "1", signed=True)), "a division by what may be 0"),
+        (one(n, PURE).__class__("s", "A set", ()), "a kernel at least is wanted"),
+    ],
+)
+def test_each_mistake_is_told(given: ExpressionSet, message: str) -> None:
+    with pytest.raises(ExpressionError) as caught:
+        derive_expressions(given)
+    assert message in str(caught.value)
+
+
+def test_another_expression_is_not_what_is_printed() -> None:
+    """The certificate of one kernel is refused for another, and so is one that is altered."""
+    for first, second in (
+        (sp.sqrt(n + 1) - sp.sqrt(n), sp.sqrt(n + 2) - sp.sqrt(n)),
+        (n * sp.sqrt(n + 1), n * sp.sqrt(n + 2)),
+        (sp.exp(3 * n) - 1, sp.exp(2 * n) - 1),
+    ):
+        own, other = (
+            plain_subject(derive_expressions(one(each, PURE))) for each in (first, second)
+        )
+        assert recheck(own.certificate, expected_of(own))["accepted"]
+        assert not recheck(own.certificate, expected_of(other))["accepted"]
+        altered = deepcopy(own.certificate)
+        nodes = [node for each in altered["programs"].values() for node in each["graph"]["nodes"]]
+        number = next(node for node in nodes if node[0] == "number")
+        number[1] = "17/3"
+        assert not recheck(altered, expected_of(own))["accepted"]
+
+
+def test_what_is_printed_is_what_was_proved() -> None:
+    builder = GraphBuilder()
+    a = builder.symbol("a")
+    printed = builder.graph({"y": builder.call("exp", a) + builder.call("exp", a + 1)})
+    other = GraphBuilder()
+    e, f = other.symbol("e"), other.symbol("f")
+    require_instance(printed, other.graph({"y": e + f}))
+    with pytest.raises(ValueError, match="e stands for two functions"):
+        require_instance(printed, other.graph({"y": e + e}))
+    with pytest.raises(ValueError, match="is printed, the certificate has"):
+        require_instance(printed, other.graph({"y": e * f}))
+
+
+def test_parts_are_symbols_in_a_certificate() -> None:
+    parts = Parts()
+    read = parts.read(n / sp.sqrt(n + 1) ** 3 + 1 / (n * (n + 2)))
+    kept = held(graph_of_outputs({"y": read}, parts))
+    assert all(node[0] in ("symbol", "number", "add", "mul") for node in kept["nodes"])
+    assert set(kept["outputs"]) > {"y"}
+    with pytest.raises(NotReadError, match="gamma"):
+        parts.read(sp.gamma(n))
+
+
+@pytest.mark.parametrize(
+    ("expression", "unit"),
+    [
+        (x**2 / t, Unit(Fraction(2), Fraction(-1))),
+        (sp.sqrt(x / t**2), Unit(Fraction(1, 2), Fraction(-1))),
+        (sp.atan2(x, 2 * x), ONE),
+        (sp.Abs(x) + x, METRE),
+        (sp.pi * 3, ONE),
+    ],
+)
+def test_units(expression: sp.Expr, unit: Unit) -> None:
+    assert unit_of(expression, {x: METRE, t: SECOND}) == unit
+
+
+def test_units_are_written_in_the_usual_order() -> None:
+    assert str(KILOGRAM * METRE**2 / SECOND**3) == "m^2 s^-3 kg"
