@@ -10,7 +10,15 @@ SHIPPED = Path(__file__).with_name("shipped")
 PLACE, HERE = "gainproof.generated", "gainproof.derive.printer.shipped"
 """The package in which the kernels lie, and the one in which what they share is kept."""
 LIST = "__init__.py"
-CODE = ("_bits.py", "_guards.py", "_outputs.py", "_result.py", "_runtime.py", "_signature.py")
+CODE = (
+    "_bits.py",
+    "_guards.py",
+    "_outputs.py",
+    "_result.py",
+    "_runtime.py",
+    "_signature.py",
+    "_threads.py",
+)
 """Names of the files."""
 
 

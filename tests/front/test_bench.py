@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pkgutil
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -15,12 +16,13 @@ from graph_kernels import module_of, several_of
 
 import gainproof.generated
 from gainproof.bad_input import BadInputError
-from gainproof.bench import measure
+from gainproof.bench import against, measure
 from gainproof.bench.accuracy import terms
-from gainproof.bench.arguments import sample
+from gainproof.bench.arguments import sample, with_constants
 from gainproof.bench.compiler import compiled, compiler
 from gainproof.bench.solver import matrix, solver_seconds
 from gainproof.bench.subjects import Measured, measured_kernels
+from gainproof.cli import main
 from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.filter_step import subject
 from gainproof.derive.printer.bound import prove
@@ -29,6 +31,7 @@ from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
 from gainproof.generated import filter_step
+from gainproof.generated._runtime import Call, run
 from gainproof.generated._signature import Signature
 
 NAMES = ("tracking_index", "velocity_ratio")
@@ -75,6 +78,63 @@ def test_a_kernel_of_two_inputs_is_measured(
         assert ratio is not None
         assert ratio > 0
     assert 0.4 < found.worst <= found.proved
+
+
+def test_time_against_length_and_number_of_points(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every block length fills every output; one number beside arrays stays one."""
+    seen: dict[str, list[Any]] = {}
+
+    def once(calls: Mapping[str, Callable[[], Any]], rounds: int) -> dict[str, float]:
+        for name, call in calls.items():
+            seen[name] = call()
+        return dict.fromkeys(calls, 1e-9 * rounds)
+
+    monkeypatch.setattr(against, "SIZE", 1000)
+    monkeypatch.setattr(against, "POINTS", 4000)
+    monkeypatch.setattr(against, "LENGTHS", (64, 999))
+    monkeypatch.setattr(against, "SIZES", (100, 2000))
+    monkeypatch.setattr(against, "best_times", once)
+    filled: list[Any] = []
+
+    def watched(call: Call, shares: list[range]) -> None:
+        run(call, shares)
+        filled.append((call, shares))
+
+    monkeypatch.setattr(against, "run", watched)
+    made = item()
+    expected = made.function(*sample(made.signature, 1000))
+    assert against.lengths(made) == {64: pytest.approx(4e-3), 999: pytest.approx(4e-3)}
+    assert [shares for _, shares in filled] == [[range(0, 1000, 64)], [range(0, 1000, 999)]]
+    for call, _ in filled:
+        np.testing.assert_array_equal(call.results, expected)
+    rows = dict(against.sizes(made, 3, "velocity"))
+    assert list(rows) == ["given", "fresh", "3 threads"]
+    assert rows["given"] == [pytest.approx(0.4), pytest.approx(2.5e-3)]
+    index, ratio = sample(made.signature, 1000)
+    expected = made.function(np.tile(index, 2), ratio[0])
+    for found in seen.values():
+        if found is not None:
+            np.testing.assert_array_equal(found, expected)
+
+
+def test_numbers_in_place_of_arrays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(measure, "ERROR_POINTS", 3)
+    made = replace(item(), model=None)
+    given = with_constants(made.signature, sample(made.signature, 5), "track")
+    assert [np.shape(each) for each in given] == [(), (5,)]
+    found = measure.figures(made, tmp_path, constant="track")
+    assert found.over_c is None, "C reads arrays"
+    assert found.under_lambdify is not None
+    assert found.fresh_under_lambdify is not None
+
+
+@pytest.mark.parametrize("options", [["--workers", "0"], ["--workers", "two"], ["--against", "x"]])
+def test_options_that_are_none(options: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["bench", "random-velocity", *options])
+    assert ended.value.code == 2
+    assert options[1] in capsys.readouterr().err
 
 
 def test_what_is_compared_computes_the_same(tmp_path: Path) -> None:

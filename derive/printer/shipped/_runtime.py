@@ -18,8 +18,6 @@ from gainproof.derive.printer.shipped._guards import admit, block_length, parts_
 from gainproof.derive.printer.shipped._outputs import checked, overlap
 
 if TYPE_CHECKING:
-    from concurrent.futures import Executor
-
     from numpy.typing import ArrayLike
 
     from gainproof.derive.printer.shipped._signature import Array, Real, Signature
@@ -45,6 +43,9 @@ def evaluate(
 ) -> tuple[Any, ...]:
     """The outputs of a kernel: numbers for numbers, else arrays of the inputs' common shape.
 
+    Beside inputs and outputs it takes a few buffers of a block for each thread, and a copy of each
+    input that is neither one number nor in one piece in the order of the outputs.
+
     `workers`: threads that share the blocks, started for this call alone; 1 starts none. However
     many there are, results are the same bit for bit and the same input is refused.
 
@@ -53,7 +54,7 @@ def evaluate(
     many as the outputs, of another shape or type, read-only, or that share memory, and for
     `workers` that is no whole number from 1.
     """
-    if not isinstance(workers, int) or workers < 1:
+    if not isinstance(workers, int | np.integer) or workers < 1:
         raise ValueError(
             f"{kernel.name}: workers must be a whole number of threads, 1 or more, got {workers!r}"
         )
@@ -61,8 +62,8 @@ def evaluate(
         # a signalling NaN warns as soon as it is widened
         inputs = _as_real(kernel, given)
         shape = _common_shape(kernel, inputs)
-        # one number stays one, a copy, since outputs may take its place
-        flat = [x.flatten() if x.size == 1 else _flat(x, shape) for x in inputs]
+        # one number stays one, the same for every block
+        flat = [x.reshape(-1) if x.size == 1 else _flat(x, shape) for x in inputs]
         kind = inputs[0].dtype
         if out is None:
             results = [np.empty(shape, kind) for _ in kernel.outputs]
@@ -70,28 +71,19 @@ def evaluate(
             results = checked(kernel, out, shape, kind)
         call = Call(kernel, inputs, flat, results, out is None)
         starts = range(0, results[0].size, block_length(kernel))
-        count = min(workers, len(starts))
-        if count < 2:
-            run(call, [starts])
-        else:
-            # kernels are imported more often than threads are asked for
-            from concurrent.futures import ThreadPoolExecutor
-
-            ends = [len(starts) * part // count for part in range(count + 1)]
-            shares = [starts[first:last] for first, last in pairwise(ends)]
-            # of what NumPy warns is each thread's own
-            with ThreadPoolExecutor(count - 1, initializer=np.seterr, initargs=("ignore",)) as pool:
-                run(call, shares, pool)
+        count = max(1, min(workers, len(starts)))
+        ends = [len(starts) * part // count for part in range(count + 1)]
+        run(call, [starts[first:last] for first, last in pairwise(ends)])
     if out is None and shape == ():
         return tuple(y[()] for y in results)
     return tuple(results)
 
 
-def run(call: Call, shares: Sequence[range], pool: Executor | None = None) -> None:
-    """Fill the results; the starts of the blocks are shared among this thread and the pool's."""
+def run(call: Call, shares: Sequence[range]) -> None:
+    """Fill the results; every share of the starts of blocks has a thread, the first has this."""
     kept: list[int] = []
     if not call.fresh:
-        _share(partial(_look, call), shares, pool)
+        _each(partial(_look, call), shares)
         # where an output takes the place of an input
         for place, x in enumerate(call.flat):
             shared = [y for y in call.results if overlap(y, x)]
@@ -99,15 +91,18 @@ def run(call: Call, shares: Sequence[range], pool: Executor | None = None) -> No
                 call.flat[place] = x.copy()
             elif shared:
                 kept.append(place)
-    _share(partial(_fill, call, kept), shares, pool)
+    _each(partial(_fill, call, kept), shares)
 
 
-def _share(job: Callable[[range], None], shares: Sequence[range], pool: Executor | None) -> None:
+def _each(job: Callable[[range], None], shares: Sequence[range]) -> None:
     """Do a job for every share, and raise what the first of them raised."""
-    others = [pool.submit(job, share) for share in shares[1:]] if pool else []
-    job(shares[0])
-    for other in others:
-        other.result()
+    if len(shares) == 1:
+        job(shares[0])
+    else:
+        # kernels are imported more often than threads are asked for
+        from gainproof.derive.printer.shipped._threads import in_threads
+
+        in_threads(job, shares)
 
 
 def _look(call: Call, starts: range) -> None:

@@ -65,7 +65,7 @@ def sizes(
     """For given arrays, fresh ones, and threads: times by size."""
     rows: dict[str, list[float]] = {}
     for size in SIZES:
-        best = best_times(_calls(item, size, workers, constant), max(3, POINTS // size))
+        best = best_times(_calls(item, size, workers, constant), max(5, POINTS // size))
         for name, seconds in best.items():
             rows.setdefault(name, []).append(seconds * 1e9 / size)
     yield from rows.items()

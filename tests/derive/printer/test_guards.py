@@ -105,8 +105,11 @@ def test_the_first_block_with_a_bad_number_is_told_of() -> None:
     assert all((y == -7).all() for y in out)
 
 
-def test_points_that_meet_are_found_among_many() -> None:
-    """Where a first difference is 0 the distance itself is asked for, block by block."""
+@pytest.mark.parametrize("one", ["station", "target"])
+def test_points_that_meet_are_found_among_many(one: str) -> None:
+    """Where a first difference is 0 the distance itself is asked for, block by block; one of the
+    points is a number and not an array.
+    """
     assert block_length(range_doppler._RANGE_DOPPLER_IN_PLANE) == SIZE < BLOCK
     far = LONG * SIZE + 5 - LONG * SIZE % 5
     count = (LONG + 1) * SIZE + 5
@@ -115,8 +118,9 @@ def test_points_that_meet_are_found_among_many() -> None:
     out: Any = tuple(np.full(count, -7.0) for _ in range(6))
 
     def seen() -> Any:
-        x, y = place
-        return range_doppler.range_doppler_in_plane(x, y, 1.0, 2.0, 1.0, 1.0, 0.0, 0.0, out=out)
+        many, single = (*place, 1.0, 2.0), (1.0, 1.0, 0.0, 0.0)
+        points = many + single if one == "station" else single + many
+        return range_doppler.range_doppler_in_plane(*points, out=out)
 
     assert seen().slant_range[[0, far]].tolist() == [4, 4]
     for y in out:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import threading
+import time
 import tracemalloc
 import warnings
 from functools import cache
@@ -13,6 +13,7 @@ import pytest
 from graph_kernels import function_of, kernel_of, several_of
 
 from gainproof.derive.printer.graph import GraphBuilder
+from gainproof.derive.printer.shipped import _threads
 from gainproof.derive.printer.shipped._guards import SIZE
 
 COUNT = 7 * SIZE + 5
@@ -107,22 +108,30 @@ def test_no_warning_escapes_a_thread() -> None:
     assert set(square) == {0.0, 1.0, np.inf}
 
 
-def test_threads_end_with_the_call_and_none_is_started_for_one_block(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    before = threading.active_count()
+def test_no_thread_is_started_for_one_block(monkeypatch: pytest.MonkeyPatch) -> None:
     x, z = drawn(np.float64)
-    pair()(x, z, workers=4)
-    with pytest.raises(ValueError, match="got nan"):
-        pair()(np.full(COUNT, np.nan), z, workers=4)
-    assert threading.active_count() == before
-    monkeypatch.setattr(threading, "Thread", None)
+    monkeypatch.setattr(_threads, "start_new_thread", None)
     for count in (0, 1, SIZE):
         assert bits(pair()(x[:count], z[:count], workers=4)) == bits(pair()(x[:count], z[:count]))
-    pair()(x, z, workers=1)
+    pair()(x, z, workers=np.int64(1))
     assert pair()(4.0, 2.0, workers=8) == (8, 1)
     with pytest.raises(TypeError):
         pair()(x, z, workers=2)
+
+
+def test_an_interrupt_ends_the_call_and_its_threads() -> None:
+    """It comes while the others are at work, which finish their shares first."""
+    done: list[int] = []
+
+    def job(share: range) -> None:
+        if share.start == 0:
+            raise KeyboardInterrupt
+        time.sleep(0.05)
+        done.append(share.start)
+
+    with pytest.raises(KeyboardInterrupt):
+        _threads.in_threads(job, [range(1), range(1, 2), range(2, 3)])
+    assert sorted(done) == [1, 2]
 
 
 @pytest.mark.parametrize("workers", [0, -1, 1.5, "2", None])
