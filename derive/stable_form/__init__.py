@@ -7,7 +7,8 @@ quotients and roots of positive terms: differences of roots multiplied by their 
 factors drawn out, polynomials written with coefficients of one sign. Of several ways to write it
 down the one with the smallest proved bound is taken. `coordinates` says what is positive on a
 domain, `signs` looks for products of factors of one sign, `letters`, `bases` and `emission` write
-them down, `candidates` compares, `certificate` holds the proof that nothing but the form changed.
+them down, `candidates` and `ranking` compare, `atoms` and `rewriting` put functions in, and
+`certificate` holds the proof that nothing but the form changed.
 """
 
 from gainproof.derive.stable_form.reading import NoReading

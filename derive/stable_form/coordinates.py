@@ -16,6 +16,8 @@ import sympy as sp
 
 from gainproof.derive.expression import real
 from gainproof.derive.printer.constant import constant
+from gainproof.derive.printer.domain import input_range
+from gainproof.derive.printer.formats import FORMATS
 from gainproof.derive.printer.kernel import Input, Limit
 
 
@@ -58,7 +60,7 @@ def coordinates(inputs: Sequence[Input]) -> Iterator[tuple[Coordinate, ...]]:
 
     What is positive for all positive numbers needs no shift; so the widest domain comes first.
     """
-    ends = {given.name: (_rational(given.lower), _rational(given.upper)) for given in inputs}
+    ends = {given.name: _ends(given) for given in inputs}
     for name, (low, _) in ends.items():
         if low is None or low < 0:
             raise ValueError(f"input {name}: a stable form is looked for on a domain above 0")
@@ -73,6 +75,16 @@ def coordinates(inputs: Sequence[Input]) -> Iterator[tuple[Coordinate, ...]]:
         if found not in known:
             known.append(found)
             yield found
+
+
+def _ends(given: Input) -> tuple[Fraction | None, Fraction | None]:
+    """The ends of a domain, or the numbers of a format that are taken for them and lie outside."""
+    low, high = _rational(given.lower), _rational(given.upper)
+    if low is not None:
+        low = min(low, *(Fraction(input_range(given, form)[0]) for form in FORMATS))
+    if high is not None:
+        high = max(high, *(Fraction(input_range(given, form)[1]) for form in FORMATS))
+    return low, high
 
 
 def _rational(limit: Limit | None) -> Fraction | None:

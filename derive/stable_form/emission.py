@@ -46,8 +46,7 @@ class Emission:
         added: bool = False,
     ) -> None:
         self.builder, self.letters, self.sources = builder, letters, sources
-        self.nested, self.alternating = order.nested, order.alternating
-        self.added = added
+        self.order, self.added = order, added
         self.lines = Lines(letters.reading.coordinates, sources)
         self.differences: dict[str, Node] = {}
 
@@ -95,7 +94,7 @@ class Emission:
             size = Fraction(size.numerator)
         if size != 1 or not over:
             over = [self.builder.number(size), *over]
-        if self.alternating:
+        if self.order.alternating:
             value = over[0]
             for number in range(max(len(over) - 1, len(under))):
                 value = value / under[number] if number < len(under) else value
@@ -129,7 +128,7 @@ class Emission:
         exact = self.lines.affine(terms)
         if exact is not None:
             return exact
-        if len(terms) == 1 or not self.nested:
+        if len(terms) == 1 or not self.order.nested:
             return self._term_by_term(terms)
         place = max(range(self.letters.size), key=lambda n: sum(1 for term in terms if term[n]))
         parts: list[Node] = []

@@ -12,9 +12,10 @@ from gainproof.derive.expression import graph_of
 from gainproof.derive.printer.bound import OutputBound
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, operands
 from gainproof.derive.printer.kernel import Input
-from gainproof.derive.stable_form.candidates import Candidate, best
+from gainproof.derive.stable_form.candidates import best
 from gainproof.derive.stable_form.certificate import Proof, claims, document
 from gainproof.derive.stable_form.conditions import Condition, condition
+from gainproof.derive.stable_form.ranking import Candidate
 from gainproof.derive.stable_form.writing import SCALE, VALUE
 
 REASON = "no form without this subtraction was found"

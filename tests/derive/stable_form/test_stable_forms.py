@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from copy import deepcopy
+from fractions import Fraction
 
+import numpy as np
 import pytest
 import sympy as sp
 
 from gainproof.derive.expression import real
 from gainproof.derive.printer.kernel import Input, closed
 from gainproof.derive.stable_form import NoReading, StableForm, stable
+from gainproof.derive.stable_form.coordinates import coordinates
 from gainproof.verify.certificate import check
 
 X, Z = real("x"), real("z")
@@ -49,6 +52,14 @@ def test_no_subtraction_is_left(
     assert bound is not None
     assert bound.bound <= most
     assert accepted(form)
+
+
+def test_ends_are_numbers_of_both_formats() -> None:
+    """1e-1 as a number of either format lies above one tenth, 3e-1 as one of float64 below."""
+    for end in ("1/10", "3/10"):
+        (_, shifted) = coordinates((Input("x", "a number", end, lower_open=False),))
+        assert shifted[0].low <= min(Fraction(end), Fraction(float(Fraction(end))))
+        assert shifted[0].low <= Fraction(float(np.float32(float(Fraction(end)))))
 
 
 def test_a_subtraction_that_is_left_is_named() -> None:
