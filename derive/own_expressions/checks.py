@@ -12,6 +12,7 @@ from gainproof.derive.own_expressions.expressions import (
     ExpressionError,
     ExpressionKernel,
     ExpressionSet,
+    Result,
 )
 
 NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
@@ -35,7 +36,8 @@ def require_written_well(given: ExpressionSet) -> None:
 
 def _require_kernel(kernel: ExpressionKernel) -> None:
     _require_name("a kernel", kernel.name)
-    _require_line(kernel.name, kernel.title)
+    for text in (kernel.title, kernel.source):
+        _require_line(kernel.name, text)
     for what, quantities in (
         ("inputs", [each.quantity for each in kernel.inputs]),
         ("outputs", [each.quantity for each in kernel.outputs]),
@@ -51,12 +53,7 @@ def _require_kernel(kernel: ExpressionKernel) -> None:
     used: set[sp.Basic] = set()
     for output in kernel.outputs:
         place = f"{kernel.name}: {output.quantity.name}"
-        try:
-            expression = sp.sympify(output.expression, strict=True)
-        except sp.SympifyError:
-            expression = None
-        if not isinstance(expression, sp.Expr):
-            raise ExpressionError(f"{place}: an expression is wanted, {output.expression!r} came")
+        expression = _expression(place, output)
         for symbol in sorted(expression.free_symbols - known, key=str):
             raise ExpressionError(
                 f"{place}: the symbol {symbol} is of no input's quantity; wanted: one of "
@@ -70,6 +67,16 @@ def _require_kernel(kernel: ExpressionKernel) -> None:
         used |= expression.free_symbols
     for symbol in sorted(known - used, key=str):
         raise ExpressionError(f"{kernel.name}: the input {symbol} occurs in no output")
+
+
+def _expression(place: str, output: Result) -> sp.Expr:
+    try:
+        found = sp.sympify(output.expression, strict=True)
+    except sp.SympifyError:
+        found = None
+    if not isinstance(found, sp.Expr):
+        raise ExpressionError(f"{place}: an expression is wanted, {output.expression!r} came")
+    return found
 
 
 def _require_name(what: str, name: str) -> None:

@@ -106,6 +106,8 @@ def test_the_gallery_is_proved(path: Path) -> None:
         (one(sp.gamma(n), PURE), "are what a kernel computes, gamma(n) came"),
         (one(sp.sqrt(n - 20), PURE), "No other form helps"),
         (one(1 / n, Argument(NUMBER, "1/10", "1", signed=True)), "a division by what may be 0"),
+        (one(sp.I * n, PURE), "are what a kernel computes, I came"),
+        (one(n / (n - n + 1), PURE, PLACE), "the input x occurs in no output"),
         (one(n, PURE).__class__("s", "A set", ()), "a kernel at least is wanted"),
     ],
 )
