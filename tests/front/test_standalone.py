@@ -98,7 +98,7 @@ def test_each_kind_of_harm_is_noticed(
     source = (package / name).read_text(encoding="utf-8")
     assert old in source
     (package / name).write_text(source.replace(old, new, 1), encoding="utf-8")
-    assert not testing.passes(package)
+    assert not testing.passes(package / "tests" / f"{failing}.py")
     assert f"{failing}.py" in capsys.readouterr().out
     assert again(package, "--check") == 1
     assert f"{name}: different" in capsys.readouterr().out
