@@ -101,6 +101,7 @@ class Kernel:
     subtractions of computed values that are meant, by the name (in the graph's "names") of the
     difference, each with its reason; any other subtraction of computed values is refused.
     `requirements`: what the inputs must fulfil together, of kernels with signed inputs.
+    `accurate`: the domain in which its one input is taken with `accurate=True`, in double-words.
     """
 
     name: str
@@ -113,6 +114,7 @@ class Kernel:
     source: str
     cancellations: Mapping[str, str] = field(default_factory=dict)
     requirements: tuple[Requirement, ...] = ()
+    accurate: Input | None = None
 
     @cached_property
     def program(self) -> Program:

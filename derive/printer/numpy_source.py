@@ -8,6 +8,8 @@ from collections.abc import Iterator, Sequence
 from gainproof.derive.printer.arithmetic import Arithmetic, literal
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.docstring import docstring, wanted_text
+from gainproof.derive.printer.double_word.domain import accurate_domain
+from gainproof.derive.printer.double_word.source import lines as double_word_lines
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.layout import WIDTH, call, listed, row
 from gainproof.derive.printer.requirements import requirements
@@ -64,6 +66,8 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
             lines += ["", "", *_result(kernel)]
         own = [domains[domain] for domain in _kernel_domains(kernel, pair)]
         lines += ["", "", *_kernel(kernel, arithmetic, pair, own)]
+        if kernel.accurate:
+            lines += ["", "", *_accurate(kernel, domains[accurate_domain(kernel.accurate)])]
     return "\n".join(lines) + "\n"
 
 
@@ -134,6 +138,9 @@ def _domains(
             name = f"_{given.name.upper()}_DOMAIN"
             taken = sum(other.startswith(name) for other in names.values())
             names.setdefault(domain, f"{name}_{taken + 1}" if taken else name)
+        if kernel.accurate:
+            domain = accurate_domain(kernel.accurate)
+            names.setdefault(domain, f"_ACCURATE_{kernel.accurate.name.upper()}_DOMAIN")
     return names
 
 
@@ -173,6 +180,25 @@ def _kernel(
     yield ")"
 
 
+def _accurate(kernel: Kernel, domain: str) -> Iterator[str]:
+    """The block in double-words and its signature."""
+    block, signature = f"_{kernel.name}_in_double_words", _accurate_signature(kernel)
+    yield f"def {block}(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:"
+    yield from (f"    {line}".rstrip() for line in double_word_lines(kernel))
+    yield from ("", "")
+    yield f"{signature} = Signature("
+    yield f'    "{kernel.name}",'
+    yield from row("    ", [domain], ",")
+    yield from row("    ", [f'"{output.name}"' for output in kernel.outputs], ",")
+    yield "    0,"
+    yield f"    {block},"
+    yield ")"
+
+
+def _accurate_signature(kernel: Kernel) -> str:
+    return f"_ACCURATE_{kernel.name.upper()}"
+
+
 def _result(kernel: Kernel) -> Iterator[str]:
     yield f"class {kernel.result}(NamedTuple):"
     yield f'    """Result of `{kernel.name}`."""'
@@ -189,6 +215,7 @@ def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> 
     several = ", ".join(["Real"] * count) if count > 1 else "Real,"
     kind = f"tuple[{'Real' if count == 1 else several}]"
     options = ["*", f"out: {kind} | None = None", "workers: int = 1"]
+    options += ["accurate: bool = False"] if kernel.accurate else []
     head = f"def {kernel.name}({', '.join(inputs + options)}) -> {kernel.result}:"
     if len(head) <= WIDTH:
         yield head
@@ -205,4 +232,7 @@ def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> 
     quoted = f'r"""{text}' if "\\" in text else f'"""{text}'
     yield from (f"    {line}".rstrip() for line in (quoted + "\n").splitlines())
     yield '    """'
+    if kernel.accurate:
+        yield f"    kernel = {_accurate_signature(kernel)} if accurate else {signature}"
+        signature = "kernel"
     yield from call(kernel.result, signature, [each.name for each in kernel.inputs])

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph
-from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
+from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.steady_state import covariance_forms, curvature_module, forms
 from gainproof.derive.steady_state.context import Context
 from gainproof.derive.steady_state.kernels import FormsOf, largest_beta
@@ -88,6 +89,7 @@ def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
         graph=graph,
         source=f"derivation {c.model.name}",
         cancellations=curvature_module.cancellations(graph) if second else {},
+        accurate=_accurate_input(c) if name == "gains" else None,
     )
 
 
@@ -97,6 +99,11 @@ def _input(c: Context, name: str) -> Input:
     if name.endswith("from_beta"):
         return Input("beta", "velocity gain times the sampling interval", "0", largest_beta(c.e))
     return Input("tracking_index", f"Lambda, with Lambda^2 = {c.model.noise_ratio}")
+
+
+def _accurate_input(c: Context) -> Input:
+    given = _input(c, "gains")
+    return closed(given.name, given.meaning, Fraction(1, 2**400), 2**400)
 
 
 def _output(kernel: str, output: str) -> Output:

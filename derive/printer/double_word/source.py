@@ -1,0 +1,52 @@
+"""The block of a kernel in double-words, as text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from gainproof.derive.printer.arithmetic import literal
+from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.program import Step
+
+FUNCTIONS = {"input": "exact", "add": "add", "mul": "multiply", "div": "divide", "sqrt": "root"}
+
+
+def lines(kernel: Kernel) -> Iterator[str]:
+    """Statements from `given` to `out`, one a step; results are rounded once, to their type."""
+    program = kernel.program
+    used = {_function(step) for step in program.steps if step.operation != "constant"}
+    yield "# loaded when it is asked for"
+    yield f"from gainproof.generated._double_word import {', '.join(sorted(used))}"
+    yield ""
+    names: list[str] = []
+    for number, step in enumerate(program.steps):
+        if step.operation == "constant":
+            names.append(_pair(step))
+            continue
+        name = step.label if step.label.isidentifier() else f"t{step.node}"
+        names.append(f"w{number}" if name in names or name in used else name)
+        yield f"{names[-1]} = {_call(step, program.inputs, names)}"
+    for place, output in enumerate(kernel.outputs):
+        yield f"out[{place}][...] = {names[program.outputs[output.name]]}[0]"
+
+
+def _function(step: Step) -> str:
+    return "scale" if step.scale is not None else FUNCTIONS[step.operation]
+
+
+def _call(step: Step, inputs: tuple[str, ...], names: list[str]) -> str:
+    given = [names[number] for number in step.operands]
+    if step.operation == "input":
+        given = [f"given[{inputs.index(step.label)}]"]
+    elif step.scale is not None:
+        given.append(literal(step.scale))
+    return f"{_function(step)}({', '.join(given)})"
+
+
+def _pair(step: Step) -> str:
+    """A constant, and what its rounding leaves, rounded."""
+    value = step.constant.rational if step.constant else None
+    assert value is not None
+    high = float(value)
+    return f"({literal(high)}, {literal(float(value - Fraction(high)))})"
