@@ -174,8 +174,8 @@ def _accurate(kernel: Kernel) -> list[str]:
     more = math.ceil(math.log2(units(kernel)))
     return _wrap(
         f"`accurate`: in double-words, {kernel.accurate.name} {_ends_text(kernel.accurate)}: "
-        f"proved to be off by at most 0.5 + 2^{more} units in the last place (float64), 0.5 + 2^-28 "
-        "(float32), where the true value is a normal number; ten to thirty times as slow."
+        f"proved to be off by at most 0.5 + 2^{more} units in the last place (float64), 0.5 + "
+        "2^-28 (float32), where the true value is a normal number; ten to thirty times as slow."
     )
 
 
