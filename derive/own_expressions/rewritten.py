@@ -64,7 +64,7 @@ def _steps(form: StableForm, name: str, towers: Mapping[str, str]) -> Iterator[S
         kind, subject = statement["kind"], statement["tower"]
         claim = dict(statement["claim"])
         if kind == "positive":
-            sentence = f"{subject}, of which a function is taken, is positive."
+            sentence = f"{subject} is positive: {form.positive[subject]}."
             reason = "It has no minus sign."
         elif claim["program"].startswith(GIVEN):
             sentence = f"On the domain {subject} as it came is an element of a tower of roots."

@@ -102,6 +102,7 @@ def _read(
             rewritten = rewriting.rewrite(expression)
             reading = rewriting.reading(rewritten)
             value = reading.read(rewritten)
-            return Text(rewritten, reading, value, rewriting.atoms)
+            required = tuple(rewriting.required.values())
+            return Text(rewritten, reading, value, rewriting.atoms, required)
         except RootOfParameter as root:
             rooted.add(root.parameter)

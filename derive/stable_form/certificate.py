@@ -2,7 +2,8 @@
 
 Both graphs are programs, and each is claimed to have the value of one and the same element of a
 tower, on the whole domain. A root is the positive one, and every divisor is shown to have a sign.
-Functions of a library are symbols here (see `atoms`); their arguments have proofs of their own.
+Functions of a library are symbols here (see `atoms`); their arguments have proofs of their own. So
+has whatever else must be positive for a rule to hold, and for what was given to be a real number.
 """
 
 from __future__ import annotations
@@ -27,17 +28,17 @@ GIVEN, STABLE = "given", "stable"
 
 @dataclass(frozen=True)
 class Proof:
-    """One value as it was given and as it is written: two graphs with one output of the name.
+    """One value as it was given and, where it is printed, as it is written: `graphs` by `GIVEN` and
+    `STABLE`, with one output of the name.
 
-    `argument`: it is that of a function, and has to be positive.
+    `positive`: what it is needed for, if it has to be positive.
     """
 
     name: str
-    given: Graph
-    stable: Graph
+    graphs: Mapping[str, Graph]
     reading: Reading
     value: sp.Expr
-    argument: bool
+    positive: str = ""
 
 
 def document(proofs: Sequence[Proof]) -> Data:
@@ -54,7 +55,7 @@ def document(proofs: Sequence[Proof]) -> Data:
         "programs": {
             f"{key}_{each.name}": _program(graph)
             for each in proofs
-            for key, graph in ((GIVEN, each.given), (STABLE, each.stable))
+            for key, graph in each.graphs.items()
         },
         "statements": [
             {**claim, "evidence": found}
@@ -64,15 +65,15 @@ def document(proofs: Sequence[Proof]) -> Data:
 
 
 def claims(proofs: Sequence[Proof]) -> list[Data]:
-    """What a certificate has to prove: both programs are the element "value" of their tower."""
+    """What a certificate has to prove: its programs are the element "value" of their tower."""
     value = {"nodes": [["symbol", "value"]], "outputs": {"value": 0}}
     found: list[Data] = []
     for each in proofs:
-        for key in (GIVEN, STABLE):
+        for key in each.graphs:
             program = f"{key}_{each.name}"
             claim = {"program": program, "outputs": {each.name: value}}
             found.append({"id": program, "kind": "program", "tower": each.name, "claim": claim})
-        if each.argument:
+        if each.positive:
             positive = {"id": f"positive_{each.name}", "kind": "positive", "tower": each.name}
             found.append({**positive, "claim": {"expression": value}})
     return found
@@ -87,8 +88,8 @@ def _program(graph: Graph) -> Data:
 
 
 def _proved(each: Proof) -> tuple[Data, list[Data]]:
-    """The tower, and for both graphs the roots and divisors shown."""
-    reading, graphs = each.reading, (each.given, each.stable)
+    """The tower, and for each graph the roots and divisors shown."""
+    reading, graphs = each.reading, each.graphs.values()
     roots = [_roots(graph, each.name, reading) for graph in graphs]
     tower = reading.tower
     value = fraction_data(expanded(tower, reading.product(each.value), above=True))
@@ -100,7 +101,7 @@ def _proved(each: Proof) -> tuple[Data, list[Data]]:
         )
         for graph, found in zip(graphs, roots, strict=True)
     ]
-    if each.argument:
+    if each.positive:
         evidence.append({"value": value, "nonzero": []})
     return data, evidence
 

@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
 
 import sympy as sp
 
 from gainproof.derive.expression import real
 from gainproof.derive.stable_form.atoms import Atom
 from gainproof.derive.stable_form.coordinates import Coordinate
+from gainproof.derive.stable_form.known_functions import exact, numbers
 from gainproof.derive.stable_form.reading import NoReading, Reading, shown
+from gainproof.derive.stable_form.real_values import Required, requirements
 
 BELOW_PI = sp.Integer(3)  # an angle up to here lies below pi
 GREATEST = sp.Integer(700)  # exponent: exp of it is a number of float64
 MOST_ANGLES = 6  # of cos(k u) as a polynomial of cos u
 
 
-_RATIOS: Mapping[Any, Callable[[sp.Expr], sp.Expr]] = {
-    sp.tan: lambda x: sp.sin(x) / sp.cos(x),
-    sp.cot: lambda x: sp.cos(x) / sp.sin(x),
-    sp.sec: lambda x: 1 / sp.cos(x),
-    sp.csc: lambda x: 1 / sp.sin(x),
-}
-
-
 class Rewriting:
     """The atoms of one expression on one domain; their arguments may hold inputs and other atoms.
+
+    `required`: what has to be positive besides arguments of atoms, by value.
 
     `narrow`: the same inputs between all their ends, where a function asks for a range. `prefix`
     begins the names of atoms; `rooted`: names of those of which the root is the parameter.
@@ -42,6 +37,7 @@ class Rewriting:
         self.domain, self.narrow = tuple(map(rooted, domain)), tuple(map(rooted, narrow))
         self.prefix, self.rooted = prefix, rooted
         self.atoms: dict[str, Atom] = {}
+        self.required: dict[sp.Expr, Required] = {}
         self._numbers: dict[sp.Expr, set[sp.Rational]] = {}
 
     def reading(self, value: sp.Expr, domain: Sequence[Coordinate] = ()) -> Reading:
@@ -51,15 +47,35 @@ class Rewriting:
         return Reading([each for each in (*(domain or self.domain), *atoms) if each.name in names])
 
     def rewrite(self, expression: sp.Expr) -> sp.Expr:
-        """The expression without functions; NoReading for those that no rule replaces."""
+        """The expression without functions; NoReading for those that no rule replaces, and where
+        it is not shown to be a real number.
+        """
         if not expression.has(sp.Function) and not expression.has(sp.exp):
             return expression
-        exact = expression.rewrite([sp.sinh, sp.cosh, sp.tanh, sp.coth], sp.exp)
-        for function in (sp.tan, sp.cot, sp.sec, sp.csc):
-            exact = exact.replace(function, lambda x, f=function: _RATIOS[f](x))
-        exact = sp.expand_power_exp(exact)
-        self._numbers = numbers(exact)
-        return self._replaced(exact)
+        plain = exact(expression)
+        asked = [(each, exact(each.value)) for each in requirements(expression)]
+        self._numbers = numbers([plain, *(value for _, value in asked)])
+        for each, value in asked:
+            self._require(self._replaced(value), each.reason, each.either, each.value)
+        return self._replaced(plain)
+
+    def _require(
+        self, value: sp.Expr, reason: str, either: bool = False, came: sp.Expr | None = None
+    ) -> None:
+        """NoReading unless the value, as it `came`, is shown to be positive, or with `either`
+        negative.
+        """
+        for domain in (self.domain, self.narrow):
+            reading = self.reading(value, domain)
+            product = reading.product(reading.read(value))
+            if product.constant and shown(product) and (either or product.constant > 0):
+                positive = value if product.constant > 0 else -value
+                if not positive.is_number and positive not in self.required:
+                    name = f"{self.prefix}_required_{len(self.required) + 1}"
+                    self.required[positive] = Required(name, positive, reading, reason)
+                return
+        wanted = "other than 0" if either else "positive"
+        raise NoReading(f"{came or value} is not shown to be {wanted}, and {reason}")
 
     def _replaced(self, expression: sp.Expr) -> sp.Expr:
         if isinstance(expression, sp.Add):
@@ -111,8 +127,7 @@ class Rewriting:
 
     def _arctangent(self, first: sp.Expr, second: sp.Expr) -> sp.Expr:
         under = 1 + first * second
-        if self._sign(under) != 1 or (second and self._sign(second) != 1):
-            raise NoReading(f"arctangents of what is not shown to be positive: {first}, {second}")
+        self._require(under, "a difference of arctangents is one arctangent")
         sign, atom = self._either("arctangent", (first - second) / under, (second - first) / under)
         return sign * atom
 
@@ -146,8 +161,9 @@ class Rewriting:
         step = self._step(product)
         angle = self._replaced(step * product)
         count = int(abs(number / step))
-        if self._sign(angle) != 1 or self._sign(BELOW_PI - angle) != 1 or count > MOST_ANGLES:
-            raise NoReading(f"an angle that is not shown to lie between 0 and 3: {angle}")
+        if count > MOST_ANGLES:
+            raise NoReading(f"a multiple of an angle above {MOST_ANGLES}: {function}")
+        self._require(BELOW_PI - angle, "an angle is not above 3")
         half = self._atom("half_angle", angle)
         cosine, sine = 1 - 2 * half, 2 * sp.sqrt(half) * sp.sqrt(1 - half)
         if isinstance(function, sp.cos):
@@ -175,12 +191,3 @@ class Rewriting:
         name = f"{self.prefix}_{kind}_{len(self.atoms) + 1}"
         self.atoms[name] = Atom(name, kind, value, reading, argument)
         return real(name)
-
-
-def numbers(expression: sp.Expr) -> dict[sp.Expr, set[sp.Rational]]:
-    """Of exponents and angles, number times a product: which numbers stand with each product."""
-    found: dict[sp.Expr, set[sp.Rational]] = {}
-    for function in expression.atoms(sp.exp, sp.sin, sp.cos):
-        number, product = function.args[0].as_coeff_Mul()
-        found.setdefault(product, set()).add(number)
-    return found

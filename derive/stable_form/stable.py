@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -13,11 +13,12 @@ from gainproof.derive.printer.bound import OutputBound
 from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, operands
 from gainproof.derive.printer.kernel import Input
 from gainproof.derive.stable_form.candidates import best
-from gainproof.derive.stable_form.certificate import Proof, claims, document
+from gainproof.derive.stable_form.certificate import GIVEN, STABLE, Proof, claims, document
 from gainproof.derive.stable_form.conditions import Condition, condition
 from gainproof.derive.stable_form.ranking import Candidate
 from gainproof.derive.stable_form.writing import SCALE, VALUE
 
+ARGUMENT = "a function is taken of it"
 REASON = "no form without this subtraction was found"
 
 
@@ -31,13 +32,15 @@ class StableForm:
     "names", with the reason a kernel needs; `conditions`: how much they may lose, by output.
     `rules`: what was done, by output. `bounds`: the proved error in float64 of each output by
     itself, with the inputs for which it holds; None where none was proved. `refusals` says why
-    none was for all inputs. `tried`: how many ways of writing were compared.
+    none was for all inputs. `positive` says what each value is needed for that is shown to be
+    positive. `tried`: how many ways of writing were compared.
 
     `certificate` shows of each output y that its programs given_y and stable_y have the same
     values, and `claims` is what it has to prove, for the checker to compare. Without functions of a
     library the first is what came and the second what `graph` holds of y; with them both hold
     symbols in their places, by the rules of `atoms`, and the arguments of each have such proofs
-    too, and are shown to be positive.
+    too, and are shown to be positive, with whatever else has to be: what logarithms and roots are
+    taken of, and what bounds angles.
     """
 
     inputs: tuple[Input, ...]
@@ -48,6 +51,7 @@ class StableForm:
     rules: Mapping[str, tuple[str, ...]]
     bounds: Mapping[str, OutputBound | None]
     refusals: Mapping[str, str]
+    positive: Mapping[str, str]
     tried: int
     certificate: Mapping[str, Any]
     claims: list[dict[str, Any]]
@@ -79,30 +83,33 @@ def stable(outputs: Mapping[str, sp.Expr], inputs: Sequence[Input]) -> StableFor
         {name: each.rules for name, each in candidates.items()},
         {name: each.bound for name, each in found.items()},
         {name: each.refusal for name, each in found.items() if each.refusal},
+        {proof.name: proof.positive for proof in proofs if proof.positive},
         sum(each.tried for each in found.values()),
         document(proofs),
         claims(proofs),
     )
 
 
-def _proofs(output: str, candidate: Candidate) -> list[Proof]:
-    """Of the output, and of the arguments of its functions."""
+def _proofs(output: str, candidate: Candidate) -> Iterator[Proof]:
+    """Of the output, of the arguments of its functions, and of what is required besides."""
     text, (written, _) = candidate.text, candidate.writing.graph(abstract=True)
-    found = [(output, VALUE, text.expression, text.reading, text.value, False)]
+
+    def both(name: str, expression: sp.Expr, end: str) -> dict[str, Graph]:
+        return {GIVEN: _given(name, expression), STABLE: _renamed(written, end, name)}
+
+    graphs = both(output, text.expression, VALUE)
+    yield Proof(output, graphs, text.reading, text.value)
     for name, atom in text.atoms.items():
         value = atom.reading.read(atom.value)
-        found.append((name, name, atom.value, atom.reading, value, True))
-    return [
-        Proof(
-            name,
-            cast("Graph", graph_of({name: expression})),
-            _renamed(written, end, name),
-            reading,
-            value,
-            argument,
-        )
-        for name, end, expression, reading, value, argument in found
-    ]
+        yield Proof(name, both(name, atom.value, name), atom.reading, value, ARGUMENT)
+    for each in text.required:
+        graphs = {GIVEN: _given(each.name, each.value)}
+        value = each.reading.read(each.value)
+        yield Proof(each.name, graphs, each.reading, value, each.reason)
+
+
+def _given(name: str, expression: sp.Expr) -> Graph:
+    return cast("Graph", graph_of({name: expression}))
 
 
 def _renamed(graph: Graph, output: str, name: str) -> Graph:

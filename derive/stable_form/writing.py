@@ -14,18 +14,22 @@ from gainproof.derive.stable_form.emission import Emission, Order
 from gainproof.derive.stable_form.letters import Letters
 from gainproof.derive.stable_form.product import Product
 from gainproof.derive.stable_form.reading import Reading
+from gainproof.derive.stable_form.real_values import Required
 
 VALUE, SCALE = "value", "scale"
 
 
 @dataclass(frozen=True)
 class Text:
-    """An expression without functions, its value over the variables of a reading, and the atoms."""
+    """An expression without functions, its value over the variables of a reading, the atoms, and
+    what is required to be positive.
+    """
 
     expression: sp.Expr
     reading: Reading
     value: sp.Expr
     atoms: Mapping[str, Atom]
+    required: tuple[Required, ...]
 
 
 @dataclass(frozen=True)

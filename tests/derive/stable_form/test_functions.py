@@ -7,7 +7,9 @@ given comes from mpmath, that of the form from python-flint.
 
 from __future__ import annotations
 
+from copy import deepcopy
 from dataclasses import dataclass
+from fractions import Fraction
 
 import flint
 import numpy as np
@@ -114,6 +116,45 @@ def test_what_no_rule_replaces_is_refused(expression: sp.Expr) -> None:
     """A sign that changes, an angle above pi, factors that differ."""
     with pytest.raises(NoReading):
         stable({"y": expression}, (closed("x", "a number", "1/8", "2"),))
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        sp.log(X - 2) + sp.log(X - 3) - sp.log(6),
+        2 * sp.log(X - 2),
+        sp.log(X - 2) - sp.log(X - 3),
+        sp.sqrt(sp.cosh(X) + sp.sinh(X) - 3) * sp.sqrt(sp.exp(X) - 3),
+        sp.exp(sp.sqrt(X - 2) * sp.sqrt(X - 3)),
+        sp.tan(2 * X) * sp.cos(2 * X) + sp.exp(X),
+        sp.coth(X - sp.Rational(3, 4)) * sp.sinh(X - sp.Rational(3, 4)) + sp.exp(X),
+    ],
+)
+def test_what_is_no_real_number_everywhere_is_refused(expression: sp.Expr) -> None:
+    """Also where it is one again after logarithms are joined, or after roots or poles cancel."""
+    with pytest.raises(NoReading):
+        stable({"y": expression}, (closed("x", "a number", "1/2", "1"),))
+
+
+def test_what_a_rule_rests_on_is_a_statement_of_its_own() -> None:
+    form = stable(
+        {"y": sp.log(X - 2) + sp.log(X - 3), "z": sp.atan(X + 1) - sp.atan(X) + sp.cos(X / 4)},
+        (closed("x", "a number", "5", "10"),),
+    )
+    assert check(form.certificate, claims=form.claims).accepted
+    given = {name: form.certificate["programs"][f"given_{name}"]["graph"] for name in form.positive}
+    found = {float(with_terms(graph, {"x": 8.0})[name][0]) for name, graph in given.items()}
+    assert found >= {8 - 2, 8 - 3, 1 + 8 * 9, 3 - 2}
+    for name in form.positive:
+        less = dict(deepcopy(form.certificate))
+        kept = [each for each in less["statements"] if each["id"] != f"positive_{name}"]
+        less["statements"] = kept
+        assert not check(less, claims=form.claims).accepted
+        # its negative in its place
+        spoilt = deepcopy(form.certificate)
+        value = spoilt["towers"][name]["elements"]["value"]
+        value["num"] = [[str(-Fraction(term[0])), *term[1:]] for term in value["num"]]
+        assert not check(spoilt, claims=form.claims).accepted
 
 
 def test_rules_hold_as_they_are_stated() -> None:
