@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Iterator
 from functools import cache
@@ -15,9 +16,15 @@ from gainproof import workers
 from gainproof.cache import FOLDER_VARIABLE
 from gainproof.verify.judge.claim import file
 
+COLLECTED = 20_000
+"""New objects after which cycles are looked for. What tests derive is kept for others, and there is
+much of it: after every 700, as is usual, looking took an eighth of the time.
+"""
+
 
 def pytest_configure(config: pytest.Config) -> None:
     """Thorough runs draw larger samples; the environment is what other processes have too."""
+    gc.set_threshold(COLLECTED)
     if samples.thorough(config.getoption("-m") or ""):
         from hypothesis import settings
 
@@ -33,6 +40,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     if samples.thorough(config.getoption("-m") or ""):
         for item in filter(samples.draws, items):
             item.add_marker(pytest.mark.thorough)
+
+
+def pytest_collection_finish() -> None:
+    """The tests themselves and what they import stay to the end: no cycles are looked for there."""
+    gc.freeze()
 
 
 @pytest.fixture(scope="session", autouse=True)
