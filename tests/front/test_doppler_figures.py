@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy import stats
 
 from gainproof import cli
 from gainproof.figures.doppler import drawing, example
@@ -35,6 +34,8 @@ def test_errors_are_those_that_the_covariance_promises() -> None:
 
 
 def test_detection_rates_are_those_of_the_noncentral_chi_square() -> None:
+    from scipy import stats  # half a second, in every process that collects
+
     table = example.detection_rates()
     limit = stats.chi2.ppf(0.95, 1)
     for i in range(1, 5):

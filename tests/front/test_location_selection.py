@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy import stats
 
 from gainproof.location import locate
 from gainproof.location.example import example_observations, example_stations
@@ -16,6 +15,8 @@ from gainproof.location.selection import detection, exceeded, threshold
 
 @pytest.mark.parametrize("false_alarm", [1e-200, 1e-12, 1e-3, 0.05, 0.5, 0.999])
 def test_the_threshold_is_the_quantile(false_alarm: float) -> None:
+    from scipy import stats  # half a second, in every process that collects
+
     assert threshold(false_alarm) == pytest.approx(stats.chi2.isf(false_alarm, 1), rel=1e-12)
 
 
@@ -33,6 +34,8 @@ def test_what_is_no_probability_is_refused(false_alarm: float) -> None:
 
 @pytest.mark.parametrize("bias", [0.0, 3.0, -25.0, 60.0])
 def test_detection_is_the_noncentral_chi_square(bias: float) -> None:
+    from scipy import stats  # half a second, in every process that collects
+
     wanted = stats.ncx2.sf(threshold(0.05), 1, (bias / 13) ** 2) if bias else 0.05
     assert detection(bias, 13, 0.05) == pytest.approx(wanted, rel=1e-9)
 
@@ -40,6 +43,8 @@ def test_detection_is_the_noncentral_chi_square(bias: float) -> None:
 @pytest.mark.parametrize("freedom", [1, 2, 3, 4, 7, 10, 41])
 @pytest.mark.parametrize("cost", [0.0, 1e-9, 0.3, 4.0, 30.0, 400.0])
 def test_how_often_noise_gives_more(cost: float, freedom: int) -> None:
+    from scipy import stats  # half a second, in every process that collects
+
     wanted = stats.chi2.sf(cost, freedom)
     assert exceeded(cost, freedom) == pytest.approx(wanted, rel=1e-11, abs=1e-300)
 
