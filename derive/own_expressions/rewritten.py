@@ -45,18 +45,23 @@ def rewritten(given: ExpressionKernel) -> Formed:
         {towers[tower]: Ready(data) for tower, data in document["towers"].items()},
         programs,
         (first_step(given, next(iter(towers.values()))), *_steps(form, name, towers)),
-        lambda made: _held(made, programs),
+        lambda made: _held(made, form, programs),
     )
 
 
-def _held(kernel: Kernel, programs: Mapping[str, Program]) -> dict[str, Graph]:
+def _held(kernel: Kernel, form: StableForm, programs: Mapping[str, Program]) -> dict[str, Graph]:
     """The program of each output, functions of a library as symbols; ValueError if the kernel's
     graph is not that.
     """
-    names = {output.name: f"{kernel.name}_{STABLE}_{output.name}" for output in kernel.outputs}
-    for program in names.values():
-        require_instance(kernel.graph, programs[program].graph)
-    return {program: programs[program].graph for program in names.values()}
+    start = f"{kernel.name}_{STABLE}_"
+    stable_ones = {
+        name.removeprefix(start): program.graph
+        for name, program in programs.items()
+        if name.startswith(start)
+    }
+    for output in kernel.outputs:
+        require_instance(kernel.graph, output.name, stable_ones, form.functions)
+    return {start + output.name: stable_ones[output.name] for output in kernel.outputs}
 
 
 def _steps(form: StableForm, name: str, towers: Mapping[str, str]) -> Iterator[Step]:

@@ -15,21 +15,24 @@ angles between 0 and pi/2 (Abramowitz and Stegun, 4.3.17 and 4.4.34).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
 
-from gainproof.derive.printer.graph import GraphBuilder, Node
+from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.stable_form.coordinates import Coordinate
 from gainproof.derive.stable_form.product import Product
 from gainproof.derive.stable_form.reading import Reading
 
-Line = tuple[int, int]
+Line = tuple[int | Fraction, int | Fraction]
 """Constant and slope: (1, -1) is 1 - e."""
 
 Call = Callable[[GraphBuilder, Node], Node]
+
+ARGUMENT = "argument"
+"""The symbol of an atom's argument in `patterns`."""
 
 RULES: Mapping[str, str] = {
     "decay": "exp(u) = 1/(1 - e) with e = -expm1(-u)",
@@ -127,11 +130,26 @@ class Sources:
         slope: Fraction,
     ) -> Node | None:
         atom = self.atoms[name]
-        call = calls.get(atom.kind, {}).get((int(constant), int(slope)))
+        call = calls.get(atom.kind, {}).get((constant, slope))
         if call is None:
             return None
         if not self.abstract:
             return call(self.builder, self.argument(atom))
-        symbol = self.builder.symbol(name)
-        line = symbol if not constant else constant + slope * symbol
+        line = _line(self.builder, name, (constant, slope))
         return self.builder.sqrt(line) if calls is ROOTS else line
+
+
+def patterns(name: str, kind: str) -> Iterator[tuple[Graph, Graph]]:
+    """Of an atom its lines and roots: over its symbol, and as functions of `ARGUMENT`."""
+    for calls in (ROOTS, LINES):
+        for (constant, slope), call in calls.get(kind, {}).items():
+            abstract, printed = GraphBuilder(), GraphBuilder()
+            line = _line(abstract, name, (Fraction(constant), Fraction(slope)))
+            end = abstract.sqrt(line) if calls is ROOTS else line
+            value = call(printed, printed.symbol(ARGUMENT))
+            yield abstract.graph({name: end}), printed.graph({name: value})
+
+
+def _line(builder: GraphBuilder, name: str, line: tuple[Fraction, Fraction]) -> Node:
+    (constant, slope), symbol = line, builder.symbol(name)
+    return constant + slope * symbol if constant else symbol

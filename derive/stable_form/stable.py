@@ -33,7 +33,7 @@ class StableForm:
     `rules`: what was done, by output. `bounds`: the proved error in float64 of each output by
     itself, with the inputs for which it holds; None where none was proved. `refusals` says why
     none was for all inputs. `positive` says what each value is needed for that is shown to be
-    positive. `tried`: how many ways of writing were compared.
+    positive; `functions` the kind of each atom. `tried`: how many ways of writing were compared.
 
     `certificate` shows of each output y that its programs given_y and stable_y have the same
     values, and `claims` is what it has to prove, for the checker to compare. Without functions of a
@@ -52,6 +52,7 @@ class StableForm:
     bounds: Mapping[str, OutputBound | None]
     refusals: Mapping[str, str]
     positive: Mapping[str, str]
+    functions: Mapping[str, str]
     tried: int
     certificate: Mapping[str, Any]
     claims: list[dict[str, Any]]
@@ -84,6 +85,7 @@ def stable(outputs: Mapping[str, sp.Expr], inputs: Sequence[Input]) -> StableFor
         {name: each.bound for name, each in found.items()},
         {name: each.refusal for name, each in found.items() if each.refusal},
         {proof.name: proof.positive for proof in proofs if proof.positive},
+        {name: a.kind for each in candidates.values() for name, a in each.text.atoms.items()},
         sum(each.tried for each in found.values()),
         document(proofs),
         claims(proofs),

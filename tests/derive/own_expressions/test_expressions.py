@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import replace
 from fractions import Fraction
@@ -24,7 +25,7 @@ from gainproof.derive.own_expressions.held import held
 from gainproof.derive.own_expressions.instance import require_instance
 from gainproof.derive.own_expressions.parts import NotReadError, Parts
 from gainproof.derive.own_expressions.subject import derive_expressions
-from gainproof.derive.printer.graph import GraphBuilder
+from gainproof.derive.printer.graph import Graph, GraphBuilder, Node
 from gainproof.derive.quantity import KILOGRAM, METRE, ONE, SECOND, Quantity, Unit
 from gainproof.deriving import plain_subject
 from gainproof.own_file import build_own_file
@@ -136,17 +137,52 @@ def test_another_expression_is_not_what_is_printed() -> None:
         assert not recheck(altered, expected_of(own))["accepted"]
 
 
-def test_what_is_printed_is_what_was_proved() -> None:
+def graph(name: str, value: Callable[[GraphBuilder], Node]) -> Graph:
     builder = GraphBuilder()
-    a = builder.symbol("a")
-    printed = builder.graph({"y": builder.call("exp", a) + builder.call("exp", a + 1)})
-    other = GraphBuilder()
-    e, f = other.symbol("e"), other.symbol("f")
-    require_instance(printed, other.graph({"y": e + f}))
-    with pytest.raises(ValueError, match="e stands for two functions"):
-        require_instance(printed, other.graph({"y": e + e}))
+    return builder.graph({name: value(builder)})
+
+
+def test_what_is_printed_is_what_was_proved() -> None:
+    kinds = {"e": "growth", "f": "decay"}
+    proved = {
+        "y": graph("y", lambda b: (1 + 1 * b.symbol("e")) * (1 + -1 * b.symbol("f"))),
+        "e": graph("e", lambda b: b.symbol("a")),
+        "f": graph("f", lambda b: b.symbol("a") + 1),
+    }
+
+    def require(value: Callable[[GraphBuilder, Node], Node]) -> None:
+        require_instance(graph("y", lambda b: value(b, b.symbol("a"))), "y", proved, kinds)
+
+    require(lambda b, a: b.call("exp", a) * b.call("exp", -(a + 1)))
+    for wrong in (
+        lambda b, a: b.call("exp", a) + b.call("exp", -(a + 1)),
+        lambda b, a: b.call("exp", a) * b.call("exp", a + 1),
+        lambda b, a: b.call("exp", a) * b.call("exp", -(a + 2)),
+        lambda b, a: b.call("exp", a) * b.call("exp", -a),
+        lambda b, a: b.call("expm1", a) * b.call("exp", -(a + 1)),
+    ):
+        with pytest.raises(ValueError, match="is printed, the certificate has"):
+            require(wrong)
+    proved["y"] = graph("y", lambda b: b.symbol("e") + (1 + 1 * b.symbol("e")))
     with pytest.raises(ValueError, match="is printed, the certificate has"):
-        require_instance(printed, other.graph({"y": e * f}))
+        require(lambda b, a: b.call("expm1", a) + b.call("exp", a + 1))
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        1 - sp.cos(n),
+        (1 - sp.cos(n)) / sp.sin(n),
+        (1 - sp.exp(-n)) * sp.sqrt(n),
+        # 1 + 7/5 expm1(n) is no exp(n)
+        (n - 2) * (n - 3) * sp.exp(n) - 1,
+        sp.log(1 + sp.exp(-n)),
+    ],
+    ids=str,
+)
+def test_functions_stand_for_what_was_proved_of_them(expression: sp.Expr) -> None:
+    upper = "1" if expression.has(n - 3) else "3"
+    assert accepted(one(expression, Argument(NUMBER, "1/2", upper)))
 
 
 def test_parts_are_symbols_in_a_certificate() -> None:
