@@ -20,6 +20,7 @@ from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.commands import (
     bench,
     campaign,
+    certify,
     check,
     cite,
     derive,
@@ -39,6 +40,7 @@ COMMANDS: Mapping[str, ModuleType] = {
     "derive": derive,
     "generate": generate,
     "check": check,
+    "certify": certify,
     "explain": explain,
     "cite": cite,
     "design": design,

@@ -29,6 +29,7 @@ COMMANDS = (
     "list",
     "bench",
     "campaign",
+    "certify",
 )
 Capture = pytest.CaptureFixture[str]
 

@@ -1,0 +1,1 @@
+"""Certificates and error bounds put before tools that share no code with gainproof."""

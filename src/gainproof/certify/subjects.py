@@ -1,0 +1,34 @@
+"""The subjects whose certificates and kernels are shipped: read, not derived."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gainproof import places
+from gainproof.bad_input import unknown_name
+
+
+@dataclass(frozen=True)
+class Subject:
+    """`name` as on the command line, the certificate (parsed JSON), the module's source."""
+
+    name: str
+    certificate: Mapping[str, Any]
+    source: str
+
+
+def chosen(names: Sequence[str]) -> Iterator[Subject]:
+    """These subjects, or all. Raises BadInputError for a name that is none, before the first."""
+    folder = places.generated_folder()
+    files = {path.stem.replace("_", "-"): path for path in sorted(folder.glob("*.json"))}
+    for name in names:
+        if name not in files:
+            raise unknown_name("subject", name, files)
+    return (
+        Subject(name, json.loads(path.read_bytes()), path.with_suffix(".py").read_text("utf-8"))
+        for name, path in files.items()
+        if not names or name in names
+    )

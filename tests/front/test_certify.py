@@ -1,0 +1,178 @@
+"""Other tools on certificates and bounds: what is true is accepted, what is broken is not."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from gainproof.certify import gappa, tools
+from gainproof.certify.printed_bound import printed_bounds
+from gainproof.certify.reading import statements, towers
+from gainproof.certify.subjects import Subject, chosen
+from gainproof.cli import main
+
+SECONDS = 120.0
+
+
+def _tool(name: str) -> tools.Tool:
+    (tool,) = (tool for tool in tools.TOOLS if tool.name == name)
+    if not tool.present():
+        pytest.skip(f"{tool.program} is not installed")
+    return tool
+
+
+def _subject(name: str) -> Subject:
+    (subject,) = chosen([name])
+    return subject
+
+
+def _part(subject: Subject, *names: str) -> Subject:
+    """The subject with a copy of its certificate that has these statements only."""
+    certificate = json.loads(json.dumps(subject.certificate))
+    certificate["statements"] = [s for s in certificate["statements"] if s["id"] in names]
+    assert len(certificate["statements"]) == len(names)
+    return replace(subject, certificate=certificate)
+
+
+def _ids(subject: Subject, kind: str) -> list[str]:
+    return [s["id"] for s in subject.certificate["statements"] if s["kind"] == kind]
+
+
+@pytest.fixture(scope="module")
+def small() -> Subject:
+    """Riccati, Jury, positivity and an equality of one family with roots."""
+    subject = _subject("random-velocity")
+    names = [_ids(subject, kind)[0] for kind in ("riccati", "stable", "positive_definite")]
+    return _part(subject, *names, "alpha-below-one")
+
+
+SLOW = ["flint", "singular", pytest.param("coq", marks=pytest.mark.thorough)]
+"""The tools, of which coqc takes tens of seconds for roots."""
+
+
+def test_coq_accepts_what_is_true_and_not_what_is_false(small: Subject) -> None:
+    true = _part(small, "alpha-below-one")
+    assert _tool("coq").certify(true, SECONDS).accepted == 1
+    false = _change(small, "positive", ("claim", "expression", "nodes", 0, 1), "1/2")
+    outcome = _tool("coq").certify(false, SECONDS)
+    assert (outcome.accepted, outcome.rejected[:16]) == (0, "alpha-below-one:")
+
+
+@pytest.mark.parametrize("name", SLOW)
+def test_a_certificate_is_accepted(name: str, small: Subject) -> None:
+    outcome = _tool(name).certify(small, SECONDS)
+    assert not outcome.rejected
+    assert outcome.accepted == outcome.statements == 5  # the cofactors are one of their own
+
+
+def _first(certificate: Any, kind: str) -> Any:
+    return next(s for s in certificate["statements"] if s["kind"] == kind)
+
+
+def _change(subject: Subject, kind: str, path: Sequence[str | int], new: object) -> Subject:
+    (name,) = _ids(subject, kind)[:1]
+    broken = _part(subject, name)
+    place = _first(broken.certificate, kind)
+    for step in path[:-1]:
+        place = place[step]
+    assert place[path[-1]] != new
+    place[path[-1]] = new
+    return broken
+
+
+BROKEN: dict[str, tuple[str, tuple[str | int, ...], object]] = {
+    "cofactor": ("riccati", ("evidence", "cofactors", "1,1", 0, 0, 0), "3/32"),
+    "process noise": ("riccati", ("claim", "model", "process_noise", 1, 1), "2"),
+    "gain": ("riccati", ("claim", "gain", 0), "beta"),
+    "Jury value": ("stable", ("evidence", "values", 1, "num", 0, 0), "3"),
+    "sign of a Jury value": ("stable", ("evidence", "values", 0, "num", 0, 0), "-4"),
+    "minor": ("positive_definite", ("evidence", "minors", 1, "num", 0, 0), "1/5"),
+    "positive": ("positive", ("claim", "expression", "nodes", 0, 1), "1/2"),
+}
+
+
+@pytest.mark.parametrize("name", SLOW)
+@pytest.mark.parametrize(
+    "how",
+    [
+        pytest.param(how, marks=[] if how in ("cofactor", "Jury value") else pytest.mark.thorough)
+        for how in BROKEN
+    ],
+)
+def test_a_broken_certificate_is_rejected(name: str, how: str, small: Subject) -> None:
+    kind, path, new = BROKEN[how]
+    outcome = _tool(name).certify(_change(small, kind, path, new), SECONDS)
+    assert outcome.rejected
+    assert outcome.accepted < outcome.statements
+
+
+@pytest.mark.parametrize("name", SLOW)
+def test_what_is_positive_nowhere_by_its_coefficients_is_rejected(
+    name: str, small: Subject
+) -> None:
+    """0 < alpha - 1 with its own true value as evidence: equal, and negative."""
+    broken = _change(small, "positive", ("claim", "expression", "nodes", 0, 1), "-1")
+    claim = _first(broken.certificate, "positive")
+    claim["claim"]["expression"]["nodes"][2] = ["mul", 1]
+    (term,) = claim["evidence"]["value"]["num"]
+    term[0] = "-4"
+    assert _tool(name).certify(broken, SECONDS).rejected
+
+
+def _lowered(subject: Subject, kernel: str, output: str, factor: Fraction) -> bool:
+    """Whether Gappa reaches the printed bound times a factor."""
+    (printed,) = (
+        p for p in printed_bounds(subject.source) if (p.kernel, p.output) == (kernel, output)
+    )
+    graph = subject.certificate["programs"][kernel]["graph"]
+    found = gappa.largest_error(graph, output, printed.domain, SECONDS)
+    assert found is not None
+    return found <= printed.bound * factor
+
+
+def test_gappa_reaches_a_printed_bound_and_not_a_fifth_less() -> None:
+    _tool("gappa")
+    subject, output = _subject("alpha-beta"), "minimum_variance_beta"
+    assert _lowered(subject, "minimum_variance_by_lag", output, Fraction(1))
+    assert not _lowered(subject, "minimum_variance_by_lag", output, Fraction(4, 5))
+
+
+@pytest.mark.thorough
+def test_gappa_rejects_a_third_of_a_bound() -> None:
+    tool, subject = _tool("gappa"), _subject("random-acceleration")
+    start = subject.source.index("def predicted_covariance(")
+    end = subject.source.index("\ndef ", start)
+    only = subject.source[start:end]
+    assert not tool.certify(replace(subject, source=only), SECONDS).rejected
+    bound = next(printed_bounds(only)).bound
+    lower = only.replace(f"at most {float(bound):.2f}", f"at most {float(bound) / 3:.2f}")
+    assert tool.certify(replace(subject, source=lower), SECONDS).rejected
+
+
+def test_every_statement_is_handed_over_or_has_a_reason() -> None:
+    for subject in chosen(["random-acceleration", "multipath-location", "least-squares-line"]):
+        known = towers(subject.certificate)
+        for statement in statements(subject.certificate):
+            assert bool(statement.goals) != bool(statement.left_out)
+            assert statement.left_out or statement.tower in known
+
+
+def test_the_table_says_what_is_absent(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("gainproof.certify.external.found", lambda _: False)
+    assert main(["certify", "least-squares-mean"]) == 0
+    text = capsys.readouterr().out
+    assert "coqc is not installed" in text
+    assert "flint" in text
+    assert main(["certify", "least-squares-mean", "--tool", "coq"]) == 2
+
+
+def test_an_unknown_subject(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["certify", "least-square-mean"]) == 2
+    assert "least-squares-mean" in capsys.readouterr().err
