@@ -99,6 +99,12 @@ class _Tower:
             yield f"replace ({new} ^ {power}) with {multiplied} by field;"
             yield f"rewrite r_{name}; field); clear r_{name}; rename q_{name} into r_{name};"
 
+    def _letter(self, name: str) -> str:
+        """What stands for a variable once the roots are multiplied, parameters counted anew."""
+        if name in self.tower.shifted:
+            return f"({self.tower.shifted[name]} + x_{name})"
+        return f"v_{name}" if self.scales.get(name, 1) == 1 else f"x_{name}"
+
     def _whole(self, relation: Relation) -> str:
         """The radicand times scale^power as a polynomial in the multiplied roots."""
         factor = Fraction(self.scales[relation.symbol]) ** relation.power
@@ -109,7 +115,7 @@ class _Tower:
             for name, power in powers:
                 scale = self.scales.get(name, 1)
                 value /= Fraction(scale) ** power
-                factors.append(f"{'v' if scale == 1 else 'x'}_{name} ^ {power}")
+                factors.append(f"{self._letter(name)} ^ {power}")
             terms.append(" * ".join([_number(value), *factors]))
         return " + ".join(terms) or "0"
 
