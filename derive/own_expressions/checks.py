@@ -16,8 +16,9 @@ from gainproof.derive.own_expressions.expressions import (
 )
 
 NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
-TAKEN = frozenset({"np", "evaluate", "annotations", "out"})
-"""Names that a printed module or function has for something else."""
+TAKEN = frozenset({"np", "evaluate", "annotations", "iv", "out"})
+INPUTS_TAKEN = frozenset({"abs", "accurate", "value", "workers"})
+"""Names that a printed module, function or certificate has for something else."""
 PARTS = re.compile(r"(part|over)_\d+(_of.*)?")
 """Names of what is no polynomial, see `parts`."""
 
@@ -47,6 +48,11 @@ def _require_kernel(kernel: ExpressionKernel) -> None:
         names = [quantity.name for quantity in quantities]
         for quantity in quantities:
             _require_name(f"{kernel.name}: one of the {what}", quantity.name)
+            if what == "inputs" and quantity.name in INPUTS_TAKEN:
+                raise ExpressionError(
+                    f"{kernel.name}: an input cannot be called {quantity.name}, which a function "
+                    "or its certificate has for something else"
+                )
             _require_line(f"{kernel.name}: {quantity.name}", quantity.meaning)
         _require_different(f"{kernel.name}: {what}", names)
     known = {each.quantity.symbol for each in kernel.inputs}

@@ -83,10 +83,13 @@ def _formed(given: ExpressionKernel) -> Formed:
 def _proved(
     form: Callable[[ExpressionKernel], Formed], given: ExpressionKernel
 ) -> tuple[Formed | None, str]:
-    """The kernel in a form that has proved bounds, or why there is none."""
+    """The kernel in a form that has proved bounds and is what its programs say, or why there is
+    none.
+    """
     try:
         formed = form(given)
         prove_all([formed.kernel])
+        formed.held(formed.kernel)
     except ExpressionError:
         raise
     except (ValueError, NotImplementedError) as error:

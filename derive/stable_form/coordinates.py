@@ -32,8 +32,8 @@ class Coordinate:
 
     @property
     def parameter(self) -> str:
-        """The name of the positive parameter."""
-        return f"{self.name}_root" if self.rooted else f"{self.name}_above"
+        """The name of the positive parameter; no input or output has one with such an end."""
+        return f"{self.name}_root_" if self.rooted else f"{self.name}_above_"
 
     @property
     def above(self) -> sp.Expr:

@@ -137,7 +137,7 @@ class Reading:
         for entry in self.generators:
             if entry.radicand == radicand:
                 return real(entry.symbol)
-        symbol = f"root_{len(self.generators) + 1}"
+        symbol = f"root_{len(self.generators) + 1}_"
         self.generators = [*self.generators, Generator(symbol, radicand)]
         self.tower = self._tower()
         return real(symbol)

@@ -71,7 +71,7 @@ class Rewriting:
             if product.constant and shown(product) and (either or product.constant > 0):
                 positive = value if product.constant > 0 else -value
                 if not positive.is_number and positive not in self.required:
-                    name = f"{self.prefix}_required_{len(self.required) + 1}"
+                    name = f"{self.prefix}_required_{len(self.required) + 1}_"
                     self.required[positive] = Required(name, positive, reading, reason)
                 return
         wanted = "other than 0" if either else "positive"
@@ -188,6 +188,6 @@ class Rewriting:
         argument = reading.product(reading.read(value))
         if argument.constant <= 0 or not shown(argument):
             raise NoReading(f"{kind}: an argument that is not shown to be positive: {value}")
-        name = f"{self.prefix}_{kind}_{len(self.atoms) + 1}"
+        name = f"{self.prefix}_{kind}_{len(self.atoms) + 1}_"
         self.atoms[name] = Atom(name, kind, value, reading, argument)
         return real(name)

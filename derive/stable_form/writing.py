@@ -16,7 +16,7 @@ from gainproof.derive.stable_form.product import Product
 from gainproof.derive.stable_form.reading import Reading
 from gainproof.derive.stable_form.real_values import Required
 
-VALUE, SCALE = "value", "scale"
+VALUE, SCALE = "value", "scale_"
 
 
 @dataclass(frozen=True)

@@ -185,6 +185,27 @@ def test_functions_stand_for_what_was_proved_of_them(expression: sp.Expr) -> Non
     assert accepted(one(expression, Argument(NUMBER, "1/2", upper)))
 
 
+@pytest.mark.parametrize("name", ["root_1", "x_above", "y_growth_1", "y_required_1", "out_1"])
+def test_names_of_inputs_are_none_of_a_certificate(name: str) -> None:
+    other = Quantity(name, name, "a number", ONE)
+    assert accepted(
+        one(
+            (sp.exp(n) - 1) * (sp.sqrt(other.symbol + n + 1) - sp.sqrt(n)),
+            PURE,
+            Argument(other, "1/2", "2"),
+        )
+    )
+
+
+@pytest.mark.parametrize(
+    "name", ["workers", "accurate", "out", "value", "np", "lambda", "iv", "abs"]
+)
+def test_names_that_are_taken_are_refused(name: str) -> None:
+    other = Quantity(name, name, "a number", ONE)
+    with pytest.raises(ExpressionError, match=name):
+        derive_expressions(one(other.symbol + 1, Argument(other, "1/2", "2")))
+
+
 def test_parts_are_symbols_in_a_certificate() -> None:
     parts = Parts()
     read = parts.read(n / sp.sqrt(n + 1) ** 3 + 1 / (n * (n + 2)))

@@ -66,7 +66,7 @@ def test_a_subtraction_that_is_left_is_named() -> None:
     """x^3 - 3 x + 1 changes its sign where x is no rational number."""
     form = stable({"y": X**3 - 3 * X + 1}, (Input("x", "a number", "0", "10"),))
     assert list(form.cancellations) == ["y_difference_1"]
-    assert form.scales == {"y": "y_scale"}
+    assert form.scales == {"y": "y_scale_"}
     assert accepted(form)
 
 
