@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from gainproof.bad_input import BadInputError
 from gainproof.derive.formulas import formulas_source
+from gainproof.derive.formulas_tried import require_values
 from gainproof.derive.printer.c_language.module import c_files
 from gainproof.derive.printer.c_language.trial import c_trial
 from gainproof.derive.printer.canonical_json import canonical_json
@@ -28,7 +30,8 @@ def printed(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
 
 def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
     """The same for a package of its own: with a page, values that its tests read, and what the
-    other targets have, in folders called after them.
+    other targets have, in folders called after them. Raises BadInputError where a test against
+    formulas could compare nothing.
     """
     module = subject.module
     bounds = prove_all(module.kernels)
@@ -45,5 +48,10 @@ def packaged(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]
     files[f"c/test_{module.name}.c"] = c_trial(module, values)
     files[f"fpcore/{module.name}.fpcore"] = fpcore(module, bounds)
     formulas = formulas_source(subject)
-    files |= {f"tests/formulas_{module.name}.py": formulas} if formulas else {}
+    if formulas:
+        try:
+            require_values(formulas, values)
+        except ValueError as error:
+            raise BadInputError(f"{subject.name}: {error}") from None
+        files[f"tests/formulas_{module.name}.py"] = formulas
     return {"module": module.name, "title": module.title, "files": files}
