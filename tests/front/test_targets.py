@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 
 from gainproof import cli
+from gainproof.derive.printer.program import FUNCTIONS
+from gainproof.standalone.shipped import test_c
 
 SUBJECT, MODULE = "least-squares-mean", "least_squares_mean"
 BOTH = ("--target", "fpcore", "--target", "c", "--target", "numpy")
@@ -47,6 +49,10 @@ def test_other_targets_lie_in_folders_of_their_own(tmp_path: Path) -> None:
     assert "skipped" in said or "2 failed" in said, said
     assert generate(package) == 0  # what is no longer wanted goes
     assert names(package) == before
+
+
+def test_the_functions_that_round_otherwise_are_those_that_kernels_call() -> None:
+    assert set(test_c.LIBRARY) == set(FUNCTIONS)
 
 
 def test_other_targets_need_a_package(capsys: pytest.CaptureFixture[str]) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64, Format
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.program import FUNCTIONS
 
 KEYWORDS = frozenset(
     (
@@ -15,11 +16,18 @@ KEYWORDS = frozenset(
         *("else", "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long"),
         *("register", "restrict", "return", "short", "signed", "sizeof", "static", "struct"),
         *("switch", "typedef", "union", "unsigned", "void", "volatile", "while"),
-        *("class", "delete", "new", "private", "public", "template", "this", "operator"),
-        *("n", "i", "first", "fine", "values", "code"),
+        *("asm", "bool", "catch", "class", "decltype", "delete", "explicit", "export", "false"),
+        *("friend", "mutable", "namespace", "new", "noexcept", "nullptr", "operator", "private"),
+        *("protected", "public", "template", "this", "throw", "true", "try", "typeid"),
+        *("typename", "using", "virtual", "wchar_t", "alignas", "alignof", "concept", "requires"),
+        *("and", "or", "not", "xor", "bitand", "bitor", "compl", "and_eq", "or_eq", "not_eq"),
+        *("constexpr", "static_assert", "thread_local", "fabs", "floor", "sqrt", *FUNCTIONS),
+        *("fabsf", "floorf", "sqrtf", *(f"{name}f" for name in FUNCTIONS)),
+        *("n", "i", "first", "fine", "values", "code", "size_t", "near_cbrt", "errno", "linux"),
+        *("unix", "main", "memcpy", "INFINITY", "NAN", "HUGE_VAL", "NULL"),
     )
 )
-"""What an argument is not called: words of C and C++, and those of the functions printed."""
+"""What an argument is not called: words of C and C++, and what the functions printed call."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +57,11 @@ def argument(name: str) -> str:
 
 def arguments(kernel: Kernel) -> tuple[list[str], list[str]]:
     """Names of inputs and outputs, no two alike."""
-    inputs = [argument(given.name) for given in kernel.inputs]
-    outputs = [argument(output.name) for output in kernel.outputs]
-    return inputs, [f"{name}_out" if name in inputs else name for name in outputs]
+    found = list[str]()
+    for each in (*kernel.inputs, *kernel.outputs):
+        name = argument(each.name)
+        while name in found:
+            name = f"{name}_"
+        found.append(name)
+    count = len(kernel.inputs)
+    return found[:count], found[count:]

@@ -22,8 +22,8 @@ from gainproof.derive.printer.library import NUMPY
 Bounds = Sequence[Sequence[KernelBound]]
 
 CHECKED = """\
-#if defined(__FAST_MATH__)
-#error "these kernels keep their error bounds without -ffast-math only"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "compile without -ffast-math and without any of the options that it stands for"
 #endif
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #error "every operation has to be rounded to its type: on 32-bit x86 compile with -mfpmath=sse"
@@ -33,7 +33,9 @@ CHECKED = """\
 #elif defined(__FP_FAST_FMA) && !defined(__STRICT_ANSI__) && !defined(CONTRACTION_IS_OFF)
 #error "compile with -std=c99, or with -ffp-contract=off -DCONTRACTION_IS_OFF"
 #endif"""
-"""What would round otherwise does not compile: GCC contracts a * b + c but in ISO mode."""
+"""What is seen of options that round otherwise does not compile; GCC contracts a * b + c but in ISO
+mode. Parts of -ffast-math that define no macro are not seen: the test program tells.
+"""
 
 ABOUT = (
     "Each kernel has an entry for numbers and one for arrays of n numbers, in double and (_float) "

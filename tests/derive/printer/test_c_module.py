@@ -17,7 +17,15 @@ from graph_kernels import function_of, kernel_of, several_of
 from gainproof.derive.printer.c_language.module import c_files
 from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, Requirement, signed
+from gainproof.derive.printer.kernel import (
+    Input,
+    Kernel,
+    Module,
+    Output,
+    Requirement,
+    closed,
+    signed,
+)
 from gainproof.derive.printer.together import prove_all
 
 KINDS = pytest.mark.parametrize("kind", [np.float64, np.float32])
@@ -134,9 +142,10 @@ def test_what_would_round_otherwise_does_not_compile(tmp_path: Path) -> None:
         return subprocess.run(line, cwd=tmp_path, capture_output=True, text=True, check=False)
 
     assert compiled("-std=c99").returncode == 0
-    refused = compiled("-std=c99", "-ffast-math")
-    assert refused.returncode
-    assert "without -ffast-math" in refused.stderr
+    for option in ("-ffast-math", "-ffinite-math-only"):
+        refused = compiled("-std=c99", option)
+        assert refused.returncode
+        assert "without -ffast-math" in refused.stderr
 
 
 def test_cpp_reads_the_header(tmp_path: Path) -> None:
@@ -150,6 +159,23 @@ def test_cpp_reads_the_header(tmp_path: Path) -> None:
     if "cc1plus" in done.stderr:
         pytest.skip("the compiler has no C++")
     assert done.returncode == 0, done.stderr
+
+
+def test_no_two_names_are_alike_and_none_hides_what_is_called(tmp_path: Path) -> None:
+    b = GraphBuilder()
+    root, namespace = b.symbol("sqrt"), b.symbol("namespace")
+    graph = b.graph({"sqrt_": b.sqrt(root + namespace), "sqrt": root, "fabs": namespace + 1})
+    names = ("sqrt", "namespace")
+    kernel = replace(
+        several_of(graph, "1e-6", "1e6"),
+        inputs=tuple(closed(name, "an argument", "1e-6", "1e6") for name in names),
+    )
+    loaded = library(module_of(kernel), prove_all([kernel]), tmp_path)
+    given = [np.array([4.0, 9.0]), np.array([5.0, 7.0])]
+    code, _, found = call_arrays(loaded, module_of(kernel), kernel, given)
+    assert code == 0
+    assert [column.tolist() for column in found] == [[3.0, 4.0], [4.0, 9.0], [6.0, 8.0]]
+    assert "namespace," not in (tmp_path / "trial.h").read_text(encoding="utf-8")
 
 
 def test_the_comment_cannot_be_left() -> None:

@@ -16,7 +16,7 @@ from gainproof.standalone.shipped._package import FORMATS, PACKAGE, VALUES, func
 
 SOURCES = PACKAGE / "c"
 FLAGS = ("-O2", "-std=c99", "-ffp-contract=off", "-Wall", "-Wextra", "-pedantic", "-Werror")
-LIBRARY = ("sin", "cos", "atan2", "hypot", "exp", "log")
+LIBRARY = ("sin", "cos", "atan2", "hypot", "exp", "expm1", "log1p")
 """Calls of `math.h` that may round otherwise than NumPy's own functions."""
 
 
