@@ -90,7 +90,8 @@ def _input(argument: Argument, kernel: ExpressionKernel) -> Input:
 
 def _number(place: str, text: str) -> Fraction:
     try:
-        if isinstance(text, str):
+        # an exponent of more digits is of no format, and its power of ten fills the memory
+        if isinstance(text, str) and len(text.lower().partition("e")[2].strip("+-0 ")) <= 4:
             return Fraction(text)
     except (ValueError, ZeroDivisionError):
         pass

@@ -206,6 +206,12 @@ def test_names_that_are_taken_are_refused(name: str) -> None:
         derive_expressions(one(other.symbol + 1, Argument(other, "1/2", "2")))
 
 
+@pytest.mark.parametrize("end", ["1e999999999", "1E-999999999", "ten", "1/0"])
+def test_ends_of_domains_that_are_no_numbers_are_refused(end: str) -> None:
+    with pytest.raises(ExpressionError, match="an end of a domain is a number as text"):
+        derive_expressions(one(n + 1, Argument(NUMBER, "1/2", end)))
+
+
 def test_parts_are_symbols_in_a_certificate() -> None:
     parts = Parts()
     read = parts.read(n / sp.sqrt(n + 1) ** 3 + 1 / (n * (n + 2)))
