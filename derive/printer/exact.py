@@ -90,7 +90,8 @@ def _ball(
             return parts[3] if parts[0] >= parts[1] else flint.arb("nan")
         case "select":
             limit = threshold(program, step, form)
-            scaled, value = point[0] * Fraction(limit.factor), Fraction(limit.value)
+            (only,) = point
+            scaled, value = only * Fraction(limit.factor), Fraction(limit.value)
             holds = scaled < value if limit.input_first else value < scaled
             return parts[2] if holds else parts[3]
     if step.operation in FUNCTIONS:

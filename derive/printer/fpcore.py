@@ -14,6 +14,7 @@ from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.constant import constant
 from gainproof.derive.printer.formats import FLOAT64, FORMATS, Format
 from gainproof.derive.printer.kernel import Input, Kernel, Module
+from gainproof.derive.printer.near_cbrt import ERROR
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, Step
 from gainproof.derive.printer.registers import plan
@@ -31,7 +32,7 @@ OPERATION = {
 }
 """What FPCore calls otherwise. It has no bits of numbers: a start of a cube root is the root."""
 
-START = "The kernel starts t%s from bits, at a number within 3.3 % of the cube root."
+START = "The kernel starts {} from bits, at a number within {} of the cube root."
 
 
 def fpcore(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
@@ -55,7 +56,7 @@ def _core(module: str, kernel: Kernel, bound: KernelBound, row: int) -> Iterator
     yield f"  :precision {PRECISION[form.name]}"
     yield f'  :description "{_text(output.meaning)}"'
     for number in starts:
-        yield f'  :gainproof-start "{START % number}"'
+        yield f'  :gainproof-start "{START.format(_step(number), ERROR)}"'
     yield f"  :pre {_condition(kernel, steps, bound, row)}"
     yield f"  {_let(steps, end, form, '{}')})"
 
@@ -67,8 +68,13 @@ def _let(steps: Program, end: int, form: Format, last: str) -> str:
     if not order:
         return value
     gap = "\n         "
-    bindings = gap.join(f"[t{number} {_expression(steps, number, form)}]" for number in order)
+    bindings = gap.join(f"[{_step(number)} {_expression(steps, number, form)}]" for number in order)
     return f"(let* ({bindings}){gap[:-5]}{value})"
+
+
+def _step(number: int) -> str:
+    """The name of a step: no input has one like it, since names in Python have no dot."""
+    return f"t.{number}"
 
 
 def _text(words: str) -> str:
@@ -100,7 +106,7 @@ def _operand(steps: Program, number: int, form: Format) -> str:
         return step.label
     if step.constant is not None:
         return literal(step.constant.nearest(form))
-    return f"t{number}"
+    return _step(number)
 
 
 def _expression(steps: Program, number: int, form: Format) -> str:

@@ -24,7 +24,21 @@ KEYWORDS = frozenset(
         *("constexpr", "static_assert", "thread_local", "fabs", "floor", "sqrt", *FUNCTIONS),
         *("fabsf", "floorf", "sqrtf", *(f"{name}f" for name in FUNCTIONS)),
         *("n", "i", "first", "fine", "values", "code", "size_t", "near_cbrt", "errno", "linux"),
-        *("unix", "main", "memcpy", "INFINITY", "NAN", "HUGE_VAL", "NULL"),
+        *(
+            "unix",
+            "main",
+            "memcpy",
+            "at",
+            "ends",
+            "expect",
+            "place",
+            "numbers",
+            "wrong",
+            "INFINITY",
+            "NAN",
+            "HUGE_VAL",
+            "NULL",
+        ),
     )
 )
 """What an argument is not called: words of C and C++, and what the functions printed call."""
@@ -58,8 +72,8 @@ def argument(name: str) -> str:
 def arguments(kernel: Kernel) -> tuple[list[str], list[str]]:
     """Names of inputs and outputs, no two alike."""
     found = list[str]()
-    for each in (*kernel.inputs, *kernel.outputs):
-        name = argument(each.name)
+    named = [each.name for each in kernel.inputs] + [each.name for each in kernel.outputs]
+    for name in map(argument, named):
         while name in found:
             name = f"{name}_"
         found.append(name)

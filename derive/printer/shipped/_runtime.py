@@ -71,7 +71,7 @@ def evaluate(
             results = checked(kernel, out, shape, kind)
         call = Call(kernel, inputs, flat, results, out is None)
         starts = range(0, results[0].size, block_length(kernel))
-        count = max(1, min(workers, len(starts)))
+        count = max(1, min(int(workers), len(starts)))
         ends = [len(starts) * part // count for part in range(count + 1)]
         run(call, [starts[first:last] for first, last in pairwise(ends)])
     if out is None and shape == ():

@@ -38,7 +38,7 @@ class Tree:
     def nodes(self) -> Iterable[Tree]:
         """Every tree in it once, parts before the whole."""
         seen: dict[int, Tree] = {}
-        stack = [(self, False)]
+        stack: list[tuple[Tree, bool]] = [(self, False)]
         while stack:
             tree, entered = stack.pop()
             if entered:

@@ -13,9 +13,10 @@ import numpy as np
 import pytest
 from graph_kernels import function_of, kernel_of
 
+from gainproof.derive.printer.fixed_point import fixed_point, near_cbrt
 from gainproof.derive.printer.fpcore import fpcore
 from gainproof.derive.printer.graph import GraphBuilder
-from gainproof.derive.printer.kernel import Kernel, Module, Output, Requirement, signed
+from gainproof.derive.printer.kernel import Kernel, Module, Output, Requirement, closed, signed
 from gainproof.derive.printer.together import prove_all
 
 Tree = Any
@@ -105,6 +106,30 @@ def test_the_bits_are_those_of_the_kernel() -> None:
             assert type(found) is kind
             assert found == wanted
         assert not value(said[":pre"], {"x": kind(2e9)}, kind)
+
+
+def test_a_start_of_a_cube_root_is_said_to_be_one() -> None:
+    b = GraphBuilder()
+    t3 = b.symbol("x")
+    first = fixed_point(near_cbrt(t3), lambda y: b.sqrt(b.sqrt(t3 * y)), within="1/25")
+    kernel = kernel_of(b.graph({"y": first}), lower="1e-3", upper="1e3")
+    for core in read(fpcore(module_of(kernel), prove_all([kernel]))):
+        said = properties(core)
+        assert "starts t." in said[":gainproof-start"]
+        assert "0.0325 of the cube root" in said[":gainproof-start"]
+        assert any(line[1][0] == "cbrt" for line in core[-1][1])
+
+
+def test_no_input_is_taken_for_a_step() -> None:
+    b = GraphBuilder()
+    names = ("t2", "t3")
+    one, other = (b.symbol(name) for name in names)
+    made = kernel_of(b.graph({"y": b.sqrt(one + 1) * b.sqrt(other + 2)}))
+    inputs = tuple(closed(name, "an argument", "1e-3", "1e3") for name in names)
+    kernel = replace(made, inputs=inputs)
+    for core in read(fpcore(module_of(kernel), prove_all([kernel]))):
+        kind = KINDS[properties(core)[":precision"]]
+        assert value(core[-1], {"t2": kind(3.0), "t3": kind(7.0)}, kind) == 6.0
 
 
 def test_what_is_required_of_inputs_together_is_a_precondition() -> None:
