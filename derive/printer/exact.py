@@ -90,7 +90,7 @@ def _ball(
             return parts[3] if parts[0] >= parts[1] else flint.arb("nan")
         case "select":
             limit = threshold(program, step, form)
-            (only,) = point
+            (only,) = list(point)
             scaled, value = only * Fraction(limit.factor), Fraction(limit.value)
             holds = scaled < value if limit.input_first else value < scaled
             return parts[2] if holds else parts[3]
