@@ -19,6 +19,7 @@ from types import FrameType, ModuleType
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.commands import (
     bench,
+    book,
     campaign,
     certify,
     check,
@@ -43,6 +44,7 @@ COMMANDS: Mapping[str, ModuleType] = {
     "certify": certify,
     "explain": explain,
     "cite": cite,
+    "book": book,
     "design": design,
     "locate": locate,
     "track": track,

@@ -21,7 +21,6 @@ def explanation(claim: Claim, columns: int = WIDTH, words: str = "", checked: st
     fails; nothing twice. `words` are those of a claim without a formula, `checked` says what came
     of its certificate when it was gone through again.
     """
-    certificate: Mapping[str, Any] = claim["evidence"]["certificate"] or {}
     lines = [f"{claim['id']}: {claim['verdict']}"]
     lines += filled(
         " ".join((claim["latex"] or words or claim["kind"]).split()), "  ", "    ", columns
@@ -29,22 +28,29 @@ def explanation(claim: Claim, columns: int = WIDTH, words: str = "", checked: st
     lines.append("")
     for label, value in _facts(claim, checked):
         lines += filled(value, f"{label + ':':<{_LABEL}}", " " * _LABEL, columns)
+    for title, inner in parts(claim):
+        lines += ["", title[0].upper() + title[1:]]
+        for line in inner:
+            indent = " " * (len(line) - len(line.lstrip()) + 2)
+            lines += filled(line.strip(), indent, indent + "    ", columns)
+    return "\n".join(lines) + "\n"
+
+
+def parts(claim: Claim) -> list[tuple[str, list[str]]]:
+    """Counterexample, nearest true formula, proof and what else there is, each a title with its
+    lines, whose blanks at the beginning set them in.
+    """
+    certificate: Mapping[str, Any] = claim["evidence"]["certificate"] or {}
     witness = claim["evidence"]["witness"]
-    parts = [
+    found = [
         ("Counterexample", _witness(witness, is_of_slope(claim))),
         ("Nearest true formula", _repairs(claim)),
     ]
-    parts += [(section.title, list(section.lines)) for section in sections(certificate)]
-    parts += _in_words(claim)
+    found += [(section.title, list(section.lines)) for section in sections(certificate)]
+    found += _in_words(claim)
     others = certificate.get("against other conventions", {})
-    parts.append(("Fails under other conventions", _others(others, witness)))
-    for title, inner in parts:
-        if inner:
-            lines += ["", title[0].upper() + title[1:]]
-            for line in inner:
-                indent = " " * (len(line) - len(line.lstrip()) + 2)
-                lines += filled(line.strip(), indent, indent + "    ", columns)
-    return "\n".join(lines) + "\n"
+    found.append(("Fails under other conventions", _others(others, witness)))
+    return [(title, lines) for title, lines in found if lines]
 
 
 def _in_words(claim: Claim) -> list[tuple[str, list[str]]]:

@@ -112,13 +112,13 @@ def _opening(item: Item) -> str:
 
 def _model(model: Mapping[str, Any], names: Mapping[str, str]) -> str:
     shown = ", \\quad ".join(
-        f"{label} = {_matrix(model[field], names)}" for label, field in MODEL_FIELDS
+        f"{label} = {matrix_latex(model[field], names)}" for label, field in MODEL_FIELDS
     )
     lead = latex_prose(model_sentence(model), {**MODEL_SYMBOLS, **names}, escaped)
     return f"{lead}\n\\[\n{shown}\n\\]"
 
 
-def _matrix(rows: Sequence[Sequence[Any]], names: Mapping[str, str]) -> str:
+def matrix_latex(rows: Sequence[Sequence[Any]], names: Mapping[str, str]) -> str:
     """Numbers as they are, expressions over the model's parameters as formulas."""
     texts = [
         [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from gainproof.formula_text import plain_name
 
@@ -27,6 +27,17 @@ def numbered(text: str, numbers: Mapping[str, int]) -> str:
     none.
     """
     return _REFERENCE.sub(lambda match: str(numbers[match[1]]), text)
+
+
+def pieces(text: str) -> Iterator[tuple[str, str]]:
+    """The text cut into ("text", words), ("formula", plain letters) and ("step", id)."""
+    for place, part in enumerate(_FORMULA.split(text)):
+        if place % 2:
+            yield "formula", part
+            continue
+        for inner, words in enumerate(_REFERENCE.split(part)):
+            if words:
+                yield ("step" if inner % 2 else "text"), words
 
 
 def plain_prose(text: str) -> str:

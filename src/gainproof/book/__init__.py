@@ -1,0 +1,1 @@
+"""The book: derivations, judged sources, kernels and documentation as a static site."""

@@ -1,0 +1,94 @@
+"""A page for each kernel: signature, domain, proved bound, source, and what it looks like."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+from markupsafe import Markup
+
+from gainproof.book.highlighted import highlighted
+from gainproof.book.page import Finding, Page
+from gainproof.derived import Derived
+
+
+@dataclass(frozen=True)
+class KernelLink:
+    """A kernel as others point to it."""
+
+    name: str
+    summary: str
+    path: str
+
+
+def address(module: str, kernel: str) -> str:
+    """Where the page of a kernel lies."""
+    return f"kernels/{module}.{kernel}.html"
+
+
+def links(derived: Derived) -> list[KernelLink]:
+    """The kernels of a subject."""
+    return [
+        KernelLink(each["name"], each["summary"], address(each["module"], each["name"]))
+        for each in derived.kernels
+    ]
+
+
+def kernel_pages(derived: Derived, plots: Mapping[str, Any]) -> list[Page]:
+    """The pages of a subject's kernels; `plots`: pictures by the kernel's name."""
+    modules = {
+        each["module"]: importlib.import_module(f"gainproof.generated.{each['module']}")
+        for each in derived.kernels
+    }
+    return [_page(derived, each, modules[each["module"]], plots) for each in derived.kernels]
+
+
+def _page(
+    derived: Derived, kernel: Mapping[str, Any], module: ModuleType, plots: Mapping[str, Any]
+) -> Page:
+    name = kernel["name"]
+    function = getattr(module, name)
+    full = f"gainproof.generated.{kernel['module']}.{name}"
+    told = inspect.getdoc(function) or ""
+    return Page(
+        path=address(kernel["module"], name),
+        title=f"{kernel['module']}.{name}",
+        kind="kernel",
+        template="kernel.html",
+        data={
+            "full": full,
+            "name": name,
+            "module": kernel["module"],
+            "summary": kernel["summary"],
+            "signature": f"{name}{_signature(function)}",
+            "sections": _sections(told),
+            "source": _source(function),
+            "subject": derived.name,
+            "title": derived.title,
+            "plots": plots.get(name, ()),
+        },
+        findings=(Finding(f"{kernel['module']}.{name}", f"{kernel['summary']} {derived.title}"),),
+    )
+
+
+def _signature(function: Any) -> str:
+    """As it is written, its annotations being text."""
+    return str(inspect.signature(function)).replace("'", "")
+
+
+def _sections(told: str) -> list[tuple[str, bool]]:
+    """Paragraphs of a docstring after its first; true for those of formulas, which are set in."""
+    paragraphs = told.split("\n\n")[1:]
+    return [
+        (inspect.cleandoc(text) if text.startswith("    ") else text, text.startswith("    "))
+        for text in paragraphs
+    ]
+
+
+def _source(function: Any) -> Markup:
+    """The function without its docstring, which the page shows."""
+    return highlighted(inspect.getsource(function), "python")

@@ -1,0 +1,44 @@
+"""The pages of the book from its contents."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import gainproof
+from gainproof.book import document_pages, kernel_pages, list_pages, play, site
+from gainproof.book.contents import Contents
+from gainproof.book.derivation_pages import derivation_page
+from gainproof.book.page import Page
+from gainproof.book.source_pages import source_pages
+
+
+def pages(contents: Contents) -> list[Page]:
+    """Every page, the front page first."""
+    found = list_pages.list_pages(contents.subjects, contents.judgements, contents.versions)
+    for subject, report in zip(contents.subjects, contents.reports, strict=True):
+        found.append(derivation_page(subject, report, kernel_pages.links(subject)))
+        found += kernel_pages.kernel_pages(subject, {})
+    for judgement, words in zip(contents.judgements, contents.words, strict=True):
+        found += source_pages(judgement, words, {})
+    folder = documents()
+    if folder is not None:
+        found += document_pages.document_pages(folder)
+    return found
+
+
+def documents() -> Path | None:
+    """The folder of the documentation, in a checkout."""
+    folder = Path(gainproof.__file__).resolve().parents[2] / "docs"
+    return folder if folder.is_dir() else None
+
+
+def build(contents: Contents, folder: Path, tell: Callable[[str], None]) -> dict[str, bytes]:
+    """Write the site; the files that it has, by their paths."""
+    scripts: dict[str, str] = {}
+    for subject in contents.subjects:
+        game = play.section(subject)
+        scripts.update(game.scripts if game is not None else ())
+    made = site.files(pages(contents), scripts, tell)
+    site.write(made, folder)
+    return made

@@ -1,0 +1,63 @@
+"""LaTeX as MathML that carries its LaTeX along; what cannot be set is shown as it is written."""
+
+from __future__ import annotations
+
+import functools
+import xml.etree.ElementTree as ET
+
+from latex2mathml.converter import convert
+from markupsafe import Markup
+
+_SPACE = "http://www.w3.org/1998/Math/MathML"
+_ELEMENTS = frozenset(
+    {
+        *("math", "semantics", "annotation", "mrow", "mi", "mo", "mn", "mtext", "mspace"),
+        *("mfrac", "msqrt", "mroot", "msub", "msup", "msubsup", "munder", "mover", "munderover"),
+        *("mtable", "mtr", "mtd", "mpadded", "mphantom", "mstyle", "menclose", "merror"),
+    }
+)
+_ATTRIBUTES = frozenset(
+    {
+        *("display", "mathvariant", "stretchy", "fence", "form", "separator", "accent"),
+        *("minsize", "maxsize", "lspace", "rspace", "width", "linebreak", "columnalign"),
+        *("columnspacing", "rowspacing", "linethickness", "movablelimits", "symmetric", "notation"),
+        *("displaystyle", "scriptlevel", "largeop", "accentunder", "columnlines", "rowlines"),
+    }
+)
+
+
+def displayed(latex: str) -> Markup:
+    """A formula on a line of its own, with its LaTeX for whoever copies it."""
+    return Markup(_set(" ".join(latex.split()), "block"))
+
+
+def inline(latex: str) -> Markup:
+    """A formula within a sentence."""
+    return Markup(_set(" ".join(latex.split()), "inline"))
+
+
+@functools.lru_cache(maxsize=4096)
+def _set(latex: str, display: str) -> str:
+    """The element `math`, or `code` with the LaTeX where the setter does not know what to do.
+
+    A claim file of others may hold any LaTeX: an element or attribute that is not of plain
+    presentation (a link, a style, an event) is taken for something unknown. The setter knows rows
+    at their equals signs under one of their two names only.
+    """
+    try:
+        root = ET.fromstring(convert(latex.replace("{aligned}", "{align*}"), display=display))
+    except Exception:  # noqa: BLE001 (the setter raises errors of many types on what it cannot read)
+        return str(Markup('<code class="latex">{}</code>').format(latex))
+    for element in root.iter():
+        element.tag = element.tag.removeprefix(f"{{{_SPACE}}}")
+        if element.tag not in _ELEMENTS or not _ATTRIBUTES.issuperset(element.attrib):
+            return str(Markup('<code class="latex">{}</code>').format(latex))
+    inner = ET.Element("mrow")
+    inner.extend(list(root))
+    for child in list(root):
+        root.remove(child)
+    semantics = ET.SubElement(root, "semantics")
+    semantics.append(inner)
+    note = ET.SubElement(semantics, "annotation", {"encoding": "application/x-tex"})
+    note.text = latex
+    return ET.tostring(root, encoding="unicode")

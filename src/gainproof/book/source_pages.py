@@ -1,0 +1,133 @@
+"""A page for each source: its claims in order with verdict, proof or witness, and its errata."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from typing import Any
+
+from markupsafe import Markup
+
+from gainproof.book.mathematics import displayed
+from gainproof.book.page import Finding, Page
+from gainproof.book.quoted_symbols import with_symbols
+from gainproof.book.words import LANGUAGES, in_language
+from gainproof.claim_words import Words
+from gainproof.errata_entries import CANNOT_STAND
+from gainproof.explanation import parts
+from gainproof.verdict_reason import reason, repair_of, solutions
+from gainproof.verdicts import Judgement, tally
+
+Claim = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class ShownClaim:
+    """A claim: its formula or words, why it has its verdict, the nearest true formula, and the
+    parts of its proof or witness, each a title with lines, true for those that are set in.
+    """
+
+    id: str
+    verdict: str
+    formula: Markup | None
+    words: str
+    facts: tuple[tuple[str, Markup], ...]
+    reason: Markup
+    repair: Markup | None
+    repair_verdict: str
+    repair_changes: tuple[str, ...]
+    parts: tuple[tuple[str, tuple[tuple[bool, Markup], ...]], ...]
+    checked: str
+    cannot_stand: bool
+
+
+def address(key: str, language: str = "en") -> str:
+    """Where the page of a source lies."""
+    return f"sources/{key}.html" if language == "en" else f"sources/{key}.{language}.html"
+
+
+def source_pages(judgement: Judgement, words: Words, checked: Mapping[str, str]) -> list[Page]:
+    """The page of a judged source in each language; `words` are those of claims without a formula,
+    `checked` says of each claim what came of its certificate when it was gone through again.
+    """
+    source = judgement["source"]
+    claims = [
+        _shown(claim, words.get(claim["id"], ""), checked.get(claim["id"], ""))
+        for claim in judgement["claims"]
+    ]
+    by_id = {claim.id: claim for claim in claims}
+    places = [
+        (place, [by_id[claim["id"]] for claim in group])
+        for place, group in groupby(judgement["claims"], lambda claim: claim["place"])
+    ]
+    versions = {language: address(source["key"], language) for language in LANGUAGES}
+    return [
+        Page(
+            path=versions[language],
+            title=source["title"],
+            kind="source",
+            template="source.html",
+            data={
+                "source": source,
+                "places": places,
+                "errata": [claim for claim in claims if claim.cannot_stand],
+                "where": {claim["id"]: claim["place"] for claim in judgement["claims"]},
+                "tally": tally([judgement]),
+                "total": len(claims),
+                "w": in_language(language),
+            },
+            # found once, on the page in English
+            findings=_findings(source, judgement["claims"], words) if language == "en" else (),
+            language=language,
+            versions=versions,
+        )
+        for language in LANGUAGES
+    ]
+
+
+def _findings(
+    source: Mapping[str, Any], claims: Sequence[Claim], words: Words
+) -> tuple[Finding, ...]:
+    authors = " ".join(source["authors"])
+    return (
+        Finding(source["title"], f"{source['key']} {authors} {source['publication']}"),
+        *(
+            Finding(
+                f"{source['key']} {claim['id']}: {claim['verdict']}",
+                f"{claim['place']} {claim['latex'] or words.get(claim['id'], '')}",
+                f"claim-{claim['id']}",
+            )
+            for claim in claims
+        ),
+    )
+
+
+def _shown(claim: Claim, words: str, checked: str) -> ShownClaim:
+    repair = repair_of(claim)
+    told = (claim["evidence"]["certificate"] or {}).get("repair", {})
+    facts = (
+        ("reading", claim["reading"]),
+        ("convention", claim["convention"]),
+        ("domain", claim["domain"] if claim["domain"] != "nowhere" else None),
+        ("method", claim["evidence"]["method"]),
+        *(("undefined", text) for text in solutions(claim)),
+    )
+    return ShownClaim(
+        id=claim["id"],
+        verdict=claim["verdict"],
+        formula=displayed(claim["latex"]) if claim["latex"] else None,
+        words=words,
+        facts=tuple((label, with_symbols(str(value))) for label, value in facts if value),
+        reason=with_symbols(reason(claim)),
+        repair=displayed(repair["latex"]) if repair else None,
+        repair_verdict=repair["verdict"] if repair else "",
+        repair_changes=tuple(told.get("changes", ())) if repair else (),
+        parts=tuple((title, tuple(map(_line, lines))) for title, lines in parts(claim)),
+        checked=checked,
+        cannot_stand=claim["verdict"] in CANNOT_STAND,
+    )
+
+
+def _line(line: str) -> tuple[bool, Markup]:
+    return line.startswith(" "), with_symbols(line.strip())

@@ -1,0 +1,54 @@
+"""`gainproof book`: derivations, sources, kernels and documentation as a site to read."""
+
+from __future__ import annotations
+
+import argparse
+
+HELP = "make the book: a site of all derivations, sources and kernels"
+DESCRIPTION = """\
+Writes a static site that works from a folder without network: a page for each derivation, step by
+step with the checker's word; for each source with its claims, verdicts and errata; for each kernel;
+and the documentation. Needs the extra: pip install 'gainproof[book]'.
+
+DIR is a new or empty folder, or a book made before, which is renewed. Exit status 1 where a
+certificate is rejected or a link leads nowhere."""
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--out", metavar="DIR", default="book", help="default: book")
+    parser.add_argument("--open", action="store_true", help="show it in the browser")
+    parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
+
+
+def run(options: argparse.Namespace) -> int:
+    """0 if every certificate is accepted and every link leads somewhere, else 1."""
+    from importlib.util import find_spec
+    from pathlib import Path
+
+    from gainproof import places
+    from gainproof.bad_input import BadInputError
+    from gainproof.workshop import open_workshop
+
+    for name in ("jinja2", "latex2mathml", "markdown_it", "pygments"):
+        if find_spec(name) is None:
+            raise BadInputError(f"{name} is missing: pip install 'gainproof[book]'")
+    from gainproof.book import contents, making, site, site_links
+
+    folder = Path(options.out)
+    site.require_own(folder)
+    shop = open_workshop(fresh=options.fresh)
+    found = contents.gather(shop)
+    made = making.build(found, folder, shop.progress.say_sometimes)
+    pages = sum(path.endswith(".html") for path in made)
+    size = sum(map(len, made.values())) / 1e6
+    print(f"{pages} pages, {len(made)} files, {size:.1f} MB ({shop.progress.elapsed():.1f} s)")
+    links, wrong = site_links.broken(made)
+    print(f"{links} links within it, {len(wrong)} broken")
+    for link in wrong:
+        print(f"  {link}")
+    print(f"{places.shown(folder)}/index.html")
+    if options.open:
+        import webbrowser
+
+        webbrowser.open((folder / "index.html").resolve().as_uri())
+    return 0 if not wrong and all(report["accepted"] for report in found.reports) else 1

@@ -1,0 +1,115 @@
+"""The site: whole, linked, written only into a folder of its own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gainproof import derivations, judgements, places
+from gainproof.bad_input import BadInputError
+from gainproof.book import making, site, site_links
+from gainproof.book.contents import Contents
+from gainproof.book.document_pages import slug
+from gainproof.claim_words import claim_words
+from gainproof.workshop import open_workshop
+
+
+@pytest.fixture(scope="module")
+def files(all_derived: object) -> dict[str, bytes]:
+    """A site of one family and one source; the documentation is whole."""
+    del all_derived
+    shop = open_workshop(quiet=True)
+    subject = derivations.known("random-velocity", shop)
+    (file,) = [path for path in places.claim_files() if path.stem == "suzuki"]
+    contents = Contents(
+        versions={"SymPy": "1"},
+        subjects=[subject],
+        reports=[derivations.own_report(subject, shop)],
+        judgements=judgements.judge([file], shop),
+        words=[claim_words(judgements.read(file))],
+    )
+    return site.files(making.pages(contents), {}, lambda _: None)
+
+
+def test_no_link_is_broken(files: dict[str, bytes]) -> None:
+    links, wrong = site_links.broken(files)
+    assert not wrong
+    assert links > 500
+
+
+def test_broken_links_are_found(files: dict[str, bytes]) -> None:
+    page = "derivations/random-velocity.html"
+    spoiled = files[page].replace(b'id="step-velocity-gain"', b'id="elsewhere"')
+    assert spoiled != files[page]
+    _, wrong = site_links.broken({**files, page: spoiled})
+    assert f"{page}: #step-velocity-gain" in wrong
+    fewer = {path: content for path, content in files.items() if path != "names.html"}
+    assert any("names.html" in link for link in site_links.broken(fewer)[1])
+
+
+def test_every_step_has_the_checkers_word(files: dict[str, bytes]) -> None:
+    text = files["derivations/random-velocity.html"].decode()
+    assert "Certificate accepted" in text
+    assert "not checked" not in text
+
+
+def test_source_in_both_languages(files: dict[str, bytes]) -> None:
+    assert '<html lang="en">' in files["sources/suzuki.html"].decode()
+    japanese = files["sources/suzuki.ja.html"].decode()
+    assert '<html lang="ja">' in japanese
+    assert "証明済み" in japanese
+    assert "https://" not in japanese.split("<main")[0]
+
+
+def test_page_of_a_kernel(files: dict[str, bytes]) -> None:
+    text = files["kernels/random_velocity.gains.html"].decode()
+    assert "accurate: bool = False" in text
+    assert "Relative error at most" in text
+
+
+def test_nothing_is_loaded_from_elsewhere(files: dict[str, bytes]) -> None:
+    for path, content in files.items():
+        if path.endswith((".html", ".css", ".js")):
+            assert b'src="http' not in content, path
+            assert b"url(http" not in content, path
+            assert b"@import" not in content, path
+
+
+def test_written_twice_it_is_the_same(files: dict[str, bytes], tmp_path: Path) -> None:
+    folder = tmp_path / "book"
+    site.write(files, folder)
+    times = {path: (folder / path).stat().st_mtime_ns for path in files if path != site.MARK}
+    fewer = {path: content for path, content in files.items() if path != "search.html"}
+    site.write(fewer, folder)
+    assert not (folder / "search.html").exists()
+    left = {path: (folder / path).stat().st_mtime_ns for path in fewer if path != site.MARK}
+    assert left == {path: times[path] for path in left}
+
+
+def test_a_folder_of_others_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "mine.txt").write_text("mine")
+    with pytest.raises(BadInputError, match="holds other things"):
+        site.write({"index.html": b""}, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
+    with pytest.raises(BadInputError, match="a folder is wanted"):
+        site.require_own(tmp_path / "mine.txt")
+
+
+def test_an_altered_list_removes_nothing_outside(tmp_path: Path) -> None:
+    (tmp_path / "precious").write_text("mine")
+    folder = tmp_path / "book"
+    site.write({site.MARK: b"", "index.html": b"a"}, folder)
+    with (folder / site.MARK).open("a") as stream:
+        stream.write("../precious\n")
+    with pytest.raises(BadInputError, match="names a file outside"):
+        site.write({site.MARK: b"", "index.html": b"b"}, folder)
+    assert (tmp_path / "precious").read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    ("title", "anchor"),
+    [("[settings.NAME]", "settingsname"), ("What it answers", "what-it-answers")],
+)
+def test_anchors_of_headings(title: str, anchor: str) -> None:
+    assert slug(title) == anchor
