@@ -49,10 +49,11 @@ def evaluate(
     `workers`: threads that share the blocks, started for this call alone; 1 starts none. However
     many there are, results are the same bit for bit and the same input is refused.
 
-    TypeError for inputs that are not real numbers of the types above; ValueError for inputs
-    outside their domain (NaN included), shapes that do not fit, arrays in `out` that are not as
-    many as the outputs, of another shape or type, read-only, or that share memory, and for
-    `workers` that is no whole number from 1.
+    TypeError for inputs that are not real numbers of the types above, and for what in `out` is no
+    array of the type of the results; ValueError for inputs outside their domain (NaN included),
+    shapes that do not fit, an `out` that is no tuple of as many arrays as there are outputs,
+    arrays in it of another shape, read-only, or that share memory, and for `workers` that is no
+    whole number from 1.
     """
     if not isinstance(workers, int | np.integer) or workers < 1:
         raise ValueError(

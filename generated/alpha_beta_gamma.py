@@ -194,7 +194,8 @@ def coordinates(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -279,7 +280,8 @@ def gains_of_coordinates(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -413,7 +415,8 @@ def variances(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -583,7 +586,8 @@ def variances_of_coordinates(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -703,7 +707,8 @@ def updated_variances_of_coordinates(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -869,7 +874,8 @@ def acceleration_noise_variances(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -1121,7 +1127,8 @@ def jerk_noise_variances(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -1409,7 +1416,8 @@ def white_jerk_noise_variances(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -1664,7 +1672,8 @@ def acceleration_noise_variances_of_coordinates(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -1807,7 +1816,8 @@ def jerk_noise_variances_of_coordinates(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -1968,7 +1978,8 @@ def white_jerk_noise_variances_of_coordinates(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -2122,7 +2133,8 @@ def lags(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -2241,7 +2253,8 @@ def closed_loop_poles(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -2337,7 +2350,8 @@ def minimum_variance_by_lag(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -2468,7 +2482,8 @@ def random_acceleration_by_lag(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -2640,7 +2655,8 @@ def random_jerk_by_lag(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -2898,7 +2914,8 @@ def random_acceleration_by_gain(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """
@@ -2979,7 +2996,8 @@ def random_jerk_by_gain(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation alpha-beta-gamma
     """

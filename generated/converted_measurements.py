@@ -163,7 +163,8 @@ def classical_conversion_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -292,7 +293,8 @@ def debiased_conversion_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -455,7 +457,8 @@ def unbiased_conversion_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -605,7 +608,8 @@ def modified_unbiased_conversion_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -771,7 +775,8 @@ def classical_conversion(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -962,7 +967,8 @@ def debiased_conversion(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -1254,7 +1260,8 @@ def unbiased_conversion(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -1520,7 +1527,8 @@ def modified_unbiased_conversion(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -1728,7 +1736,8 @@ def correlated_unbiased_conversion_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """
@@ -1904,7 +1913,8 @@ def correlated_modified_unbiased_conversion_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation converted-measurements
     """

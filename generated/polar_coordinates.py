@@ -212,7 +212,8 @@ def to_cartesian(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -285,7 +286,8 @@ def to_polar(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -388,7 +390,8 @@ def cartesian_derivatives(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -511,7 +514,8 @@ def polar_derivatives(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -669,7 +673,8 @@ def noise_covariance(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -825,7 +830,8 @@ def mean_of_converted(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -954,7 +960,8 @@ def straight_course_rates(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -1109,7 +1116,8 @@ def to_cartesian_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -1168,7 +1176,8 @@ def to_polar_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -1242,7 +1251,8 @@ def cartesian_derivatives_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -1315,7 +1325,8 @@ def polar_derivatives_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -1420,7 +1431,8 @@ def noise_covariance_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -1519,7 +1531,8 @@ def mean_of_converted_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """
@@ -1615,7 +1628,8 @@ def straight_course_rates_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation polar-coordinates
     """

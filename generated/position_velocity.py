@@ -148,7 +148,8 @@ def gains(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -265,7 +266,8 @@ def predicted_covariance(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -386,7 +388,8 @@ def updated_covariance(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -522,7 +525,8 @@ def gains_by_tracking_index(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -723,7 +727,8 @@ def gains_by_velocity_ratio(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -919,7 +924,8 @@ def predicted_covariance_by_tracking_index(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -1129,7 +1135,8 @@ def predicted_covariance_by_velocity_ratio(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -1289,7 +1296,8 @@ def updated_covariance_by_tracking_index(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -1482,7 +1490,8 @@ def updated_covariance_by_velocity_ratio(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -1618,7 +1627,8 @@ def known_velocity(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -1699,7 +1709,8 @@ def closed_loop_poles(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """
@@ -1821,7 +1832,8 @@ def real_poles(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity
     """

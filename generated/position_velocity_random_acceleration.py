@@ -148,7 +148,8 @@ def gains(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -257,7 +258,8 @@ def predicted_covariance(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -370,7 +372,8 @@ def updated_covariance(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -498,7 +501,8 @@ def gains_by_tracking_index(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -656,7 +660,8 @@ def gains_by_velocity_ratio(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -832,7 +837,8 @@ def predicted_covariance_by_tracking_index(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -999,7 +1005,8 @@ def predicted_covariance_by_velocity_ratio(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -1148,7 +1155,8 @@ def updated_covariance_by_tracking_index(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -1298,7 +1306,8 @@ def updated_covariance_by_velocity_ratio(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -1417,7 +1426,8 @@ def known_velocity(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -1492,7 +1502,8 @@ def closed_loop_poles(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """
@@ -1595,7 +1606,8 @@ def real_poles(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation position-velocity-random-acceleration
     """

@@ -138,7 +138,8 @@ def gains(
     value is a normal number; ten to thirty times as slow.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -225,7 +226,8 @@ def gain_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -292,7 +294,8 @@ def gains_with_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -356,7 +359,8 @@ def predictor_gains(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -415,7 +419,8 @@ def predictor_gain_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -487,7 +492,8 @@ def predicted_covariance(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -557,7 +563,8 @@ def predicted_covariance_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -636,7 +643,8 @@ def updated_covariance(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -700,7 +708,8 @@ def updated_covariance_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -775,7 +784,8 @@ def gain_second_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -855,7 +865,8 @@ def predictor_gain_second_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -946,7 +957,8 @@ def predicted_covariance_second_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -1049,7 +1061,8 @@ def updated_covariance_second_derivatives(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -1149,7 +1162,8 @@ def closed_loop_poles(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -1231,7 +1245,8 @@ def index_from_alpha(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -1283,7 +1298,8 @@ def beta_from_alpha(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -1333,7 +1349,8 @@ def index_from_beta(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """
@@ -1385,7 +1402,8 @@ def alpha_from_beta(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation random-acceleration
     """

@@ -447,7 +447,8 @@ def slant_range(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -578,7 +579,8 @@ def range_jacobian(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -722,7 +724,8 @@ def range_rate(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -964,7 +967,8 @@ def range_rate_jacobian(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -1239,7 +1243,8 @@ def range_doppler(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -1485,7 +1490,8 @@ def range_hessian(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -1680,7 +1686,8 @@ def range_rate_hessian(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -2006,7 +2013,8 @@ def doppler_shift(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -2231,7 +2239,8 @@ def slant_range_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -2337,7 +2346,8 @@ def range_jacobian_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -2457,7 +2467,8 @@ def range_rate_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -2649,7 +2660,8 @@ def range_rate_jacobian_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -2858,7 +2870,8 @@ def range_doppler_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -3034,7 +3047,8 @@ def range_hessian_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -3171,7 +3185,8 @@ def range_rate_hessian_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -3403,7 +3418,8 @@ def doppler_shift_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -3678,7 +3694,8 @@ def bistatic_range_doppler(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -4127,7 +4144,8 @@ def range_doppler_difference(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -4573,7 +4591,8 @@ def bistatic_range_doppler_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """
@@ -4920,7 +4939,8 @@ def range_doppler_difference_in_plane(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation range-doppler
     """

@@ -156,7 +156,8 @@ def tracking_index(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation updated-gains
     """
@@ -223,7 +224,8 @@ def first_order_gains(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation updated-gains
     """
@@ -313,7 +315,8 @@ def recursive_gains(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation updated-gains
     """
@@ -408,7 +411,8 @@ def update_limits(
     work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation updated-gains
     """
@@ -520,7 +524,8 @@ def first_order_errors(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation updated-gains
     """
@@ -617,7 +622,8 @@ def cycle_drift(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation updated-gains
     """
@@ -740,7 +746,8 @@ def mismatch_variances(
     that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation updated-gains
     """
@@ -883,7 +890,8 @@ def line_of_sight_gains(
     to fill. `workers`: threads that share the work on long arrays.
 
     ValueError: an input outside its domain, with its place; `out` or `workers` that does not fit.
-    TypeError: an input that is no real number of these types.
+    TypeError: an input that is no real number of these types; in `out` what is no array of the
+    results' type.
 
     Source: derivation updated-gains
     """

@@ -111,7 +111,8 @@ def docstring(kernel: Kernel, bounds: Sequence[KernelBound]) -> str:
         _accurate(kernel),
         _wrap(
             "ValueError: an input outside its domain, with its place; `out` or `workers` that does "
-            "not fit. TypeError: an input that is no real number of these types."
+            "not fit. TypeError: an input that is no real number of these types; in `out` what is "
+            "no array of the results' type."
         ),
         _wrap(f"Source: {kernel.source}"),
     ]

@@ -13,7 +13,9 @@ if TYPE_CHECKING:
 def checked(
     kernel: Signature, out: Any, shape: tuple[int, ...], kind: np.dtype[Any]
 ) -> list[Array]:
-    """The given output arrays, or an error that says which of them does not fit."""
+    """The given output arrays. TypeError for what is no array of this type, ValueError for arrays
+    that do not fit otherwise; each says which of them.
+    """
     if not isinstance(out, tuple) or len(out) != len(kernel.outputs):
         raise ValueError(
             f"{kernel.name}: out must be a tuple of {len(kernel.outputs)} arrays "

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import signal
+import threading
 import time
 import tracemalloc
 import warnings
+from _thread import start_new_thread
 from functools import cache
 from typing import Any
 
@@ -132,6 +135,61 @@ def test_an_interrupt_ends_the_call_and_its_threads() -> None:
     with pytest.raises(KeyboardInterrupt):
         _threads.in_threads(job, [range(1), range(1, 2), range(2, 3)])
     assert sorted(done) == [1, 2]
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="nothing interrupts a lock here")
+@pytest.mark.parametrize("times", [1, 2, 3])
+def test_however_many_interrupts_come_no_thread_is_left_at_work(times: int) -> None:
+    """The second meets the waiting for the others, the third what the second has begun."""
+    done: list[int] = []
+    inside = [True]
+    main = threading.main_thread().ident
+    assert main == threading.get_ident()
+
+    def job(share: range) -> None:
+        if share.start == 1:
+            for _ in range(times):
+                time.sleep(0.03)
+                # to this thread, as from a keyboard: a signal is what ends its waiting
+                signal.pthread_kill(main, signal.SIGINT)
+            time.sleep(0.03)
+        if share.start:
+            done.append(share.start)
+
+    def interrupt(*_: object) -> None:
+        if inside:  # what comes too late would meet the tests' own process
+            raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGINT, interrupt)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            _threads.in_threads(job, [range(1), range(1, 2), range(2, 3)])
+        inside.clear()
+        found = sorted(done)
+        time.sleep(0.03 * (times + 2))
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert found == [1, 2]
+
+
+def test_what_has_started_is_waited_for_where_another_cannot_start(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    done: list[int] = []
+
+    def job(share: range) -> None:
+        time.sleep(0.03)
+        done.append(share.start)
+
+    def start(function: Any, given: tuple[Any, ...]) -> int:
+        if given[0] == 2:
+            raise RuntimeError("can't start new thread")
+        return start_new_thread(function, given)
+
+    monkeypatch.setattr(_threads, "start_new_thread", start)
+    with pytest.raises(RuntimeError, match="can't start"):
+        _threads.in_threads(job, [range(1), range(1, 2), range(2, 3)])
+    assert done == [1]
 
 
 @pytest.mark.parametrize("workers", [0, -1, 1.5, "2", None])
