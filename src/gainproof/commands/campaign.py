@@ -16,11 +16,14 @@ changed, and prints the report at once where all is done. For several machines w
 each its --blocks, and join their state files.
 
 float32 [KERNEL ...] gives every float32 number that is not negative to each kernel of one input
-(module, or module.kernel), and compares with its graph in double precision, which needs a C
-compiler: the worst error in units of 2^-23 of the true value (or of the scale that the docstring
-names), as the proved bound beside it, the worst in units in the last place, how many results are
-above the bound, how many inputs lie outside those for which it is stated, and of how many of these
-the result is not what is documented.
+(module, or module.kernel), and compares with its graph in double precision: in C where there is a
+compiler, else in NumPy, which takes longer. The table has, of each output, the proved bound in
+units of 2^-23 of the true value (or of the scale that the docstring names), the worst error in
+these units and the first input where it is, the worst in units in the last place, how many inputs
+lie outside those for which the bound is stated, and of how many of these the result is not what is
+documented. Beside a kernel stands a digest of its arithmetic, domain and ranges and of what is
+measured: a block that was done counts as long as these are the same, and kernels of one digest are
+swept once. Guards, threads and bounds do not belong to it: bounds are compared in the report.
 
 Exit status: 1 where the report is not as it should be."""
 

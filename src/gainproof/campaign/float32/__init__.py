@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from gainproof.campaign.campaign import Campaign
-from gainproof.campaign.float32.kernels import chosen, swept_kernels
-from gainproof.campaign.float32.report import report
+from gainproof.campaign.float32.kernels import Swept, chosen, swept_kernels
+from gainproof.campaign.float32.report import Row, report
 from gainproof.campaign.float32.sweep import block
 
 TITLE = "every float32 input of each kernel of one input: worst errors beside the proved bounds"
@@ -17,12 +18,32 @@ BLOCK = 1 << 24
 def campaign(names: Sequence[str] = ()) -> Campaign:
     """The sweep of the kernels of these names (module or module.kernel), of all without: gains
     first. Raises BadInputError for a name that is none.
+
+    Kernels of the same digest are the same arithmetic on the same inputs: they are swept once, by
+    the name of the first of all.
     """
-    kernels = sorted(chosen(swept_kernels(), names), key=lambda kernel: kernel.name != "gains")
-    blocks = [
-        (kernel.id, digest, first, min(BLOCK, kernel.stop - first))
-        for kernel in kernels
-        for digest in [kernel.digest()]
-        for first in range(kernel.start, kernel.stop, BLOCK)
+    alike: dict[str, list[Swept]] = {}
+    for kernel in swept_kernels():
+        alike.setdefault(kernel.digest(), []).append(kernel)
+    wanted = {kernel.id for kernel in chosen(swept_kernels(), names)}
+    groups = [
+        (digest, kernels)
+        for digest, kernels in alike.items()
+        if wanted & {kernel.id for kernel in kernels}
     ]
-    return Campaign("float32", block, blocks, report)
+    groups.sort(key=lambda group: group[1][0].name != "gains")
+    starts = {digest: _starts(kernels[0]) for digest, kernels in groups}
+    blocks = [
+        (kernels[0].id, digest, start, min(BLOCK, kernels[0].stop - start))
+        for digest, kernels in groups
+        for start in starts[digest]
+    ]
+    rows = {
+        digest: Row(", ".join(each.id for each in kernels), kernels[0].stated, len(starts[digest]))
+        for digest, kernels in groups
+    }
+    return Campaign("float32", block, blocks, partial(report, rows))
+
+
+def _starts(kernel: Swept) -> range:
+    return range(kernel.start, kernel.stop, BLOCK)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import inspect
 import pkgutil
-import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,11 @@ import numpy as np
 
 import gainproof.generated
 from gainproof.bad_input import unknown_name
-from gainproof.places import package_folder
+from gainproof.campaign.float32.stated import Stated, stated
+from gainproof.generated import _bits
+
+MEASURING = ("sweep.py", "tally.py", "c_text.py")
+"""Files; how the graph is computed in double precision is not among them: it is the same graph."""
 
 
 @dataclass(frozen=True)
@@ -40,30 +45,59 @@ class Swept:
     @property
     def start(self) -> int:
         """The bits of the least input; numbers that are not negative have the order of theirs."""
-        return _bits(self.signature.inputs[0].single[0])
+        return _bits_of(self.signature.inputs[0].single[0])
 
     @property
     def stop(self) -> int:
         """One more than the bits of the greatest input."""
-        return _bits(self.signature.inputs[0].single[1]) + 1
+        return _bits_of(self.signature.inputs[0].single[1]) + 1
+
+    @property
+    def stated(self) -> tuple[Stated, ...]:
+        """What the docstring promises of each output."""
+        return stated(self.function.__doc__)
 
     def digest(self) -> str:
-        """Of what the results rest on: the kernel's arithmetic and domain, the bounds that it
-        states, how bits are chosen, and what is measured. How its graph is computed in double
-        precision is not counted: it is the same graph.
+        """Of what the results rest on: the kernel's arithmetic, the numbers it takes, and for which
+        of them its bounds are stated; and how errors are measured.
+
+        Not of the bounds themselves, with which errors are compared when they are reported; not of
+        what brings blocks to the arithmetic and back (guards, threads, `out`), which is tested by
+        itself; and not of NumPy's version: sums, products, quotients and roots are rounded
+        correctly in each, and `test_campaign_float32` says so if a kernel takes anything else.
         """
         found = hashlib.sha256(inspect.getsource(self.signature.block).encode())
-        found.update(repr(self.signature.inputs).encode())
-        text = " ".join(str(self.function.__doc__).split())
-        found.update("".join(re.findall(r" at most .*? \(float32\)\.", text)).encode())
-        here = Path(__file__).parent
-        for path in (
-            package_folder("generated") / "_bits.py",
-            here / "sweep.py",
-            here / "tally.py",
-        ):
-            found.update(path.read_bytes())
+        for name in self.signature.block.__code__.co_names:
+            called = getattr(_bits, name, None)
+            if inspect.isfunction(called):
+                found.update(inspect.getsource(called).encode())
+        domain = self.signature.inputs[0]
+        ranges = [(each.scale, each.lowest, each.highest) for each in self.stated]
+        found.update(repr((domain.single, domain.whole, self.signature.outputs, ranges)).encode())
+        found.update(measuring_code())
         return found.hexdigest()[:16]
+
+
+@cache
+def measuring_code() -> bytes:
+    """The code that says which numbers are taken and what is measured, without its words."""
+    here = Path(__file__).parent
+    return "\n".join(
+        without_words((here / name).read_text(encoding="utf-8")) for name in MEASURING
+    ).encode()
+
+
+def without_words(text: str) -> str:
+    """The syntax of a module, without its docstrings and comments."""
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+            node.body = [each for each in node.body if not _is_text(each)]
+    return ast.dump(tree)
+
+
+def _is_text(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
 
 
 def swept_kernels() -> Iterator[Swept]:
@@ -90,5 +124,5 @@ def chosen(kernels: Iterable[Swept], names: Sequence[str]) -> list[Swept]:
     return [k for k in every if not names or k.id in names or k.module in names]
 
 
-def _bits(value: float) -> int:
+def _bits_of(value: float) -> int:
     return int(np.float32(value).view(np.int32))

@@ -1,22 +1,17 @@
-"""What a kernel is compared with: its graph as a C loop in double precision, and its bounds.
+"""What a kernel is compared with: its graph in double precision.
 
-The loop rounds as the float64 kernel does (see `c_loop`), whose proved error is some units of
-2^-52: a few 1e-9 of what float32 can tell. It rests on the same graph: it shows the rounding of the
-float32 kernel, and not that the graph is right, which its certificate proves.
+The graph's steps are rounded as in the float64 kernel, whose proved error is some units of 2^-52: a
+few 1e-9 of what float32 can tell, and taken into account (`stated.Stated.doubt`). It rests on the
+same graph: it shows the rounding of the float32 kernel, and not that the graph is right, which its
+certificate proves.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cache
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
-from gainproof.bad_input import BadInputError
-from gainproof.bench.compiler import Loop, compiled, compiler
-from gainproof.derive.printer.bound import prove
-from gainproof.derive.printer.c_language.loop import c_loop
-from gainproof.derive.printer.formats import FLOAT32
+from gainproof.campaign.float32.kernels import Swept
 from gainproof.derive.printer.kernel import Kernel, Output
 from gainproof.derive.subject import Subject
 from gainproof.deriving import build
@@ -24,59 +19,43 @@ from gainproof.deriving import build
 
 @dataclass(frozen=True)
 class Compared:
-    """An output: the rows of its value and scale in what the loop gives; the error over the scale
-    is at most `bound` * 2^-23 for inputs from `lowest` to `highest`.
+    """An output: the rows of its value and scale among what the reference gives, and the least and
+    greatest input for which its bound is stated.
     """
 
     name: str
     value: int
     scale: int
-    bound: float
     lowest: float
     highest: float
 
 
 @dataclass(frozen=True)
 class Reference:
-    """`loop` fills `rows` arrays of doubles from one."""
+    """`kernel` is the graph with an output for each row that is wanted."""
 
-    loop: Loop
-    rows: int
+    kernel: Kernel
     outputs: tuple[Compared, ...]
 
 
 @cache
-def reference(module: str, name: str) -> Reference:
-    """That of a kernel, derived and compiled on this machine.
+def reference(swept: Swept) -> Reference:
+    """That of a kernel, derived anew.
 
-    Raises BadInputError where there is no C compiler.
+    Raises ValueError where the derived kernel and the shipped one have other outputs.
     """
-    if compiler() is None:
-        raise BadInputError("the sweep needs a C compiler: cc, gcc or clang")
-    (kernel,) = (each for each in _subject(module).module.kernels if each.name == name)
+    (kernel,) = (each for each in _subject(swept.module).module.kernels if each.name == swept.name)
     names = [output.name for output in kernel.outputs]
-    scales = {output.relative_to for output in kernel.outputs if output.relative_to} - {*names}
-    rows = [*names, *sorted(scales)]
-    with TemporaryDirectory() as folder:
-        loop = compiled(c_loop(_with(kernel, rows)), name, Path(folder))
-    bounds = prove(kernel, FLOAT32).outputs
+    scales = [output.relative_to for output in kernel.outputs]
+    promised = swept.stated
+    if (*names,) != swept.signature.outputs or scales != [each.scale for each in promised]:
+        raise ValueError(f"{swept.id} is not what its derivation gives: gainproof generate")
+    rows = [*names, *sorted({scale for scale in scales if scale} - {*names})]
     outputs = tuple(
-        Compared(
-            output.name,
-            rows.index(output.name),
-            rows.index(output.relative_to or output.name),
-            float(bound.bound),
-            bound.lowest,
-            bound.highest,
-        )
-        for output, bound in zip(kernel.outputs, bounds, strict=True)
+        Compared(name, rows.index(name), rows.index(scale or name), each.lowest, each.highest)
+        for name, scale, each in zip(names, scales, promised, strict=True)
     )
-    return Reference(loop, len(rows), outputs)
-
-
-def _with(kernel: Kernel, rows: list[str]) -> Kernel:
-    """The kernel with these outputs of its graph."""
-    return replace(kernel, outputs=tuple(Output(row, "") for row in rows))
+    return Reference(replace(kernel, outputs=tuple(Output(row, "") for row in rows)), outputs)
 
 
 @cache
