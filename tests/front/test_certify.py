@@ -10,9 +10,11 @@ from typing import Any
 
 import pytest
 
-from gainproof.certify import gappa, tools
+from gainproof.certify import tools
+from gainproof.certify.cover import Cover
 from gainproof.certify.printed_bound import printed_bounds
 from gainproof.certify.reading import statements, towers
+from gainproof.certify.rounding_bound import covered
 from gainproof.certify.subjects import Subject, chosen
 from gainproof.cli import main
 
@@ -124,34 +126,86 @@ def test_what_is_positive_nowhere_by_its_coefficients_is_rejected(
     assert _tool(name).certify(broken, SECONDS).rejected
 
 
-def _lowered(subject: Subject, kernel: str, output: str, factor: Fraction) -> bool:
-    """Whether Gappa reaches the printed bound times a factor."""
+def _covered(name: str, kernel: str, output: str, factor: Fraction) -> Cover:
+    """What Gappa makes of the printed bound times a factor."""
+    _tool("gappa")
+    subject = _subject(name)
     (printed,) = (
         p for p in printed_bounds(subject.source) if (p.kernel, p.output) == (kernel, output)
     )
     graph = subject.certificate["programs"][kernel]["graph"]
-    found = gappa.largest_error(graph, output, printed.domain, SECONDS)
-    assert found is not None
-    return found <= printed.bound * factor
+    return covered(graph, output, printed.domain, printed.bound * factor, SECONDS)
 
 
-def test_gappa_reaches_a_printed_bound_and_not_a_fifth_less() -> None:
-    _tool("gappa")
-    subject, output = _subject("alpha-beta"), "minimum_variance_beta"
-    assert _lowered(subject, "minimum_variance_by_lag", output, Fraction(1))
-    assert not _lowered(subject, "minimum_variance_by_lag", output, Fraction(4, 5))
+def test_gappa_proves_a_printed_bound_and_not_a_hundredth_less() -> None:
+    """Roundings of random acceleration weigh 3.5 together, far out and next to 0 alike."""
+    found = _covered("random-acceleration", "gains", "alpha", Fraction(1))
+    assert found.failed is None
+    assert found.pieces < 10
+    assert found.largest / 2 == pytest.approx(3.5, abs=1e-6)
+    assert _covered("random-acceleration", "gains", "alpha", Fraction(99, 100)).failed
 
 
 @pytest.mark.thorough
-def test_gappa_rejects_a_third_of_a_bound() -> None:
-    tool, subject = _tool("gappa"), _subject("random-acceleration")
-    start = subject.source.index("def predicted_covariance(")
-    end = subject.source.index("\ndef ", start)
-    only = subject.source[start:end]
-    assert not tool.certify(replace(subject, source=only), SECONDS).rejected
-    bound = next(printed_bounds(only)).bound
-    lower = only.replace(f"at most {float(bound):.2f}", f"at most {float(bound) / 3:.2f}")
-    assert tool.certify(replace(subject, source=lower), SECONDS).rejected
+@pytest.mark.parametrize("noise", ["velocity", "acceleration", "continuous-white-acceleration"])
+def test_gappa_proves_the_bounds_of_the_gains_of_two_states(noise: str) -> None:
+    tool = _tool("gappa")
+    subject = _subject(noise if "-" in noise else f"random-{noise}")
+    for kernel in ("gains", "predictor_gains"):
+        start = subject.source.index(f"def {kernel}(")
+        source = subject.source[start : subject.source.index("\ndef ", start)]
+        outcome = tool.certify(replace(subject, source=source), 10 * SECONDS)
+        assert (outcome.statements, outcome.accepted) == (2, 2)
+        bound = next(printed_bounds(source)).bound
+        for kept, made in ((f"{float(bound):.2f} *", f"{float(bound) - 0.05:.2f} *"),):
+            assert kept in source
+            lower = replace(subject, source=source.replace(kept, made))
+            assert tool.certify(lower, 10 * SECONDS).rejected
+
+
+def _graph(*nodes: list[Any]) -> dict[str, Any]:
+    return {"nodes": [["symbol", "x"], *nodes], "outputs": {"y": len(nodes)}}
+
+
+X_AND_ROOT = _graph(["pow", 0, "1/2"], ["add", 0, 1], ["div", 0, 2])
+"""x / (x + sqrt(x)): two roundings, and that of the root by its share, 1 next to 0 and 0 far out.
+"""
+WITH_ITSELF = _graph(["pow", 0, "1/2"], ["mul", 1, 1], ["div", 2, 1])
+"""sqrt(x)^2 / sqrt(x): the error of the root counts once, not three times."""
+LOST = _graph(["mul", 0, 0], ["number", "1"], ["add", 1, 2])
+"""x x + 1: below 1e-162 the square is lost, far out it is infinite."""
+LOSING = _graph(["mul", 0, 0], ["pow", 1, "1/2"])
+"""sqrt(x x) is wrong below 1e-162."""
+
+
+@pytest.mark.parametrize(
+    ("graph", "domain", "weight"),
+    [
+        (X_AND_ROOT, (1e-300, 1e300), 3.0),
+        (X_AND_ROOT, (1.0, 1e300), 2.5),
+        (WITH_ITSELF, (1e-300, 1e300), 3.0),
+        (LOSING, (1e-150, 1e150), 1.5),
+        *(
+            pytest.param(*case, marks=pytest.mark.thorough)
+            for case in (
+                (LOST, (1e-300, 1e150), 2.0),
+                (LOST, (1e-300, 1e160), None),
+                (LOSING, (1e-170, 1e150), None),
+            )
+        ),
+    ],
+)
+def test_weights_of_roundings(
+    graph: dict[str, Any], domain: tuple[float, float], weight: float | None
+) -> None:
+    """Weights are halves of 2^-52, and none is shown where values are lost or infinite."""
+    _tool("gappa")
+    ends = Fraction(domain[0]), Fraction(domain[1])
+    half = Fraction(weight or 10.0) / 2
+    above = covered(graph, "y", ends, half * Fraction(1001, 1000), SECONDS)
+    assert (above.failed is None) == (weight is not None)
+    if weight is not None:
+        assert covered(graph, "y", ends, half * Fraction(999, 1000), SECONDS).failed
 
 
 def test_every_statement_is_handed_over_or_has_a_reason() -> None:
