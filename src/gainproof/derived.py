@@ -35,7 +35,7 @@ class Derived:
 
     `symbols`: LaTeX of the names that occur. `model`: the scaled model, or None. `sources`: records
     of the works this rests on (key, text, rests_on). `kernels`: name, summary, module and
-    programs of each.
+    programs, graph and outputs (with what their errors are relative to) of each.
 
     What the certificate is expected to prove: `claims`; for the parameters in `domains`, by tower;
     of the `programs`, whose graphs are those that the kernels are printed from; and of what the

@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 from gainproof.bad_input import unknown_name
 from gainproof.derive.catalogue import CATALOGUE
+from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.quantity import MEASUREMENT_DEVIATION, SAMPLING_INTERVAL
 from gainproof.derive.source import SOURCES
 from gainproof.derive.subject import Subject
@@ -47,6 +48,19 @@ def _kernels(subject: Subject) -> list[dict[str, Any]]:
     ]
 
 
+def _sampling(kernel: Kernel) -> dict[str, Any]:
+    """What is needed to know a kernel's errors at points: its graph, and what they are relative
+    to.
+    """
+    return {
+        "graph": {field: kernel.graph[field] for field in GRAPH_FIELDS},
+        "outputs": [
+            {"name": each.name, "relative_to": each.relative_to, "by_terms": each.by_terms}
+            for each in kernel.outputs
+        ],
+    }
+
+
 def build(name: str) -> Subject:
     """Derive a subject. Raises BadInputError for a name that the catalogue does not have."""
     for entry in CATALOGUE:
@@ -79,7 +93,10 @@ def plain_subject(subject: Subject) -> Derived:
         ),
         symbols={**_SHARED_SYMBOLS, **derivation.latex},
         sources=tuple(_source(key) for key in derivation.sources),
-        kernels=tuple(_kernels(subject)),
+        kernels=tuple(
+            {**told, **_sampling(kernel)}
+            for told, kernel in zip(_kernels(subject), subject.module.kernels, strict=True)
+        ),
         certificate=subject.certificate(),
         claims=tuple(subject.claims()),
         domains=subject.domains(),

@@ -81,6 +81,13 @@ def package_file(_: Desk, path: str) -> Plain:
     return {"derived": derived, "part": packaged(subject, derived["certificate"])}
 
 
+def picture(_: Desk, module: str, kernel: Plain, graph: Plain) -> Plain:
+    """Values and errors of a kernel at points of its domain, for pictures. No SymPy."""
+    from gainproof.book.sampled_kernel import sampled
+
+    return sampled(module, kernel, graph)
+
+
 def recheck(_: Desk, certificate: Any, expected: Plain) -> Plain:
     """Check a certificate against what it is expected to prove. No SymPy in this process."""
     from gainproof.rechecking import recheck as decide
@@ -132,6 +139,7 @@ TASKS: Mapping[str, Callable[..., Any]] = {
     "print_one": print_one,
     "package_one": package_one,
     "package_file": package_file,
+    "picture": picture,
     "recheck": recheck,
     "recheck_proofs": recheck_proofs,
     "judge": judge,

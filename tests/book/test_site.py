@@ -11,6 +11,7 @@ from gainproof.bad_input import BadInputError
 from gainproof.book import making, site, site_links
 from gainproof.book.contents import Contents
 from gainproof.book.document_pages import slug
+from gainproof.book.sampled_kernel import sampled
 from gainproof.claim_words import claim_words
 from gainproof.workshop import open_workshop
 
@@ -22,12 +23,15 @@ def files(all_derived: object) -> dict[str, bytes]:
     shop = open_workshop(quiet=True)
     subject = derivations.known("random-velocity", shop)
     (file,) = [path for path in places.claim_files() if path.stem == "suzuki"]
+    kernel = subject.kernels[0]
     contents = Contents(
         versions={"SymPy": "1"},
         subjects=[subject],
         reports=[derivations.own_report(subject, shop)],
         judgements=judgements.judge([file], shop),
         words=[claim_words(judgements.read(file))],
+        checked=[{}],
+        sampled={"random_velocity.gains": sampled("random_velocity", kernel, kernel["graph"])},
     )
     return site.files(making.pages(contents), {}, lambda _: None)
 
@@ -66,6 +70,7 @@ def test_page_of_a_kernel(files: dict[str, bytes]) -> None:
     text = files["kernels/random_velocity.gains.html"].decode()
     assert "accurate: bool = False" in text
     assert "Relative error at most" in text
+    assert text.count('class="chart"') == 2
 
 
 def test_nothing_is_loaded_from_elsewhere(files: dict[str, bytes]) -> None:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from gainproof import code_digest, derivations, judgements, places
+from gainproof.book import kernel_pictures
+from gainproof.claim_proofs import checked
 from gainproof.claim_words import Words, claim_words
 from gainproof.derived import Derived
 from gainproof.everything import DONE, committed, following
@@ -17,7 +19,9 @@ from gainproof.workshop import Workshop
 @dataclass(frozen=True)
 class Contents:
     """`reports`: the checker's on the committed certificate of each subject; `words`: those of
-    claims without a formula, for each judgement.
+    claims without a formula, for each judgement; `checked`: whether the certificate of each of its
+    claims leads to the verdict again, and a sentence on it; `sampled`: values and errors of kernels
+    by module and name.
     """
 
     versions: Mapping[str, str]
@@ -25,6 +29,8 @@ class Contents:
     reports: Sequence[Mapping[str, Any]]
     judgements: Sequence[Judgement]
     words: Sequence[Words]
+    checked: Sequence[Mapping[str, tuple[bool, str]]]
+    sampled: Mapping[str, Mapping[str, Any]]
 
 
 def gather(shop: Workshop) -> Contents:
@@ -33,10 +39,15 @@ def gather(shop: Workshop) -> Contents:
     shop.ahead([derivations.CATALOGUE], following(shop, folder, files), DONE)
     subjects = derivations.derive(derivations.catalogue(shop), shop)
     pairs = [(committed(folder, subject.name), subject) for subject in subjects]
+    judged = judgements.judge(files, shop)
+    asked = [job for subject in subjects for job in kernel_pictures.jobs(subject)]
+    sampled = shop.results("pictures of kernels", asked)
     return Contents(
         versions=code_digest.versions(),
         subjects=subjects,
         reports=derivations.recheck(pairs, shop),
-        judgements=judgements.judge(files, shop),
+        judgements=judged,
         words=[claim_words(judgements.read(file)) for file in files],
+        checked=[{claim["id"]: checked(claim) for claim in each["claims"]} for each in judged],
+        sampled={job.label: found for job, found in zip(asked, sampled, strict=True)},
     )

@@ -12,6 +12,7 @@ from typing import Any
 from markupsafe import Markup
 
 from gainproof.book.highlighted import highlighted
+from gainproof.book.kernel_pictures import pictures
 from gainproof.book.page import Finding, Page
 from gainproof.derived import Derived
 
@@ -38,22 +39,26 @@ def links(derived: Derived) -> list[KernelLink]:
     ]
 
 
-def kernel_pages(derived: Derived, plots: Mapping[str, Any]) -> list[Page]:
-    """The pages of a subject's kernels; `plots`: pictures by the kernel's name."""
+def kernel_pages(derived: Derived, sampled: Mapping[str, Mapping[str, Any]]) -> list[Page]:
+    """The pages of a subject's kernels; `sampled`: values and errors by module and name."""
     modules = {
         each["module"]: importlib.import_module(f"gainproof.generated.{each['module']}")
         for each in derived.kernels
     }
-    return [_page(derived, each, modules[each["module"]], plots) for each in derived.kernels]
+    return [_page(derived, each, modules[each["module"]], sampled) for each in derived.kernels]
 
 
 def _page(
-    derived: Derived, kernel: Mapping[str, Any], module: ModuleType, plots: Mapping[str, Any]
+    derived: Derived,
+    kernel: Mapping[str, Any],
+    module: ModuleType,
+    sampled: Mapping[str, Mapping[str, Any]],
 ) -> Page:
     name = kernel["name"]
     function = getattr(module, name)
     full = f"gainproof.generated.{kernel['module']}.{name}"
     told = inspect.getdoc(function) or ""
+    found = sampled.get(f"{kernel['module']}.{name}")
     return Page(
         path=address(kernel["module"], name),
         title=f"{kernel['module']}.{name}",
@@ -69,7 +74,7 @@ def _page(
             "source": _source(function),
             "subject": derived.name,
             "title": derived.title,
-            "plots": plots.get(name, ()),
+            "plots": pictures(found) if found is not None else (),
         },
         findings=(Finding(f"{kernel['module']}.{name}", f"{kernel['summary']} {derived.title}"),),
     )

@@ -18,9 +18,10 @@ def pages(contents: Contents) -> list[Page]:
     found = list_pages.list_pages(contents.subjects, contents.judgements, contents.versions)
     for subject, report in zip(contents.subjects, contents.reports, strict=True):
         found.append(derivation_page(subject, report, kernel_pages.links(subject)))
-        found += kernel_pages.kernel_pages(subject, {})
-    for judgement, words in zip(contents.judgements, contents.words, strict=True):
-        found += source_pages(judgement, words, {})
+        found += kernel_pages.kernel_pages(subject, contents.sampled)
+    judged = zip(contents.judgements, contents.words, contents.checked, strict=True)
+    for judgement, words, checked in judged:
+        found += source_pages(judgement, words, {name: said for name, (_, said) in checked.items()})
     folder = documents()
     if folder is not None:
         found += document_pages.document_pages(folder)

@@ -11,7 +11,7 @@ step with the checker's word; for each source with its claims, verdicts and erra
 and the documentation. Needs the extra: pip install 'gainproof[book]'.
 
 DIR is a new or empty folder, or a book made before, which is renewed. Exit status 1 where a
-certificate is rejected or a link leads nowhere."""
+certificate or the proof of a claim is rejected, or a link leads nowhere."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -21,7 +21,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """0 if every certificate is accepted and every link leads somewhere, else 1."""
+    """0 if every certificate and every proof of a claim is accepted and every link leads somewhere,
+    else 1.
+    """
     from importlib.util import find_spec
     from pathlib import Path
 
@@ -51,4 +53,6 @@ def run(options: argparse.Namespace) -> int:
         import webbrowser
 
         webbrowser.open((folder / "index.html").resolve().as_uri())
-    return 0 if not wrong and all(report["accepted"] for report in found.reports) else 1
+    accepted = all(report["accepted"] for report in found.reports)
+    replayed = all(good for each in found.checked for good, _ in each.values())
+    return 0 if accepted and replayed and not wrong else 1
