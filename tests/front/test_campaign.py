@@ -72,21 +72,57 @@ def test_a_torn_line_is_one_block_to_do_again(tmp_path: Path) -> None:
     assert len(state.read(file, campaign(5, notes))) == 5
 
 
+def line_of(notes: Path, **changed: object) -> dict[str, object]:
+    """That of the first block, with other entries; without those that are None."""
+    block = [0, str(notes), 0.0]
+    line = {"campaign": "squares", "block": block, "result": {"square": 0}, "seconds": 0.5}
+    return {key: value for key, value in {**line, **changed}.items() if value is not None}
+
+
 def test_lines_of_others_count_for_nothing(tmp_path: Path) -> None:
     notes, file = tmp_path / "notes", tmp_path / "state"
-    entry = {"campaign": "squares", "block": [0, str(notes), 0.0], "result": 1, "seconds": 0.0}
     lines = [
-        {**entry, "campaign": "cubes"},
-        {**entry, "block": [99, str(notes), 0.0]},
-        {"campaign": "squares", "block": [0, str(notes), 0.0]},
-        [entry],
+        line_of(notes, campaign="cubes", result={}),
+        line_of(notes, campaign=None),
+        line_of(notes, block=[99, str(notes), 0.0], seconds="long"),
+        line_of(notes, block={"a": [0]}),
+        line_of(notes, block=None),
+        [line_of(notes)],
     ]
+    deep = "[" * 100_000
     file.write_text(
-        "\n".join(["\x00", "\ud800", "{}", *map(json.dumps, lines)]),
+        "\n".join(["\x00", "\ud800", "{}", deep, *map(json.dumps, lines)]),
         encoding="utf-8",
         errors="surrogatepass",
     )
     assert not state.read(file, campaign(3, notes))
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"result": None}, "no result"),
+        ({"result": None, "seconds": None}, "no result and no seconds"),
+        ({"seconds": "1"}, "seconds must be a number from 0, got '1'"),
+        ({"seconds": True}, "seconds must be a number from 0, got True"),
+        ({"seconds": -1}, "seconds must be a number from 0, got -1"),
+        ({"seconds": float("nan")}, "seconds must be a number from 0, got nan"),
+        ({"result": {}}, "no square"),
+        ({"result": {"square": 1}}, "another result than that of line 2"),
+    ],
+)
+def test_what_cannot_be_a_result_is_named_with_its_line(
+    tmp_path: Path, changed: dict[str, object], message: str
+) -> None:
+    notes, file = tmp_path / "notes", tmp_path / "state"
+    lines = [line_of(notes, campaign="cubes"), line_of(notes), line_of(notes)]
+    file.write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
+    assert len(state.read(file, campaign(3, notes))) == 1
+    lines.append(line_of(notes, **changed))
+    file.write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
+    with pytest.raises(BadInputError, match=f"state, line 4: block 0 of squares: {message}"):
+        carry_out(campaign(3, notes), given(tmp_path))
+    assert not carried_out(notes)
 
 
 def test_the_first_of_two_lines_counts_and_files_can_be_joined(tmp_path: Path) -> None:

@@ -64,6 +64,28 @@ def test_no_scheduler_there() -> None:
         pass
 
 
+@pytest.mark.parametrize(
+    ("address", "message"),
+    [
+        ("foo://host:1", "foo://host:1: Dask knows no scheme 'foo', but .*tcp"),
+        ("://host:1", "Dask knows no scheme ''"),
+        ("tcp://", "wanted is tcp://HOST:PORT; missing port number"),
+        ("tcp://host", "wanted is tcp://HOST:PORT; missing port number"),
+        ("tcp://host:port", "wanted is tcp://HOST:PORT; invalid literal"),
+        ("tcp://host:99999", "got host 'host' and port 99999"),
+        ("tcp://:8786", "got host '' and port 8786"),
+        ("inproc://here", "wanted is inproc://HOST:PORT; don't know"),
+    ],
+)
+def test_an_address_that_is_none_is_refused_at_once(
+    monkeypatch: pytest.MonkeyPatch, address: str, message: str
+) -> None:
+    distributed = pytest.importorskip("distributed")
+    monkeypatch.setattr(distributed, "Client", None)  # which would wait for an answer
+    with pytest.raises(BadInputError, match=message), executors.opened(address):
+        pass
+
+
 def test_without_dask(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     with (

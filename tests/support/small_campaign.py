@@ -6,8 +6,9 @@ import os
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
-from gainproof.campaign.campaign import Campaign, Done, Report
+from gainproof.campaign.campaign import Arguments, Campaign, Done, Report
 
 
 def square(number: int, notes: str, seconds: float) -> dict[str, int]:
@@ -23,7 +24,12 @@ def square(number: int, notes: str, seconds: float) -> dict[str, int]:
 def campaign(count: int, notes: Path, seconds: float = 0.0, first: int = 0) -> Campaign:
     """The squares of numbers from `first` on; their sum is reported."""
     blocks = [(number, str(notes), seconds) for number in range(first, first + count)]
-    return Campaign("squares", square, blocks, report)
+    return Campaign("squares", square, blocks, report, fault)
+
+
+def fault(_arguments: Arguments, result: Any) -> str | None:
+    """What is no square."""
+    return None if result.keys() == {"square"} else "no square"
 
 
 def report(done: Sequence[Done]) -> Report:

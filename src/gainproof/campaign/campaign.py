@@ -27,6 +27,11 @@ class Report(NamedTuple):
     passed: bool
 
 
+def _none(_arguments: Arguments, _result: Any) -> str | None:
+    """Any result may be one."""
+    return None
+
+
 @dataclass(frozen=True)
 class Campaign:
     """Work in blocks that need nothing of each other, numbered from 0.
@@ -36,10 +41,12 @@ class Campaign:
     other processes import. The arguments say all that the result depends on, by a digest the code
     too: a result that is kept counts as long as there is a block with these arguments.
 
-    `report` is about the blocks that are done, in their order.
+    `report` is about the blocks that are done, in their order. `fault` says of a result that is
+    read again what no block with these arguments can have given; None where it may be a result.
     """
 
     name: str
     work: Callable[..., Any]
     blocks: Sequence[Arguments]
     report: Callable[[Sequence[Done]], Report]
+    fault: Callable[[Arguments, Any], str | None] = _none

@@ -70,6 +70,7 @@ def _cluster(address: str) -> Iterator[Executor]:
         raise BadInputError(
             "an address needs Dask, which is not installed: pip install 'gainproof[dask]'"
         ) from None
+    _refuse_bad(address)
     try:
         client = distributed.Client(address, set_as_default=False)
     except (OSError, ValueError) as error:
@@ -77,3 +78,23 @@ def _cluster(address: str) -> Iterator[Executor]:
     with client:
         # every block is carried out anew: what a scheduler still holds may be of other code
         yield client.get_executor(pure=False)
+
+
+def _refuse_bad(address: str) -> None:
+    """A client finds such errors in its thread, and waits a minute for it."""
+    scheme = address.partition("://")[0]
+    registry = import_module("distributed.comm.registry")
+    addressing = import_module("distributed.comm.addressing")
+    try:
+        registry.get_backend(scheme)
+    except ValueError:
+        known = ", ".join(sorted(registry.backends))
+        raise BadInputError(f"{address}: Dask knows no scheme {scheme!r}, but {known}") from None
+    try:
+        host, port = addressing.get_address_host_port(address, strict=True)
+    except ValueError as error:
+        raise BadInputError(f"{address}: wanted is {scheme}://HOST:PORT; {error}") from None
+    if not host or not 0 < port < 1 << 16:
+        raise BadInputError(
+            f"{address}: wanted is {scheme}://HOST:PORT, got host {host!r} and port {port}"
+        )

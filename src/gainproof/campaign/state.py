@@ -2,7 +2,8 @@
 
 Lines are added at the end, each by one write. What an interrupt leaves of a line is no line of
 JSON: it is passed over, and so are the lines of other campaigns and of blocks that are none any
-more. Files of several machines are joined by writing one after the other.
+more. A line of a block with what cannot be its result is an error. Files of several machines are
+joined by writing one after the other.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import json
 import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -23,10 +25,12 @@ Keep = Callable[[Done], None]
 def read(path: Path, campaign: Campaign) -> dict[int, Done]:
     """The blocks of the campaign that the file has as done, by number; none if there is no file.
 
-    Raises BadInputError where it cannot be read or is no file, as a device is.
+    Raises BadInputError where it cannot be read or is no file, as a device is, and with its line
+    where a block has what cannot be its result, or two results.
     """
     numbers = {_key(arguments): number for number, arguments in enumerate(campaign.blocks)}
     found: dict[int, Done] = {}
+    lines: dict[int, int] = {}
     if path.exists() and not path.is_file():
         raise BadInputError(f"{path}: a state file is wanted, and this is no regular file")
     try:
@@ -35,27 +39,46 @@ def read(path: Path, campaign: Campaign) -> dict[int, Done]:
         return found
     except OSError as error:
         raise BadInputError(f"{path}: cannot be read: {error.strerror}") from None
-    for entry in map(_entry, content.split(b"\n")):
-        if entry.get("campaign") == campaign.name:
-            number = numbers.get(_key(entry["block"]))
-            if number is not None:
-                done = Done(campaign.blocks[number], entry["result"], entry["seconds"])
-                found.setdefault(number, done)
+    for line, text in enumerate(content.split(b"\n"), 1):
+        entry = _entry(text)
+        if entry.get("campaign") != campaign.name:
+            continue
+        number = numbers.get(_key(entry.get("block")))
+        if number is None:
+            continue
+        arguments = campaign.blocks[number]
+        fault = _fault(entry, arguments, campaign)
+        done = Done(arguments, entry.get("result"), entry.get("seconds", 0.0))
+        if fault is None and _key(found.setdefault(number, done).result) != _key(done.result):
+            fault = f"another result than that of line {lines[number]}"
+        if fault is not None:
+            raise BadInputError(f"{path}, line {line}: block {number} of {campaign.name}: {fault}")
+        lines.setdefault(number, line)
     return found
 
 
 def _entry(line: bytes) -> dict[str, Any]:
-    """What a line says; nothing where it is none of ours."""
+    """What a line says; nothing where it is none of ours, nor whole."""
     try:
         entry = json.loads(line)
-    except ValueError:
+    except (ValueError, RecursionError):
         return {}
-    whole = isinstance(entry, dict) and {"campaign", "block", "result", "seconds"} <= set(entry)
-    return entry if whole else {}
+    return entry if isinstance(entry, dict) else {}
 
 
-def _key(arguments: Arguments | list[Any]) -> str:
-    return json.dumps(arguments, sort_keys=True)
+def _fault(entry: dict[str, Any], arguments: Arguments, campaign: Campaign) -> str | None:
+    """What is wrong with a line of a block."""
+    missing = sorted({"result", "seconds"} - entry.keys())
+    if missing:
+        return f"no {' and no '.join(missing)}"
+    seconds = entry["seconds"]
+    if isinstance(seconds, bool) or not isinstance(seconds, int | float) or not 0 <= seconds < inf:
+        return f"seconds must be a number from 0, got {seconds!r}"
+    return campaign.fault(arguments, entry["result"])
+
+
+def _key(data: Any) -> str:
+    return json.dumps(data, sort_keys=True)
 
 
 @contextmanager

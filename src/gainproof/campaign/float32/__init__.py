@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from gainproof.campaign.campaign import Campaign
+from gainproof.campaign.float32.fault import fault
 from gainproof.campaign.float32.kernels import Swept, chosen, swept_kernels
 from gainproof.campaign.float32.report import Row, report
 from gainproof.campaign.float32.sweep import block
@@ -42,7 +43,8 @@ def campaign(names: Sequence[str] = ()) -> Campaign:
         digest: Row(", ".join(each.id for each in kernels), kernels[0].stated, len(starts[digest]))
         for digest, kernels in groups
     }
-    return Campaign("float32", block, blocks, partial(report, rows))
+    known = {kernels[0].id: kernels[0] for _, kernels in groups}
+    return Campaign("float32", block, blocks, partial(report, rows), partial(fault, known))
 
 
 def _starts(kernel: Swept) -> range:
