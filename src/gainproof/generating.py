@@ -12,6 +12,7 @@ from gainproof.derive.printer.c_language.module import c_files
 from gainproof.derive.printer.c_language.trial import c_trial
 from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.fpcore import fpcore
+from gainproof.derive.printer.javascript.script import scripts
 from gainproof.derive.printer.known_values import known_values
 from gainproof.derive.printer.together import prove_all
 from gainproof.derive.printer.write import module_files
@@ -21,10 +22,11 @@ from gainproof.derive.subject_page import subject_page
 
 def printed(subject: Subject, certificate: Mapping[str, Any]) -> dict[str, Any]:
     """{"module", "title", "files"}: what one subject gives to the folder. The files are texts by
-    name; a file of results may come from other subjects too, and is then the same.
+    name; a file of results, or of what scripts share, may come from other subjects too, and is then
+    the same.
     """
     module = subject.module
-    files = module_files(module, certificate, prove_all(module.kernels))
+    files = {**module_files(module, certificate, prove_all(module.kernels)), **scripts(module)}
     return {"module": module.name, "title": module.title, "files": files}
 
 

@@ -1,0 +1,147 @@
+// Made by: gainproof generate continuous-white-acceleration
+// From: gainproof derive continuous-white-acceleration, SymPy 1.14.0
+// Continuous white acceleration: steady state with measured position.
+(function () {
+  "use strict";
+  const { within, refuse, nearCubeRoot } = gainproof.runtime;
+  gainproof.kernels["continuous-white-acceleration"] = {
+    // Steady-state filter gain.
+    gains(tracking_index) {
+      if (!within(tracking_index, 5e-324, 1.7976931348623157e308)) refuse("gains", "tracking_index", "a number above 0 and finite", tracking_index);
+      const p = Math.sqrt(tracking_index);
+      const t3 = 1.9721522630525295e-31 / tracking_index;
+      const t5 = tracking_index * 4.108650548026103e-33;
+      const t6 = t3 + t5;
+      const h_scaled = Math.sqrt(t6);
+      const kappa = h_scaled / p;
+      const t10 = kappa + 7.401486830834377e-17;
+      const rho_scaled = Math.sqrt(t10);
+      const rho = rho_scaled * 1.4901161193847656e-08;
+      const t15 = rho + 1.1102230246251565e-16;
+      const t16 = kappa + t15;
+      const t18 = 2.0 / t16;
+      const t19 = t18 * rho;
+      const t21 = t18 * 2.220446049250313e-16;
+      return { alpha: t19, beta: t21 };
+    },
+    // Steady-state predictor gain F K.
+    predictor_gains(tracking_index) {
+      if (!within(tracking_index, 5e-324, 1.7976931348623157e308)) refuse("predictor_gains", "tracking_index", "a number above 0 and finite", tracking_index);
+      const p = Math.sqrt(tracking_index);
+      const t3 = 1.9721522630525295e-31 / tracking_index;
+      const t5 = tracking_index * 4.108650548026103e-33;
+      const t6 = t3 + t5;
+      const h_scaled = Math.sqrt(t6);
+      const kappa = h_scaled / p;
+      const t10 = kappa + 7.401486830834377e-17;
+      const rho_scaled = Math.sqrt(t10);
+      const rho = rho_scaled * 1.4901161193847656e-08;
+      const t15 = rho + 1.1102230246251565e-16;
+      const t16 = kappa + t15;
+      const t18 = 2.0 / t16;
+      const t21 = rho + 2.220446049250313e-16;
+      const t20 = t18 * 2.220446049250313e-16;
+      const t22 = t18 * t21;
+      return { position: t22, velocity: t20 };
+    },
+    // Poles of the filter: a complex pair or two real numbers.
+    closed_loop_poles(tracking_index) {
+      if (!within(tracking_index, 5e-324, 1.7976931348623157e308)) refuse("closed_loop_poles", "tracking_index", "a number above 0 and finite", tracking_index);
+      const p = Math.sqrt(tracking_index);
+      const t3 = 1.9721522630525295e-31 / tracking_index;
+      const t5 = tracking_index * 4.108650548026103e-33;
+      const t6 = t3 + t5;
+      const h_scaled = Math.sqrt(t6);
+      const kappa = h_scaled / p;
+      const t10 = kappa + 7.401486830834377e-17;
+      const rho_scaled = Math.sqrt(t10);
+      const rho = rho_scaled * 1.4901161193847656e-08;
+      const t15 = rho + 1.1102230246251565e-16;
+      const t16 = kappa + t15;
+      const t17 = tracking_index * t16;
+      const t19 = 4.440892098500626e-16 / t17;
+      const t23 = tracking_index * 0.25;
+      const t24 = 3.0 - t23;
+      const distance = Math.abs(t24);
+      const below = Math.sqrt(distance);
+      const t27 = 3.0 + t23;
+      const above = Math.sqrt(t27);
+      const t29 = kappa + 1.1102230246251565e-16;
+      const t30 = tracking_index * t29;
+      const t33 = tracking_index * 0.5;
+      const t34 = (2.449489742783178 - t33) + (2.168616518103246e-16);
+      const t35 = t34 / t30;
+      const t36 = 2.449489742783178 + t33;
+      const t37 = t36 * t19;
+      const t38 = t35 * t37;
+      const t39 = t38 * 7.401486830834377e-17;
+      const t40 = below / rho;
+      const t41 = above * t19;
+      const t42 = t40 * t41;
+      const t43 = t42 * 7.401486830834377e-17;
+      const middle_size = Math.abs(t39);
+      const t45 = middle_size + t43;
+      const t46 = t19 / t45;
+      const t47 = t46 * t19;
+      const t49 = -t45;
+      const t51 = -t47;
+      const t54 = -t43;
+      const choice_1 = tracking_index < 12.0 ? t39 : t49;
+      const choice_2 = tracking_index < 12.0 ? t39 : t51;
+      const choice_3 = tracking_index < 12.0 ? t43 : 0.0;
+      const choice_4 = tracking_index < 12.0 ? t54 : 0.0;
+      return { first_real: choice_1, first_imaginary: choice_3, second_real: choice_2, second_imaginary: choice_4 };
+    },
+    // Predicted covariance in units of sigma_v^2 and T.
+    predicted_covariance(tracking_index) {
+      if (!within(tracking_index, 5e-324, 1.7976931348623157e308)) refuse("predicted_covariance", "tracking_index", "a number above 0 and finite", tracking_index);
+      const p = Math.sqrt(tracking_index);
+      const t3 = 1.9721522630525295e-31 / tracking_index;
+      const t5 = tracking_index * 4.108650548026103e-33;
+      const t6 = t3 + t5;
+      const h_scaled = Math.sqrt(t6);
+      const kappa = h_scaled / p;
+      const t10 = kappa + 7.401486830834377e-17;
+      const rho_scaled = Math.sqrt(t10);
+      const rho = rho_scaled * 1.4901161193847656e-08;
+      const t15 = kappa + 1.850371707708594e-17;
+      const t17 = rho + 1.1102230246251565e-16;
+      const t18 = t15 / t17;
+      const t19 = tracking_index * t18;
+      const t20 = tracking_index * t19;
+      const t21 = kappa + t17;
+      const t22 = tracking_index * t21;
+      const t24 = t22 * 2251799813685248.0;
+      const t25 = tracking_index * rho;
+      const t27 = t25 * 4503599627370496.0;
+      const t30 = tracking_index * tracking_index;
+      const t28 = t24 * t27;
+      const t29 = tracking_index * t24;
+      const t31 = t20 + t30;
+      return { predicted_11: t28, predicted_12: t29, predicted_22: t31 };
+    },
+    // Updated covariance in units of sigma_v^2 and T.
+    updated_covariance(tracking_index) {
+      if (!within(tracking_index, 5e-324, 1.7976931348623157e308)) refuse("updated_covariance", "tracking_index", "a number above 0 and finite", tracking_index);
+      const p = Math.sqrt(tracking_index);
+      const t3 = 1.9721522630525295e-31 / tracking_index;
+      const t5 = tracking_index * 4.108650548026103e-33;
+      const t6 = t3 + t5;
+      const h_scaled = Math.sqrt(t6);
+      const kappa = h_scaled / p;
+      const t10 = kappa + 7.401486830834377e-17;
+      const rho_scaled = Math.sqrt(t10);
+      const rho = rho_scaled * 1.4901161193847656e-08;
+      const t15 = rho + 1.1102230246251565e-16;
+      const t16 = kappa + t15;
+      const t18 = 2.0 / t16;
+      const t23 = kappa + 1.850371707708594e-17;
+      const t24 = t23 / t15;
+      const t25 = tracking_index * t24;
+      const t19 = t18 * rho;
+      const t21 = t18 * 2.220446049250313e-16;
+      const t26 = tracking_index * t25;
+      return { updated_11: t19, updated_12: t21, updated_22: t26 };
+    },
+  };
+})();
