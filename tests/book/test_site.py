@@ -33,7 +33,7 @@ def files(all_derived: object) -> dict[str, bytes]:
         checked=[{}],
         sampled={"random_velocity.gains": sampled("random_velocity", kernel, kernel["graph"])},
     )
-    return site.files(making.pages(contents), {}, lambda _: None)
+    return site.files(making.pages(contents), making.scripts(contents), lambda _: None)
 
 
 def test_no_link_is_broken(files: dict[str, bytes]) -> None:

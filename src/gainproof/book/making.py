@@ -36,10 +36,15 @@ def documents() -> Path | None:
 
 def build(contents: Contents, folder: Path, tell: Callable[[str], None]) -> dict[str, bytes]:
     """Write the site; the files that it has, by their paths."""
-    scripts: dict[str, str] = {}
-    for subject in contents.subjects:
-        game = play.section(subject)
-        scripts.update(game.scripts if game is not None else ())
-    made = site.files(pages(contents), scripts, tell)
+    made = site.files(pages(contents), scripts(contents), tell)
     site.write(made, folder)
     return made
+
+
+def scripts(contents: Contents) -> dict[str, str]:
+    """Texts by file name of what the pages load besides the site's own scripts."""
+    found: dict[str, str] = {}
+    for subject in contents.subjects:
+        game = play.section(subject)
+        found.update(game.scripts if game is not None else ())
+    return found

@@ -18,7 +18,7 @@ MARK = "gainproof-book.txt"
 """A file that every site has: a folder with other things in it is never written into."""
 _TOLD = "Made by: gainproof book\n"
 _HERE = Path(__file__).resolve().parent
-STATIC = ("style.css", "site.js", "theme.js")
+STATIC = ("style.css", "play.css", "site.js", "theme.js")
 INDEX = "search-index.js"
 
 

@@ -1,0 +1,83 @@
+"""A play as a fragment of a page: sliders with number fields, pictures, a table of numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from html import escape
+
+from gainproof.book.play.pictures import Picture, pictures
+from gainproof.book.play.subjects import Slider, Subject
+
+_LEAD = (
+    "Move a slider or type a number: everything below is computed in the page, by kernels that are "
+    "printed from the same expression graphs as the NumPy kernels. The interval between samples "
+    "and the variance of a position measurement are 1."
+)
+
+
+def fragment(subject: Subject) -> str:
+    """The section of a subject. Its table and pictures are filled by the scripts."""
+    return "\n".join(_lines(subject))
+
+
+def _lines(subject: Subject) -> Iterator[str]:
+    data = f'data-kind="{subject.kind}" data-subject="{subject.name}" data-swept="{subject.swept}"'
+    yield f'<section class="play" id="play" aria-labelledby="play-title" {data}>'
+    yield '<h2 id="play-title">Play</h2>'
+    yield f"<p>{_LEAD}</p>"
+    yield '<p class="play-without">This part needs JavaScript.</p>'
+    yield '<form class="play-form" aria-label="What is moved">'
+    for slider in subject.sliders:
+        yield from _input(slider)
+    yield '<p class="play-changing" aria-live="polite"></p>'
+    yield '<p class="play-refusal" role="alert"></p>'
+    yield "</form>"
+    yield '<div class="play-pictures">'
+    for picture in pictures(subject):
+        yield from _figure(picture)
+    yield "</div>"
+    yield '<div class="play-numbers"><table>'
+    yield "<caption>The same in numbers, dimensionless.</caption>"
+    yield "<tbody></tbody>"
+    yield "</table></div>"
+    yield "</section>"
+
+
+def _input(slider: Slider) -> Iterator[str]:
+    scale = math.log10 if slider.logarithmic else float
+    least, most, begins = (scale(x) for x in (slider.least, slider.most, slider.begins))
+    kind = "logarithmic" if slider.logarithmic else "linear"
+    step = "0.01" if slider.logarithmic else "0.005"
+    name = f"play-{slider.argument}"
+    label = escape(slider.label)
+    ends = f'min="{least:g}" max="{most:g}" step="{step}" value="{begins:g}"'
+    yield f'<div class="play-input" data-input="{slider.argument}" data-scale="{kind}">'
+    yield f'<label for="{name}">{label}</label>'
+    yield f'<input type="range" id="{name}" {ends}/>'
+    yield (
+        f'<input type="number" id="{name}-number" step="any" value="{slider.begins:g}" '
+        f'aria-label="{label}, as a number"/>'
+    )
+    yield "</div>"
+
+
+def _figure(picture: Picture) -> Iterator[str]:
+    name = f"play-{picture.panel}-title"
+    yield "<figure>"
+    yield f'<h3 id="{name}">{picture.title}</h3>'
+    yield f'<svg data-panel="{picture.panel}" role="img" aria-labelledby="{name}"></svg>'
+    yield f"<figcaption>{escape(picture.words)}"
+    if picture.legend:
+        yield '<ul class="play-legend">'
+        for look, words in picture.legend:
+            sample = (
+                '<circle class="measured" cx="13" cy="4" r="2"/>'
+                if look == "measured"
+                else f'<path class="curve {look}" d="M0 4H26"/>'
+            )
+            drawn = f'<svg viewBox="0 0 26 8" aria-hidden="true">{sample}</svg>'
+            yield f"<li>{drawn} {escape(words)}</li>"
+        yield "</ul>"
+    yield "</figcaption>"
+    yield "</figure>"
