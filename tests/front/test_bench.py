@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pkgutil
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -16,7 +16,7 @@ from graph_kernels import module_of, several_of
 
 import gainproof.generated
 from gainproof.bad_input import BadInputError
-from gainproof.bench import against, measure
+from gainproof.bench import against, errors, measure, rivals
 from gainproof.bench.accuracy import terms
 from gainproof.bench.arguments import sample, with_constants
 from gainproof.bench.compiler import compiled, compiler
@@ -70,21 +70,27 @@ def test_a_kernel_of_two_inputs_is_measured(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
-    found = measure.figures(item(), tmp_path)
-    for ratio in (found.passes_over_c, found.over_c):
-        assert (ratio is None) == (compiler() is None)
-        assert ratio is None or ratio > 0
-    for ratio in (found.under_lambdify, found.under_solver):
-        assert ratio is not None
-        assert ratio > 0
-    assert 0.4 < found.worst <= found.proved
+    found = measure.figures(item(), tmp_path, measure.Options())
+    wanted = {"kernel", "shared", "fresh", "passes", "memory", "lambdify", "SciPy"}
+    assert set(found.seconds) == wanted | ({"C"} if compiler() else set())
+    assert all(0 < seconds < 60 for seconds in found.seconds.values())
+    assert ("C" in found.missing) == (compiler() is None)
+    assert found.ratio("kernel", "kernel") == 1
+    assert found.ratio("kernel", "numexpr") is None
+    assert [each.name for each in found.errors] == ["root", "share"]
+    assert all(0.4 < each.worst <= each.proved for each in found.errors)
+    assert all(each.worst <= each.ulps <= 2 * each.worst for each in found.errors)
+    assert not found.outside
 
 
 def test_time_against_length_and_number_of_points(monkeypatch: pytest.MonkeyPatch) -> None:
     """Every block length fills every output; one number beside arrays stays one."""
     seen: dict[str, list[Any]] = {}
 
-    def once(calls: Mapping[str, Callable[[], Any]], rounds: int) -> dict[str, float]:
+    def once(
+        calls: Mapping[str, Callable[[], Any]], rounds: int, threaded: Sequence[str] = ()
+    ) -> dict[str, float]:
+        assert list(threaded) == [name for name in calls if "threads" in name]
         for name, call in calls.items():
             seen[name] = call()
         return dict.fromkeys(calls, 1e-9 * rounds)
@@ -119,14 +125,13 @@ def test_time_against_length_and_number_of_points(monkeypatch: pytest.MonkeyPatc
 
 def test_numbers_in_place_of_arrays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
-    monkeypatch.setattr(measure, "ERROR_POINTS", 3)
+    monkeypatch.setattr(errors, "POINTS", 3)
     made = replace(item(), model=None)
     given = with_constants(made.signature, sample(made.signature, 5), "track")
     assert [np.shape(each) for each in given] == [(), (5,)]
-    found = measure.figures(made, tmp_path, constant="track")
-    assert found.over_c is None, "C reads arrays"
-    assert found.under_lambdify is not None
-    assert found.fresh_under_lambdify is not None
+    found = measure.figures(made, tmp_path, measure.Options(constant="track"))
+    assert "C" in found.missing, "C reads arrays"
+    assert {"lambdify", "fresh"} <= set(found.seconds)
 
 
 @pytest.mark.parametrize("options", [["--workers", "0"], ["--workers", "two"], ["--against", "x"]])
@@ -141,7 +146,7 @@ def test_what_is_compared_computes_the_same(tmp_path: Path) -> None:
     made = item()
     given = [np.array([3.0, 0.5, 7.0]), np.array([16.0, 2.0, 1e-3])]
     expected = made.function(*given)
-    for found, reference in zip(measure.lambdified(made)(*given), expected, strict=True):
+    for found, reference in zip(rivals.lambdified(made)(*given), expected, strict=True):
         np.testing.assert_allclose(found, reference, rtol=1e-15)
     if compiler() is not None:
         outputs = [np.empty(3) for _ in expected]
@@ -152,12 +157,24 @@ def test_what_is_compared_computes_the_same(tmp_path: Path) -> None:
 
 def test_a_wrong_value_is_seen() -> None:
     made = item()
-    worst, proved = measure.worst_error(made)
-    assert worst <= proved
+    assert not any(each.outside for each in errors.worst_errors(made))
     function: Any = made.function
     spoiled = replace(made, function=lambda *xs: [y * (1 + 2.0**-50) for y in function(*xs)])
-    worst, proved = measure.worst_error(spoiled)
-    assert worst > proved
+    assert all(each.outside > 300 for each in errors.worst_errors(spoiled))
+
+
+def test_nan_and_one_output_among_others_are_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The other output has the greater error, inside its bound."""
+    monkeypatch.setattr(errors, "POINTS", 20)
+    function: Any = item().function
+
+    def spoiled(*xs: Any) -> list[Any]:
+        root, share = (y.copy() for y in function(*xs))
+        root[7] = np.nan
+        return [root, share]
+
+    root, share = errors.worst_errors(replace(item(), function=spoiled))
+    assert (root.outside, root.worst, share.outside) == (1, np.inf, 0)
 
 
 def test_the_solver_gets_the_model_at_the_point() -> None:
@@ -174,7 +191,7 @@ def test_a_kernel_of_signed_inputs_is_measured_over_its_terms(
 ) -> None:
     """A filter step: arguments of either sign inside the domain, errors over what may cancel."""
     monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
-    monkeypatch.setattr(measure, "ERROR_POINTS", 20)
+    monkeypatch.setattr(errors, "POINTS", 20)
     step = subject.build().module.kernels[0]
     measured = Measured(
         "filter-step",
@@ -187,9 +204,9 @@ def test_a_kernel_of_signed_inputs_is_measured_over_its_terms(
     )
     given = sample(measured.signature, 100)
     assert {bool((x < 0).any()) for x in given} == {True, False}
-    found = measure.figures(measured, tmp_path)
-    assert 0 < found.worst <= found.proved
-    assert (found.over_c is None) == (compiler() is None)
+    found = measure.figures(measured, tmp_path, measure.Options())
+    assert all(0 < each.worst <= each.proved for each in found.errors)
+    assert ("C" in found.seconds) == (compiler() is not None)
 
 
 def test_terms_are_taken_positive() -> None:
@@ -218,14 +235,15 @@ def test_kernels_of_a_library_and_of_two_points_are_measured(
     subject_name: str, kernel: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Sine, cosine and atan2 in balls; points that fall together are left out."""
-    monkeypatch.setattr(measure, "ERROR_POINTS", 20)
+    monkeypatch.setattr(errors, "POINTS", 20)
     (found,) = [each for each in measured_kernels([subject_name]) if each.kernel.name == kernel]
-    worst, proved = measure.worst_error(found)
-    assert 0.3 < worst <= proved
+    met = errors.worst_errors(found)
+    assert max(each.worst for each in met) > 0.3
+    assert not any(each.outside for each in met)
     if found.textbook is None:
         return
     given = sample(found.signature, 50)
-    for plain, value in zip(measure.lambdified(found)(*given), found.function(*given), strict=True):
+    for plain, value in zip(rivals.lambdified(found)(*given), found.function(*given), strict=True):
         np.testing.assert_allclose(plain, value, rtol=1e-9, atol=1e-9 * np.abs(value).max())
 
 
@@ -250,7 +268,7 @@ def test_every_kernel_is_measured(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
-    monkeypatch.setattr(measure, "ERROR_POINTS", 3)
+    monkeypatch.setattr(errors, "POINTS", 3)
     for item in measured_kernels([name]):
-        found = measure.figures(item, tmp_path)
-        assert found.worst <= found.proved, item.kernel.name
+        found = measure.figures(item, tmp_path, measure.Options())
+        assert not found.outside, item.kernel.name

@@ -72,7 +72,10 @@ def _fixed_point(
 
     x = arb(1)
     for _ in range(precision):
-        x = arb(mapped(x).mid())
+        last, x = x, arb(mapped(x).mid())
+        # nearer by far than the room below, which the two ends then hold against the map
+        if abs(x - last) <= x * arb(2) ** (8 - precision):
+            break
     room = arb(2) ** (20 - precision)
     low, high = x * (1 - room), x * (1 + room)
     return low.union(high) if mapped(low) > low and mapped(high) < high else arb("nan")

@@ -65,7 +65,9 @@ def sizes(
     """For given arrays, fresh ones, and threads: times by size."""
     rows: dict[str, list[float]] = {}
     for size in SIZES:
-        best = best_times(_calls(item, size, workers, constant), max(5, POINTS // size))
+        calls = _calls(item, size, workers, constant)
+        threaded = [name for name in calls if name.endswith("threads")]
+        best = best_times(calls, max(5, POINTS // size), threaded=threaded)
         for name, seconds in best.items():
             rows.setdefault(name, []).append(seconds * 1e9 / size)
     yield from rows.items()

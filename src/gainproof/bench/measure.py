@@ -1,91 +1,132 @@
-"""One kernel's figures: time over that of C, of lambdify and of SciPy, and its worst error."""
+"""One kernel measured: the seconds of its calls and of all that it is compared with, its errors."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import sympy as sp
 
-from gainproof.bench.accuracy import ball_outputs, error, log_uniform, signed_points, terms
-from gainproof.bench.arguments import Arguments, fitting, sample, with_constants
-from gainproof.bench.compiler import compiled, compiler
+from gainproof.bench import rivals
+from gainproof.bench.arguments import Arguments, sample, with_constants
+from gainproof.bench.compiler import Arrays, compiled, compiler
+from gainproof.bench.errors import OutputError, worst_errors
+from gainproof.bench.memory import touched
 from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
 from gainproof.derive.printer.c_language.loop import c_loop
 
 SIZE = 1_000_000
-ERROR_POINTS = 400
-EPSILON = 2.0**-52
 BLOCK = 16384
+SECONDS = 1.0
+"""How long one call is repeated at most."""
+THREADED = ("shared", "JAX")
+"""Calls that threads share: the time that passes, of all others that of the one thread."""
+
+Calls = dict[str, Callable[[], object]]
+
+
+@dataclass(frozen=True)
+class Options:
+    """How is measured: threads, inputs that are one number, and whether numexpr, Numba and JAX are
+    asked too.
+    """
+
+    workers: int = 2
+    constant: str | None = None
+    every_rival: bool = False
 
 
 @dataclass(frozen=True)
 class Figures:
-    """Ratios of one kernel; None where there is nothing to compare with.
+    """Best seconds for a million points by call, why others are missing, and the errors.
 
-    over_c: kernel time over C time; shared_over_c: the same where threads share the blocks.
-    passes_over_c: the same for the bare NumPy calls on one block that stays in the cache, without
-    guards and memory traffic: what no NumPy kernel of this graph can beat in one thread.
-    under_lambdify, under_solver: the other's time over the kernel's; fresh_under_lambdify: where
-    the kernel too makes the arrays of its outputs. worst: the greatest measured error of any
-    output in units of 2^-52, with `proved` the proved bound of that output.
+    kernel: fills given arrays; shared: the same with threads; fresh: makes its own arrays, as
+    lambdify does; passes: the bare NumPy calls on one block that stays in the cache, without guards
+    and memory traffic, which no NumPy kernel of this graph can beat in one thread; memory: the
+    arrays read and filled once; C; lambdify, numexpr, Numba, JAX: the textbook form; SciPy: its
+    Riccati solver, a call a point.
     """
 
-    over_c: float | None
-    shared_over_c: float | None
-    passes_over_c: float | None
-    under_lambdify: float | None
-    fresh_under_lambdify: float | None
-    under_solver: float | None
-    worst: float
-    proved: float
+    seconds: Mapping[str, float]
+    missing: Mapping[str, str]
+    errors: tuple[OutputError, ...]
+
+    def ratio(self, one: str, other: str) -> float | None:
+        """One's time over the other's; None where one of them is missing."""
+        if one not in self.seconds or other not in self.seconds:
+            return None
+        return self.seconds[one] / self.seconds[other]
+
+    @property
+    def outside(self) -> list[str]:
+        """The outputs of which an error was greater than is proved."""
+        return [each.name for each in self.errors if each.outside]
 
 
-def figures(item: Measured, folder: Path, workers: int = 2, constant: str | None = None) -> Figures:
-    """Measure one kernel; inputs whose names begin with `constant` are one number each."""
+def figures(item: Measured, folder: Path, options: Options) -> Figures:
+    """Measure one kernel; `folder` is for what is compiled."""
     columns = sample(item.signature, SIZE)
-    given = with_constants(item.signature, columns, constant)
+    given = with_constants(item.signature, columns, options.constant)
     outputs = tuple(np.empty(SIZE) for _ in item.kernel.outputs)
-    calls: dict[str, Callable[[], object]] = {
+    calls: Calls = {
         "kernel": lambda: item.function(*given, out=outputs),
-        "shared": lambda: item.function(*given, out=outputs, workers=workers),
+        "shared": lambda: item.function(*given, out=outputs, workers=options.workers),
         "fresh": lambda: item.function(*given),
         "passes": bare_passes(item, given),
+        "memory": touched(given, outputs),
     }
-    # C reads arrays only: beside numbers it would be told too slow
-    if compiler() is not None and constant is None:
-        # a library of its own for each kernel: the loader knows libraries by their path
-        place = folder / item.subject
-        place.mkdir(exist_ok=True)
-        loop = compiled(c_loop(item.kernel), item.kernel.name, place)
-        targets = [np.empty(SIZE) for _ in item.kernel.outputs]
-        calls["C"] = lambda: loop(columns, targets)
-    if item.textbook is not None:
-        plain = lambdified(item)
-        calls["lambdify"] = lambda: plain(*given)
+    missing: dict[str, str] = {}
+    if options.constant is not None:
+        missing["C"] = "reads arrays only: beside numbers it would be told too slow"
+    elif compiler() is None:
+        missing["C"] = "no compiler"
+    else:
+        calls["C"] = _c_call(item, columns, folder)
     with np.errstate(all="ignore"):  # textbook forms cancel, divide by zero and overflow
-        best = best_times(calls)
-    solver = None
+        if item.textbook is not None:
+            _add_rivals(calls, missing, item, given, folder, options.every_rival)
+        seconds = best_times(calls, seconds=SECONDS, threaded=THREADED)
     if item.model is not None:
-        solver = solver_seconds(item.model, [each.name for each in item.kernel.inputs])
-    worst, proved = worst_error(item)
-    over_c = {name: taken / best["C"] for name, taken in best.items()} if "C" in best else {}
-    plain_time = best.get("lambdify")
-    return Figures(
-        over_c.get("kernel"),
-        over_c.get("shared"),
-        over_c.get("passes"),
-        None if plain_time is None else plain_time / best["kernel"],
-        None if plain_time is None else plain_time / best["fresh"],
-        None if solver is None else solver * SIZE / best["kernel"],
-        worst,
-        proved,
-    )
+        a_point = solver_seconds(item.model, [each.name for each in item.kernel.inputs])
+        if a_point is not None:
+            seconds["SciPy"] = a_point * SIZE
+    return Figures(seconds, missing, worst_errors(item))
+
+
+def _c_call(item: Measured, columns: Arrays, folder: Path) -> Callable[[], object]:
+    # a library of its own for each kernel: the loader knows libraries by their path
+    place = folder / item.subject
+    place.mkdir(exist_ok=True)
+    loop = compiled(c_loop(item.kernel), item.kernel.name, place)
+    targets = [np.empty(SIZE) for _ in item.kernel.outputs]
+    return lambda: loop(columns, targets)
+
+
+def _add_rivals(
+    calls: Calls,
+    missing: dict[str, str],
+    item: Measured,
+    given: Arguments,
+    folder: Path,
+    every: bool,
+) -> None:
+    plain = rivals.lambdified(item)
+    calls["lambdify"] = lambda: plain(*given)
+    if not every:
+        return
+    made: dict[str, Callable[[], Callable[[], object]]] = {
+        "numexpr": lambda: rivals.with_numexpr(item, given),
+        "Numba": lambda: rivals.with_numba(item, given, folder),
+        "JAX": lambda: rivals.with_jax(item, given),
+    }
+    for name, make in made.items():
+        try:
+            calls[name] = make()
+        except rivals.UnfitError as error:
+            missing[name] = str(error)
 
 
 def bare_passes(item: Measured, given: Arguments) -> Callable[[], object]:
@@ -99,47 +140,3 @@ def bare_passes(item: Measured, given: Arguments) -> Callable[[], object]:
             item.signature.block(parts, outputs, work, False)
 
     return call
-
-
-def lambdified(item: Measured) -> Callable[..., Any]:
-    """SymPy's own printer on the textbook form, with common subexpressions shared."""
-    assert item.textbook is not None
-    free = {symbol for value in item.textbook.values() for symbol in value.free_symbols}
-    if len(item.kernel.inputs) > 1:
-        named = {str(symbol): symbol for symbol in free}
-        arguments = [named[given.name] for given in item.kernel.inputs]
-    else:
-        arguments = list(free)
-    function: Callable[..., Any] = sp.lambdify(
-        arguments, list(item.textbook.values()), modules="numpy", cse=True
-    )
-    return function
-
-
-def worst_error(item: Measured) -> tuple[float, float]:
-    """The greatest error met, and the proved bound of the output where it was met."""
-    generator = np.random.default_rng(21)
-    worst, proved = 0.0, 0.0
-    names = [given.name for given in item.kernel.inputs]
-    for number, output in enumerate(item.kernel.outputs):
-        bound = item.bound.outputs[number]
-        columns = []
-        for given, (low, high) in zip(item.kernel.inputs, bound.domain, strict=True):
-            if given.signed:
-                columns.append(signed_points(high, ERROR_POINTS, generator))
-                continue
-            lowest = max(low, 1.0) if given.integer else low
-            points = log_uniform(lowest, high, ERROR_POINTS, generator)
-            columns.append([float(round(x)) for x in points] if given.integer else points)
-        columns = [x.tolist() for x in fitting(item.signature, list(map(np.array, columns)))]
-        values = item.function(*(np.array(column) for column in columns))[number]
-        for place, value in zip(zip(*columns, strict=True), values, strict=True):
-            point = dict(zip(names, place, strict=True))
-            exact = ball_outputs(item.kernel.graph, point)
-            scale = exact[output.relative_to or output.name]
-            if output.by_terms:
-                scale = terms(item.kernel.graph, point)[output.name]
-            found = error(float(value), exact[output.name], scale, EPSILON)
-            if found > worst:
-                worst, proved = found, float(bound.bound)
-    return worst, proved

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -29,21 +29,33 @@ class Measured:
     model: Mapping[str, Any] | None
 
 
-def measured_kernels(chosen: Sequence[str] = ()) -> Iterator[Measured]:
-    """Every kernel of the catalogue or of the chosen subjects, in its order. Raises
-    BadInputError for a subject that is none.
+def subject_names(chosen: Sequence[str] = ()) -> list[str]:
+    """All subjects of the catalogue or the chosen, in its order. Raises BadInputError for a subject
+    that is none.
     """
     names = [entry.name for entry in CATALOGUE]
     for name in chosen:
         if name not in names:
             raise unknown_name("subject", name, names)
+    return [name for name in names if not chosen or name in chosen]
+
+
+def measured_kernels(
+    chosen: Sequence[str] = (), but: Collection[tuple[str, str]] = ()
+) -> Iterator[Measured]:
+    """Every kernel of the catalogue or of the chosen subjects, in its order, but for those named by
+    subject and kernel. Raises BadInputError for a subject that is none.
+    """
+    names = subject_names(chosen)
     for entry in CATALOGUE:
-        if chosen and entry.name not in chosen:
+        if entry.name not in names:
             continue
         subject = entry.build()
         module = import_module(f"gainproof.generated.{subject.module.name}")
         textbook = subject.textbook()
         for kernel in subject.module.kernels:
+            if (subject.name, kernel.name) in but:
+                continue
             yield Measured(
                 subject.name,
                 kernel,

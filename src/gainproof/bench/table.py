@@ -1,73 +1,63 @@
-"""The table of `gainproof bench`."""
+"""The table of `gainproof bench` in a terminal, at most 98 columns wide."""
 
 from __future__ import annotations
 
-import argparse
-import sys
-import tempfile
-from pathlib import Path
+import textwrap
+from collections.abc import Iterator
 
-from gainproof.bench.compiler import FLAGS, compiler
-from gainproof.bench.measure import SIZE, Figures, figures
-from gainproof.bench.subjects import measured_kernels
-from gainproof.bench.timing import ROUNDS
+from gainproof.bench.columns import RATIOS, Row, explained, ratio_text, worst_output
+from gainproof.bench.results import Results
 
-WIDE = 36
-HEADER = (
-    "over C",
-    "threads/C",
-    "passes/C",
-    "lambdify over",
-    "fresh",
-    "SciPy over",
-    "worst eps",
-    "proved eps",
-)
+WIDTH = 98
+CELL = 7
+SHOWN = tuple(column for column in RATIOS if column.short is not None)
+NAME = WIDTH - CELL * (len(SHOWN) + 2)
 
 
-def print_table(options: argparse.Namespace) -> None:
-    """Measure and print kernel by kernel, so that a long run shows where it is."""
-    command = compiler()
-    if command is None:
-        print("no C compiler found (cc, gcc, clang): the C column is left out", file=sys.stderr)
-    else:
-        print(f"C: {command} {' '.join(FLAGS[:-2])}")
-    print(
-        f"{SIZE} points, outputs preallocated but in `fresh`, guards in the kernel only, "
-        f"{options.workers} threads where said, best of {ROUNDS}\n"
+def opening(results: Results) -> Iterator[str]:
+    """What is measured how, what the columns are, and their headings."""
+    found = results.conditions
+    settings = found["settings"]
+    facts = found["machine"]
+    yield from _filled(f"C: {facts['C']}" if "C" in facts else "no C compiler: ratios to C missing")
+    speeds = ", ".join(f"{name} {value:.1f}" for name, value in results.bandwidth.items())
+    yield from _filled(
+        f"memory of one thread, GB/s: {speeds}; processes that want to run: {results.load}"
     )
-    print(_row("kernel", *HEADER))
-    with tempfile.TemporaryDirectory() as folder:
-        subject = ""
-        for item in measured_kernels(options.subject):
-            if item.subject != subject:
-                subject = item.subject
-                print(f"{subject}")
-            found = figures(item, Path(folder), options.workers, options.constant)
-            print(_row(f"  {item.kernel.name}", *_cells(found)), flush=True)
+    yield from _filled(
+        f"{found['points']:,} points, outputs given but in `fresh`, guards in the kernel only, "
+        f"{settings['workers']} threads in thr/C; each the best of up to {found['rounds']} runs in "
+        f"turn, of fewer where they take more than {found['seconds a call']:g} s; processor time "
+        "of the thread, in thr/C the time that passes"
+    )
+    yield ""
+    for short, meaning in explained():
+        yield from textwrap.wrap(f"{short:<7} {meaning}", WIDTH, subsequent_indent=" " * 8)
+    yield ""
+    yield f"{'kernel':<{NAME}}" + "".join(f"{short:>{CELL}}" for short, _ in explained())
 
 
-def _cells(found: Figures) -> tuple[str, ...]:
+def line(row: Row) -> str:
+    """One kernel; a long name stands in a line of its own."""
+    worst = worst_output(row)
+    cells = [ratio_text(column.value(row)) for column in SHOWN]
+    cells += [f"{float(worst['worst']):.2f}", f"{float(worst['proved']):.2f}"]
+    name = f"  {row['kernel']}"
+    if len(name) >= NAME:
+        name = f"{name}\n{'':<{NAME}}"
+    mark = "  <-- OUTSIDE ITS BOUND" if worst["outside"] else ""
+    return f"{name:<{NAME}}" + "".join(f"{cell:>{CELL}}" for cell in cells) + mark
+
+
+def alarm(results: Results) -> str:
+    """What to say where a kernel does not keep its bound; empty where all do."""
+    if not results.outside:
+        return ""
+    named = "".join(f"\n  {kernel}: {output}" for kernel, output in results.outside)
     return (
-        _ratio(found.over_c),
-        _ratio(found.shared_over_c),
-        _ratio(found.passes_over_c),
-        _ratio(found.under_lambdify),
-        _ratio(found.fresh_under_lambdify),
-        _ratio(found.under_solver),
-        f"{found.worst:.2f}",
-        f"{found.proved:.2f}",
+        f"OUTSIDE THE PROVED BOUND (a fault of the kernel, its bound or this measurement):{named}"
     )
 
 
-def _ratio(value: float | None) -> str:
-    if value is None:
-        return "-"
-    return f"{value:,.0f}x" if value >= 100 else f"{value:.2f}x"
-
-
-def _row(name: str, *cells: str) -> str:
-    widths = (len(each) + 2 for each in HEADER)
-    return f"{name:<{WIDE}}" + "".join(
-        f"{cell:>{width}}" for cell, width in zip(cells, widths, strict=True)
-    )
+def _filled(text: str) -> list[str]:
+    return textwrap.wrap(text, WIDTH, break_on_hyphens=False, break_long_words=False)

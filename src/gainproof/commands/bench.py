@@ -3,24 +3,33 @@
 from __future__ import annotations
 
 import argparse
-from importlib import util
 
-HELP = "measure the kernels: speed against C, lambdify and SciPy, worst error beside the bound"
-DESCRIPTION = """\
-Measures each kernel in one run: its time as a ratio to a C loop of the same graph, to SymPy's
-lambdify and to SciPy's Riccati solver, and its worst measured error beside the proved bound. The
-kernel fills given arrays, in the column `fresh` it makes its own as lambdify does.
+from gainproof.bench.columns import explained
+
+HELP = "measure the kernels: speed against C, memory, lambdify and SciPy, worst error and bound"
+DESCRIPTION = f"""\
+Measures each kernel in one run: its time as a ratio to a C loop of the same graph, to what memory
+alone takes, to SymPy's lambdify and to SciPy's Riccati solver, and its worst measured error beside
+the proved bound. Exit status 1 where a kernel is outside its bound.
+
+--html and --json write all of this as a page of one file and as data, with numexpr, Numba and JAX
+where they are installed (the extra `bench`), the domains, and the subtractions that are left. They
+are written as kernels are measured; --resume continues from the data.
 
 With --against it prints nanoseconds a point instead: `length`, against the elements of a block, of
 which the runtime chooses the marked one (block_length in generated/_guards.py); `size`, against
-the number of points, with given arrays, with fresh ones, and with threads."""
-MODULE = "gainproof.bench"
+the number of points, with given arrays, with fresh ones, and with threads.
+
+The columns: {"; ".join(f"`{short}`, {meaning}" for short, meaning in explained())}."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """What is measured, and how."""
     parser.add_argument(
-        "subject", metavar="SUBJECT", nargs="*", help="which (see `list`); without it: all, minutes"
+        "subject",
+        metavar="SUBJECT",
+        nargs="*",
+        help="which (see `list`); without it: all, half an hour",
     )
     parser.add_argument(
         "--workers", type=_count, default=2, metavar="N", help="threads, where there are (2)"
@@ -29,6 +38,13 @@ def configure(parser: argparse.ArgumentParser) -> None:
         "--constant",
         metavar="PREFIX",
         help="inputs whose names begin so are one number, not an array; C is left out then",
+    )
+    parser.add_argument(
+        "--html", metavar="PLACE", help="write a page: a file, or a folder for page and data"
+    )
+    parser.add_argument("--json", metavar="FILE", help="write the data, from which to continue")
+    parser.add_argument(
+        "--resume", action="store_true", help="keep what the data have, measured on this machine"
     )
     parser.add_argument(
         "--against", choices=("length", "size"), help="nanoseconds a point in place of the table"
@@ -43,12 +59,7 @@ def _count(text: str) -> int:
 
 
 def run(options: argparse.Namespace) -> int:
-    """The status of the measurement; 2 where it is not installed."""
-    from importlib import import_module
+    """The status of the measurement."""
+    from gainproof import bench
 
-    from gainproof.bad_input import BadInputError
-
-    if util.find_spec(MODULE) is None:
-        raise BadInputError(f"the measurements ({MODULE}) are not part of this installation")
-    status: int = import_module(MODULE).run(options)
-    return status
+    return bench.run(options)

@@ -1,0 +1,86 @@
+"""A run of `gainproof bench`: measured kernel by kernel, printed and kept as it goes."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+from gainproof import named_files
+from gainproof.bad_input import BadInputError
+from gainproof.bench import results, table
+from gainproof.bench.measure import Options, figures
+from gainproof.bench.page import page
+from gainproof.bench.results import Results
+from gainproof.bench.rows import remaining, row
+from gainproof.bench.subjects import measured_kernels, subject_names
+
+PAGE, DATA = "bench.html", "bench.json"
+
+
+def run_table(options: argparse.Namespace) -> int:
+    """Measure, print, and write what is asked for; 1 where a kernel is outside its bound.
+
+    Raises BadInputError for places that cannot be written, before anything is measured.
+    """
+    html, data = _places(options.html, options.json)
+    if options.resume and data is None:
+        raise BadInputError("--resume wants a file to continue from: --json FILE or --html DIR")
+    how = Options(options.workers, options.constant, html is not None or data is not None)
+    begun = results.begun(how, subject_names(options.subject), data if options.resume else None)
+    _write(begun, html, data)
+    print("\n".join(table.opening(begun)), flush=True)
+    for kept in begun.rows:
+        print(table.line(kept))
+    _measure(begun, how, html, data)
+    alarm = table.alarm(begun)
+    if alarm:
+        print(alarm, file=sys.stderr)
+    return 1 if alarm else 0
+
+
+def _measure(begun: Results, how: Options, html: Path | None, data: Path | None) -> None:
+    left = remaining()
+    with tempfile.TemporaryDirectory() as folder:
+        for subject in begun.chosen:
+            if subject in begun.finished:
+                continue
+            print(subject, flush=True)
+            done = {(each["subject"], each["kernel"]) for each in begun.rows}
+            for item in measured_kernels([subject], done):
+                begun.rows.append(row(item, figures(item, Path(folder), how), left))
+                print(table.line(begun.rows[-1]), flush=True)
+                _write(begun, None, data)
+            begun.finished.append(subject)
+            _write(begun, html, data)
+
+
+def _write(begun: Results, html: Path | None, data: Path | None) -> None:
+    """What is there so far; whole files, whenever a run is broken off."""
+    contents = {}
+    if html is not None:
+        contents[html] = page(begun).encode()
+    if data is not None:
+        contents[data] = results.as_json(begun).encode()
+    named_files.write(contents)
+
+
+def _places(html: str | None, data: str | None) -> tuple[Path | None, Path | None]:
+    """The page and the file of data; a folder takes both.
+
+    What does not end in .html and is no file is a folder.
+    """
+    for name, text in (("--html", html), ("--json", data)):
+        if text is not None and (not text or "\0" in text):
+            raise BadInputError(f"{name} takes the name of a file, got {text!r}")
+    if html is None:
+        return None, None if data is None else Path(data)
+    place = Path(html)
+    folder = place.is_dir() or (
+        place.suffix.lower() not in (".html", ".htm") and not place.exists()
+    )
+    kept = Path(data) if data is not None else place / DATA if folder else None
+    shown = place / PAGE if folder else place
+    named_files.require_apart({}, {"--html": str(shown), "--json": str(kept) if kept else None})
+    return shown, kept
