@@ -9,7 +9,7 @@ from dataclasses import replace
 from gainproof.verify.judge.charted import judge_in
 from gainproof.verify.judge.cited import cited
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.scope import UndefinedSymbol
 from gainproof.verify.judge.setting.environment import (
@@ -59,12 +59,11 @@ def _in_index(domain: str | None, setting: Setting, environment: Environment) ->
 def _attempts(
     claim: Claim, setting: Setting, environment: Environment
 ) -> Iterator[tuple[str | None, Callable[[], Finding]]]:
-    if claim.formula is None:
-        yield None, lambda: judge_in(claim, None, setting, environment)
-        return
-    readings, fault = fitting_readings(claim.formula, setting)
+    readings, fault = claim_readings(claim, setting)
     if fault is not None:
         yield None, lambda: Finding("refuted", fault, method="dimensions")
+    elif claim.formula is None:
+        yield None, lambda: judge_in(claim, None, setting, environment)
     for reading in readings:
         yield (
             reading.text,

@@ -9,7 +9,7 @@ from dataclasses import replace
 from itertools import product
 
 from gainproof.verify.judge.claim.record import Setting, SymbolEntry
-from gainproof.verify.judge.dimension import reading_fault
+from gainproof.verify.judge.dimensions.formula import reading_fault
 from gainproof.verify.judge.exact.limits import Undecided
 
 MOST_CHOICES = 8

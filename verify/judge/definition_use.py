@@ -9,7 +9,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim, Setting, Unit
-from gainproof.verify.judge.dimension import dimension_of, reading_fault, unit_text
+from gainproof.verify.judge.dimensions.dimension import unit_text
+from gainproof.verify.judge.dimensions.formula import dimension_of, reading_fault
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.reach import names_in
 from gainproof.verify.judge.verdict import ClaimVerdict

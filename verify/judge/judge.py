@@ -13,7 +13,7 @@ from typing import Any
 from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim.record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.definition_use import contradicted, with_blame
-from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.matrices.decide import decide
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.stages import (
@@ -159,7 +159,7 @@ def _verdicts(
 def _plain(claim: Claim, setting: Setting, claims: Sequence[Claim]) -> ClaimVerdict:
     fault = contradicted(claim, setting, claims)
     if fault is None and claim.formula is not None:
-        fault = fitting_readings(claim.formula, setting)[1]
+        fault = claim_readings(claim, setting)[1]
     if claim.matrices is not None and setting.matrices is not None:
         return verdict_of(claim, decide(claim.matrices, setting.matrices), None, 0.0)
     if fault is not None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.convention import Convention
-from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.dimensions.claim import claim_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Statement
@@ -25,7 +25,7 @@ def seen_false(claim: Claim, convention: Convention) -> Finding | None:
     """The refutation of a claim that fails at generic points in every reading; None for others."""
     if claim.kind not in KINDS or claim.formula is None or claim.given:
         return None
-    readings, fault = fitting_readings(claim.formula, convention.setting)
+    readings, fault = claim_readings(claim, convention.setting)
     if fault is not None:
         return Finding("refuted", fault, method="dimensions")
     found: Finding | None = None

@@ -21,7 +21,7 @@ def graphs_of_claim(claim: Claim) -> Iterator[Graph]:
             yield from _graphs(formula)
     for relation in claim.domain:
         yield from (relation.left, relation.right)
-    for graph in (claim.subject, claim.polynomial):
+    for graph in (claim.subject, claim.polynomial, claim.minimised, *claim.fixed):
         if graph is not None:
             yield graph
 
@@ -40,6 +40,9 @@ def reached(claim: Claim, setting: Setting) -> frozenset[str]:
     """Declared symbols that the claim uses, or a definition or domain of one that it uses."""
     texts = {*claim.about, *claim.held, *filter(None, (claim.variable, claim.previous))}
     texts |= {name for graph in graphs_of_claim(claim) for name in names_in(graph)}
+    for name in claim.ascending:
+        for formula in setting.filters.get(name, ()):
+            texts |= {token for graph in _graphs(formula) for token in names_in(graph)}
     return closure(texts, setting.symbols)
 
 

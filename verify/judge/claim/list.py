@@ -16,6 +16,7 @@ from gainproof.verify.judge.claim.formulas import (
 from gainproof.verify.judge.claim.kinds import OWN_FIELDS, WITHOUT_FORMULA, with_own_fields
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
+from gainproof.verify.judge.dimensions.declared import domain_fault
 from gainproof.verify.judge.formula import Formula
 from gainproof.verify.judge.matrices import claim_fields
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
@@ -120,6 +121,9 @@ def _claim(fields: Fields, settings: Mapping[str, Setting], before: Sequence[Cla
         line=fields.line or 1,
     )
     _check_domain(fields, claim, setting)
+    fault = domain_fault(claim, setting)
+    if fault is not None:
+        raise fields.fail("domain", f"dimensions: {fault}")
     return with_own_fields(claim, fields, setting.symbols)
 
 

@@ -18,6 +18,7 @@ from gainproof.verify.judge.claim.models import (
 )
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import complete_symbols
+from gainproof.verify.judge.dimensions.declared import setting_fault
 from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
 MOST_SETTINGS = 100
@@ -108,7 +109,7 @@ def _setting(
     if fault is not None:
         raise fields.fail("", f"the domains of its symbols contradict one another: {fault}")
     _check_conventions(fields, symbols)
-    return Setting(
+    setting = Setting(
         name=name,
         kind=kind,
         title=title,
@@ -123,6 +124,21 @@ def _setting(
         matrices=None,
         **_conventions(fields, symbols),
     )
+    _check_dimensions(fields, setting, shared)
+    return setting
+
+
+def _check_dimensions(fields: Fields, setting: Setting, shared: Mapping[str, SymbolEntry]) -> None:
+    """What the file declares itself agrees in dimension under some convention that it admits."""
+    fault = setting_fault(setting)
+    if fault is None:
+        return
+    if fault.token is None:
+        raise fields.fail(fault.field, f"dimensions: {fault.problem}")
+    table = "symbols" if fault.token in shared else f"{fields.where}.symbols"
+    line = fields.text.line_of_key(fault.token, fields.text.line_of_table(table) or 1)
+    where = f"{table}.{fault.token}.{fault.field}"
+    raise fields.text.error(where, f"dimensions: {fault.problem}", line)
 
 
 def _of_matrices(fields: Fields, name: str, title: str, note: str | None) -> Setting:

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.dimension import reading_fault
+from gainproof.verify.judge.dimensions.formula import reading_fault
 from gainproof.verify.judge.exact.expression import symbols_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Reading

@@ -8,7 +8,7 @@ from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
-from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.dimensions.claim import fitting_readings
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.repair.edit import PLAIN
 from gainproof.verify.judge.repair.proof import Offer

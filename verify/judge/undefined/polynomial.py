@@ -10,7 +10,8 @@ import flint
 
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention
-from gainproof.verify.judge.dimension import ONE, dimension_of
+from gainproof.verify.judge.dimensions.dimension import ONE
+from gainproof.verify.judge.dimensions.formula import dimension_of
 from gainproof.verify.judge.exact.expression import (
     Expr,
     mul,

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from gainproof.verify.judge.attempt import judge_claim
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
-from gainproof.verify.judge.dimension import fitting_readings
+from gainproof.verify.judge.dimensions.claim import fitting_readings
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
 from gainproof.verify.judge.exact.graph import graph_of, read_graph
 from gainproof.verify.judge.exact.limits import Malformed, Undecided

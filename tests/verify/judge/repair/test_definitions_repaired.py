@@ -32,6 +32,10 @@ def test_definition_is_repaired_by_what_the_claims_need() -> None:
 
 
 ROW = "'M' = { definition = '(w, 1)', meaning = 'a row' }\n"
+FUNCTION = (
+    "'t' = { unit = 's', meaning = 'any time' }\n"
+    "'f' = { definition = 'w t', arguments = ['t'], meaning = 'f' }\n"
+)
 MATRIX = "\\begin{pmatrix} w & 0 \\\\ 0 & T \\end{pmatrix}"
 
 
@@ -41,7 +45,7 @@ MATRIX = "\\begin{pmatrix} w & 0 \\\\ 0 & T \\end{pmatrix}"
         ("", r"w (1, T) = (v + a T) (1, T)"),
         (ROW, r"M = (v + a T, 1)"),
         (f"'M' = {{ definition = '{MATRIX}', meaning = 'M' }}\n", r"\det M = v T + a T^2"),
-        ("'f' = { definition = 'w x', arguments = ['x'], meaning = 'f' }\n", r"f(T) = v T + a T^2"),
+        (FUNCTION, r"f(T) = v T + a T^2"),
         ("", r"\exp\left(\frac{w T}{x}\right) = \exp\left(\frac{v T + a T^2}{x}\right)"),
     ],
 )

@@ -1,0 +1,91 @@
+"""Dimensions of a claim: those of its formula, which choose between readings, and of all else that
+it says or rests on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gainproof.verify.judge.claim.record import Claim, Setting
+from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed
+from gainproof.verify.judge.dimensions.formula import (
+    graph_fault,
+    names_of,
+    reading_fault,
+    relation_fault,
+)
+from gainproof.verify.judge.dimensions.names import Names
+from gainproof.verify.judge.formula import Formula, Reading, Relation
+from gainproof.verify.judge.reach import reached
+
+
+def claim_readings(claim: Claim, setting: Setting) -> tuple[tuple[Reading, ...], str | None]:
+    """The readings of a claim's formula whose dimensions agree; if there is none, or if anything
+    else of the claim mixes dimensions, no reading and what is wrong. A claim without a formula has
+    no reading either.
+    """
+    readings: tuple[Reading, ...] = ()
+    if claim.formula is not None:
+        readings, fault = fitting_readings(claim.formula, setting)
+        if fault is not None:
+            return (), fault
+    fault = next(_faults(claim, setting), None)
+    return ((), f"dimensions: {fault}") if fault is not None else (readings, None)
+
+
+def fitting_readings(formula: Formula, setting: Setting) -> tuple[tuple[Reading, ...], str | None]:
+    """The readings of a formula whose dimensions agree; if there is none, what is wrong."""
+    faults = [reading_fault(reading, setting) for reading in formula.readings]
+    fitting = tuple(r for r, fault in zip(formula.readings, faults, strict=True) if fault is None)
+    return fitting, None if fitting else f"dimensions: {faults[0]}"
+
+
+def _faults(claim: Claim, setting: Setting) -> Iterator[str]:
+    """What is wrong in the fields of a claim, in its hypotheses, and in definitions that it uses
+    through these or through domains.
+    """
+    names = names_of(setting)
+    graphs = {
+        "what changes": claim.subject,
+        "the polynomial": claim.polynomial,
+        "what is compared": claim.minimised,
+    }
+    for place, graph in graphs.items():
+        if graph is not None and (fault := graph_fault(graph, names)) is not None:
+            yield f"in {place}, {fault}"
+    for graph in claim.fixed:
+        if (fault := graph_fault(graph, names)) is not None:
+            yield f"in what is fixed, {fault}"
+    for place, relations in _relations(claim, setting):
+        for relation in relations:
+            if (fault := relation_fault(relation, names)) is not None:
+                yield f"in {place}, {fault}"
+    if claim.recursion is not None and claim.previous is not None:
+        yield from _recursion_faults(claim.recursion, claim.previous, names)
+    for token in sorted(reached(claim, setting)):
+        try:
+            names.of(token)
+        except Mismatch as found:
+            yield str(found)
+
+
+def _relations(claim: Claim, setting: Setting) -> Iterator[tuple[str, tuple[Relation, ...]]]:
+    yield "the domain", claim.domain
+    for formula in claim.given:
+        yield "a hypothesis", formula.readings[0].relations
+    if claim.recursion is not None:
+        yield "the recursion", claim.recursion.readings[0].relations
+    for name in claim.ascending:
+        for formula in setting.filters.get(name, ()):
+            yield f"the filter {name}", formula.readings[0].relations
+
+
+def _recursion_faults(recursion: Formula, previous: str, names: Names) -> Iterator[str]:
+    """The value before has the dimension of the next one."""
+    following = recursion.readings[0].relations[0].left["nodes"]
+    if len(following) != 1 or following[0][0] != "symbol":
+        return
+    try:
+        agreed([names.of(str(following[0][1])), names.of(previous)], "the next value and the last")
+    except Mismatch as fault:
+        yield str(fault)

@@ -1,0 +1,171 @@
+"""Dimensions of what a file declares itself: domains, variances, units beside definitions, domains
+of claims, matrices of a model of its own.
+
+These are the file's words and not the source's, so that a contradiction is an error in the file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from gainproof.verify.judge.claim.record import Claim, Setting, SymbolEntry, Unit
+from gainproof.verify.judge.convention_effect import choices, with_units
+from gainproof.verify.judge.dimensions.dimension import Mismatch, agreed, times
+from gainproof.verify.judge.dimensions.formula import (
+    dimension,
+    dimension_of,
+    names_of,
+    relation_fault,
+)
+from gainproof.verify.judge.dimensions.names import Names
+from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.graph import read_tree
+from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.formula import Graph
+
+NOISES = ("process_noise", "measurement_noise")
+Rows = Sequence[Sequence[Graph]]
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is wrong with the dimensions in a field of the symbol `token`, or of the setting."""
+
+    token: str | None
+    field: str
+    problem: str
+
+
+def setting_fault(setting: Setting) -> Fault | None:
+    """The first contradiction in what a setting declares; None where some convention that it admits
+    makes everything agree.
+    """
+    found: Fault | None = None
+    for chosen in choices(setting):
+        fault = next(_faults(with_units(setting, chosen)), None)
+        if fault is None:
+            return None
+        found = found or fault
+    return found
+
+
+def domain_fault(claim: Claim, setting: Setting) -> str | None:
+    """What is wrong in the domain of a claim under every convention, or None."""
+    found: str | None = None
+    for chosen in choices(setting):
+        names = names_of(with_units(setting, chosen))
+        faults = [f for r in claim.domain if (f := relation_fault(r, names)) is not None]
+        if not faults:
+            return None
+        found = found or faults[0]
+    return found
+
+
+def _faults(setting: Setting) -> Iterator[Fault]:
+    names = names_of(setting)
+    for token, entry in setting.symbols.items():
+        for relation in entry.domain:
+            if (problem := relation_fault(relation, names)) is not None:
+                yield Fault(token, "domain", problem)
+        yield from _definition_faults(token, entry, names)
+        if entry.variance is not None and entry.unit is not None:
+            wanted = times(entry.unit, entry.unit)
+            what = f"the square of {token} and its variance"
+            if (problem := _differs(entry.variance, wanted, what, names)) is not None:
+                yield Fault(token, "variance", problem)
+    yield from _model_faults(setting)
+
+
+def _definition_faults(token: str, entry: SymbolEntry, names: Names) -> Iterator[Fault]:
+    """A unit beside a definition: one reading must have it."""
+    if entry.definition is None or entry.unit is None or entry.quantity is not None:
+        return
+    what = "the unit and the definition"
+    problems = [
+        _differs(reading.relations[0].right, names.of(token), what, names)
+        for reading in entry.definition.readings
+    ]
+    if all(problem is not None for problem in problems):
+        yield Fault(token, "definition", problems[0] or "")
+
+
+def _differs(graph: Graph, wanted: object, what: str, names: Names) -> str | None:
+    try:
+        agreed([wanted, dimension(read_tree(graph), names)], what)  # type: ignore[list-item]
+    except Mismatch as fault:
+        return str(fault)
+    except Malformed:
+        pass  # reported where it is judged
+    return None
+
+
+def _model_faults(setting: Setting) -> Iterator[Fault]:
+    """Entries of F, Q, H and R from which no units of states and measurements follow."""
+    matrices: dict[str, Rows] = dict(setting.gain_matrices)
+    if setting.own_model is not None:
+        own = setting.own_model
+        matrices = {
+            "measurement_noise": own.measurement_noise,
+            "measurement": own.measurement,
+            "transition": own.transition,
+            "process_noise": own.process_noise,
+        }
+    solver = _Solver()
+    for name, rows in matrices.items():
+        for i, row in enumerate(rows):
+            for j, entry in enumerate(row):
+                unit = _unit(entry, setting)
+                if unit is not None and not solver.agrees(_equation(name, i, j), unit):
+                    problem = (
+                        f"the entry in row {i + 1}, column {j + 1} has a unit that fits no state"
+                    )
+                    yield Fault(None, name, problem)
+
+
+def _unit(entry: Graph, setting: Setting) -> Unit | None:
+    """The unit of an entry; None of a number, which may be one in units of T or of a noise."""
+    try:
+        if constant_value(read_tree(entry)) is not None:
+            return None
+    except Malformed:
+        return None
+    return dimension_of(entry, setting)
+
+
+def _equation(name: str, i: int, j: int) -> Mapping[str, int]:
+    """How often the units of states and measurements stand in that of an entry."""
+    row, column = ("z", "z") if name == "measurement_noise" else ("x", "x")
+    if name == "measurement":
+        row = "z"
+    sign = 1 if name in NOISES else -1
+    found = {f"{row}{i}": 1}
+    found[f"{column}{j}"] = found.get(f"{column}{j}", 0) + sign
+    return {unknown: count for unknown, count in found.items() if count}
+
+
+class _Solver:
+    """Linear equations between exponents of units, reduced as they come."""
+
+    def __init__(self) -> None:
+        self.rows: list[tuple[str, dict[str, Fraction], Unit]] = []
+
+    def agrees(self, equation: Mapping[str, int], unit: Unit) -> bool:
+        """Whether an equation contradicts none before; it is kept then."""
+        left = {name: Fraction(count) for name, count in equation.items()}
+        for pivot, row, value in self.rows:
+            factor = left.get(pivot, Fraction(0))
+            if factor:
+                left = {
+                    n: left.get(n, Fraction(0)) - factor * row.get(n, Fraction(0))
+                    for n in {*left, *row}
+                }
+                unit = Unit(unit.metre - factor * value.metre, unit.second - factor * value.second)
+        left = {name: count for name, count in left.items() if count}
+        if not left:
+            return unit == Unit()
+        pivot, count = next(iter(left.items()))
+        scaled = Unit(unit.metre / count, unit.second / count)
+        self.rows.append((pivot, {n: c / count for n, c in left.items()}, scaled))
+        return True

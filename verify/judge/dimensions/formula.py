@@ -1,0 +1,204 @@
+"""The dimension of a formula, node by node: the one place that decides what agrees."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from gainproof.verify.judge.claim.record import Setting, Unit
+from gainproof.verify.judge.dimensions.dimension import (
+    ANY,
+    ONE,
+    Dimension,
+    Dimensions,
+    Mismatch,
+    agreed,
+    entries,
+    mapped,
+    times,
+    without_dimension,
+)
+from gainproof.verify.judge.dimensions.names import Names
+from gainproof.verify.judge.dimensions.table import (
+    determinant,
+    inverse,
+    kronecker,
+    multiplied,
+    raised,
+    stacked,
+    transposed,
+)
+from gainproof.verify.judge.exact.expression import Expr, walk
+from gainproof.verify.judge.exact.graph import read_tree
+from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.formula import Graph, Reading, Relation
+
+OF_NUMBERS = frozenset(
+    (
+        *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
+        *("sinh", "cosh", "tanh", "exp", "log", "ln", "arctan", "erf", "erfinv"),
+    )
+)
+"""Functions of numbers: a series of powers of a length adds lengths to areas."""
+ALIKE = frozenset(("max", "min", "atan2"))
+"""Functions whose arguments are compared with one another."""
+NUMBERS = frozenset(("sign", "rank"))
+"""Functions of anything whose value is a number."""
+
+
+def reading_fault(reading: Reading, setting: Setting) -> str | None:
+    """What is wrong with the dimensions of a reading, or None."""
+    names = names_of(setting)
+    for relation in (*reading.relations, *reading.conditions):
+        fault = relation_fault(relation, names)
+        if fault is not None:
+            return fault
+    return None
+
+
+def relation_fault(relation: Relation, names: Names) -> str | None:
+    """What is wrong with the dimensions of a relation, or None."""
+    try:
+        left, right = (
+            dimension(read_tree(side), names) for side in (relation.left, relation.right)
+        )
+        if relation.operator != "propto":
+            agreed([left, right], "the sides")
+    except Mismatch as fault:
+        return str(fault)
+    except Malformed:
+        pass  # reported where the relation is judged
+    return None
+
+
+def graph_fault(graph: Graph, names: Names) -> str | None:
+    """What is wrong with the dimensions inside an expression, or None."""
+    try:
+        dimension(read_tree(graph), names)
+    except Mismatch as fault:
+        return str(fault)
+    except Malformed:
+        pass  # reported where it is judged
+    return None
+
+
+def dimension_of(graph: Graph, setting: Setting) -> Unit | None:
+    """The dimension of a formula that is a number; None if it mixes dimensions or is not known."""
+    try:
+        found = dimension(read_tree(graph), names_of(setting))
+    except (Mismatch, Malformed):
+        return None
+    return found if isinstance(found, Unit) else None
+
+
+def names_of(setting: Setting) -> Names:
+    """The dimensions of a setting's symbols."""
+    return Names(setting, dimension)
+
+
+def dimension(expr: Expr, names: Names) -> Dimensions:
+    """The dimension of an expression over declared symbols. Raises Mismatch."""
+    done: dict[bytes, Dimensions] = {}
+    for node in walk(expr):
+        done[node.key] = _node(node, [done[p.key] for p in node.parts], names)
+    return done[expr.key]
+
+
+def _node(node: Expr, parts: list[Dimensions], names: Names) -> Dimensions:
+    match node.kind:
+        case "number":
+            return ANY if node.fraction == 0 else ONE
+        case "symbol":
+            return names.of(node.name)
+        case "add":
+            return agreed(parts, "the terms of a sum")
+        case "mul":
+            total = parts[0]
+            for part in parts[1:]:
+                total = multiplied(total, part)
+            return total
+        case "div":
+            return _over(parts[0], parts[1])
+        case "neg":
+            return parts[0]
+        case "pow":
+            return _raised(parts[0], node.fraction)
+        case "derivative":
+            return _over(parts[0], names.of(node.name))
+        case "at":
+            agreed([names.of(node.name), parts[1]], f"{node.name} and what replaces it")
+            return parts[0]
+        case "matrix":
+            columns = int(node.name.split()[1])
+            starts = range(0, len(parts), columns)
+            return stacked([parts[start : start + columns] for start in starts])
+        case "transpose":
+            return transposed(parts[0])
+        case "inverse":
+            return inverse(parts[0])
+        case "kronecker":
+            return kronecker(parts[0], parts[1])
+        case "call":
+            return _call(node.name, parts, names)
+        case _:
+            return ANY
+
+
+def _over(above: Dimensions, below: Dimensions) -> Dimensions:
+    if isinstance(below, tuple):
+        return ANY
+    return mapped(above, lambda entry: times(entry, below, -1))
+
+
+def _raised(base: Dimensions, exponent: Fraction) -> Dimensions:
+    if isinstance(base, tuple):
+        return raised(base, int(exponent)) if exponent.denominator == 1 else ANY
+    return times(ONE, base, exponent)
+
+
+def _call(name: str, parts: list[Dimensions], names: Names) -> Dimensions:
+    match name:
+        case "sum" | "product" | "integral" if len(parts) == 4:
+            return _bound(name, *parts)
+        case "expectation":
+            names.compare_variances()
+            return parts[0]
+        case "det":
+            return determinant(parts[0])
+        case "tr" | "trace" | "Tr":
+            return _trace(parts[0])
+        case "power" if len(parts) == 2:
+            without_dimension(parts[1], "an exponent")
+            return ONE if parts[0] == ONE else ANY
+    if name in names.setting.symbols:
+        return names.called(name, parts)
+    if name in OF_NUMBERS:
+        without_dimension(parts[0], f"the argument of {name}")
+        return ONE
+    if name in ALIKE:
+        common = agreed(parts, f"the arguments of {name}")
+        return ONE if name == "atan2" else common
+    return ONE if name in NUMBERS else ANY
+
+
+def _bound(
+    name: str, body: Dimensions, index: Dimensions, low: Dimensions, high: Dimensions
+) -> Dimensions:
+    """A sum, a product or an integral: its bounds are compared with what runs between them."""
+    agreed([index, low, high], f"the bounds of the {name} and what runs between them")
+    if name == "sum":
+        return body
+    if name == "product":
+        return ONE if body == ONE else ANY
+    return multiplied(body, index)
+
+
+def _trace(part: Dimensions) -> Dimension:
+    if not isinstance(part, tuple):
+        return entries(part)[0]
+    if len(part) != len(part[0]):
+        return ANY
+    diagonal: Sequence[Dimensions] = [part[i][i] for i in range(len(part))]
+    found = agreed(diagonal, "the terms of a trace")
+    assert not isinstance(found, tuple)
+    return found
