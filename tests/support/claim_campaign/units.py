@@ -124,13 +124,19 @@ def mixed(subject: Subject, unit: Unit) -> Iterator[Mixed]:
     assert claim.formula is not None
     (reading,) = claim.formula.readings
     for place, relation in enumerate(reading.relations):
-        for name in ("left", "right"):
-            for words, tree in _multiplied(to_tree(getattr(relation, name))):
-                changed = replace(relation, **{name: to_graph(tree)})
-                relations = (*reading.relations[:place], changed, *reading.relations[place + 1 :])
-                readings = (replace(reading, relations=relations),)
-                formula = replace(claim.formula, readings=readings)
-                yield Mixed(f"{name}: {words}", replace(claim, formula=formula), setting)
+        left = [
+            (f"left: {words}", replace(relation, left=to_graph(tree)))
+            for words, tree in _multiplied(to_tree(relation.left))
+        ]
+        right = [
+            (f"right: {words}", replace(relation, right=to_graph(tree)))
+            for words, tree in _multiplied(to_tree(relation.right))
+        ]
+        for words, changed in (*left, *right):
+            relations = (*reading.relations[:place], changed, *reading.relations[place + 1 :])
+            readings = (replace(reading, relations=relations),)
+            formula = replace(claim.formula, readings=readings)
+            yield Mixed(words, replace(claim, formula=formula), setting)
     named = {token for rel in subject.relations() for token in _names(rel)}
     for token in sorted(subject.reached(named)):
         entry = setting.symbols[token]

@@ -27,8 +27,9 @@ from gainproof.verify.judge.claim.record import (
     SymbolEntry,
     Unit,
 )
-from gainproof.verify.judge.claim.settings import read_settings
+from gainproof.verify.judge.claim.settings import read_settings, symbol_error
 from gainproof.verify.judge.claim.symbols import complete_symbols
+from gainproof.verify.judge.dimensions.declared import shared_fault
 
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20
@@ -111,6 +112,9 @@ def read_claim_text(
     start = file_text.line_of_table("symbols") or 1
     declared = read_declarations(file_text, "symbols", document.take("symbols") or {}, start)
     symbols = complete_symbols(file_text, declared)
+    fault = shared_fault(symbols)
+    if fault is not None:
+        raise symbol_error(file_text, "symbols", fault)
     settings = read_settings(file_text, document.take("settings"), symbols, models)
     claims = read_claims(file_text, document.take("claims"), settings)
     return ClaimFile(path, source, symbols, settings, claims)

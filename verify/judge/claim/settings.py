@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from gainproof.verify.judge.claim.declarations import read_declarations
 from gainproof.verify.judge.claim.domains import contradiction, relations_of
-from gainproof.verify.judge.claim.errors import FileText
+from gainproof.verify.judge.claim.errors import ClaimFileError, FileText
 from gainproof.verify.judge.claim.fields import Fields, nearest_hint
 from gainproof.verify.judge.claim.formulas import formula_of
 from gainproof.verify.judge.claim.models import (
@@ -18,7 +18,7 @@ from gainproof.verify.judge.claim.models import (
 )
 from gainproof.verify.judge.claim.record import Formula, Setting, SymbolEntry
 from gainproof.verify.judge.claim.symbols import complete_symbols
-from gainproof.verify.judge.dimensions.declared import setting_fault
+from gainproof.verify.judge.dimensions.declared import Fault, setting_fault
 from gainproof.verify.judge.matrices.declare import read_letters, read_sizes
 
 MOST_SETTINGS = 100
@@ -130,15 +130,19 @@ def _setting(
 
 def _check_dimensions(fields: Fields, setting: Setting, shared: Mapping[str, SymbolEntry]) -> None:
     """What the file declares itself agrees in dimension under some convention that it admits."""
-    fault = setting_fault(setting)
+    fault = setting_fault(setting, [token for token in setting.symbols if token not in shared])
     if fault is None:
         return
     if fault.token is None:
         raise fields.fail(fault.field, f"dimensions: {fault.problem}")
-    table = "symbols" if fault.token in shared else f"{fields.where}.symbols"
-    line = fields.text.line_of_key(fault.token, fields.text.line_of_table(table) or 1)
-    where = f"{table}.{fault.token}.{fault.field}"
-    raise fields.text.error(where, f"dimensions: {fault.problem}", line)
+    raise symbol_error(fields.text, f"{fields.where}.symbols", fault)
+
+
+def symbol_error(text: FileText, table: str, fault: Fault) -> ClaimFileError:
+    """The error for a symbol of a table whose dimensions contradict one another."""
+    token = fault.token or ""
+    line = text.line_of_key(token, text.line_of_table(table) or 1)
+    return text.error(f"{table}.{token}.{fault.field}", f"dimensions: {fault.problem}", line)
 
 
 def _of_matrices(fields: Fields, name: str, title: str, note: str | None) -> Setting:

@@ -6,7 +6,7 @@ These are the file's words and not the source's, so that a contradiction is an e
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -38,24 +38,39 @@ class Fault:
     problem: str
 
 
-def setting_fault(setting: Setting) -> Fault | None:
-    """The first contradiction in what a setting declares; None where some convention that it admits
-    makes everything agree.
+def setting_fault(setting: Setting, own: Collection[str]) -> Fault | None:
+    """The first contradiction in what a setting declares of its `own` symbols and of its model;
+    None where some convention that it admits makes everything agree.
     """
     found: Fault | None = None
-    for chosen in choices(setting):
-        fault = next(_faults(with_units(setting, chosen)), None)
+    for one in _with_units(setting):
+        fault = next(_faults(one, own), None)
         if fault is None:
             return None
         found = found or fault
     return found
 
 
+def shared_fault(symbols: Mapping[str, SymbolEntry]) -> Fault | None:
+    """The same of the symbols of the whole file, whatever the conventions of its settings are."""
+    any_setting = Setting("", "algebra", "", symbols, noise="search", power_of_T="search")
+    return setting_fault(any_setting, symbols)
+
+
+def _with_units(setting: Setting) -> Iterator[Setting]:
+    """The setting with the units of each convention that it admits, those that are alike once."""
+    seen = set()
+    for chosen in choices(setting):
+        if (chosen.noise, chosen.power_of_T) not in seen:
+            seen.add((chosen.noise, chosen.power_of_T))
+            yield with_units(setting, chosen)
+
+
 def domain_fault(claim: Claim, setting: Setting) -> str | None:
     """What is wrong in the domain of a claim under every convention, or None."""
     found: str | None = None
-    for chosen in choices(setting):
-        names = names_of(with_units(setting, chosen))
+    for one in _with_units(setting) if claim.domain else ():
+        names = names_of(one)
         faults = [f for r in claim.domain if (f := relation_fault(r, names)) is not None]
         if not faults:
             return None
@@ -63,9 +78,10 @@ def domain_fault(claim: Claim, setting: Setting) -> str | None:
     return found
 
 
-def _faults(setting: Setting) -> Iterator[Fault]:
+def _faults(setting: Setting, own: Collection[str]) -> Iterator[Fault]:
     names = names_of(setting)
-    for token, entry in setting.symbols.items():
+    for token in own:
+        entry = setting.symbols[token]
         for relation in entry.domain:
             if (problem := relation_fault(relation, names)) is not None:
                 yield Fault(token, "domain", problem)

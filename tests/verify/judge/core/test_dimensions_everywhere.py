@@ -49,7 +49,7 @@ states = 2
 """
 
 
-def judged(more: str, head: str = HEAD) -> tuple[str, str]:
+def judged(more: str, head: str = HEAD) -> tuple[str, str | None]:
     """Verdict and method of one claim."""
     text = f"{head}[[claims]]\nid = 'c'\nplace = 'p'\n"
     if "setting" not in more:
