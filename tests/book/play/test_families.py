@@ -98,6 +98,21 @@ def test_shown(shown: Any, place: int) -> None:
 
 
 @node.needs_node
+def test_a_steady_state_beyond_the_kernels_of_fixed_gains() -> None:
+    """It is stable however its gains are rounded; what is shown of it is what kernels give."""
+    program = """
+        return given.map(([kind, subject, tracking_index]) => {
+          const { stable, lag, variance } =
+            gainproof.play.families.shown(kind, subject, { tracking_index });
+          return [stable, lag === undefined, variance === undefined];
+        });"""
+    subjects = [["two-states", "random-acceleration"], ["three-states", "random-jerk"]]
+    asked = [[*subject, index] for subject in subjects for index in (1e-300, 1e7, 1e300)]
+    found = node.answers(program, SCRIPTS, asked)
+    assert found == [[True, True, True]] * len(asked)
+
+
+@node.needs_node
 def test_unstable_gains_are_among_the_points(shown: Any) -> None:
     assert [found["stable"] for found in shown].count(False) >= 3
 

@@ -93,7 +93,7 @@ def test_covariance_solves_the_lyapunov_equation(found: Any, place: int) -> None
 @pytest.mark.parametrize("place", [3, 4])
 def test_lag_is_where_a_track_settles(found: Any, place: int) -> None:
     f, k, _ = parts(GAINS[place])
-    truth, state = np.zeros(2), np.zeros(2)
+    truth, state, predicted = np.zeros(2), np.zeros(2), np.zeros(2)
     for _step in range(400):
         truth = f @ truth + np.array([0.5, 1.0])
         predicted = f @ state
@@ -132,8 +132,7 @@ def test_noise_is_seeded_and_normal() -> None:
 
 
 def sorted_poles(poles: Any) -> NDArray[np.complex128]:
-    z = np.array([complex(*pole) for pole in poles])
-    return z[np.lexsort((z.imag, z.real))]
+    return np.sort_complex(np.array([complex(*pole) for pole in poles]))
 
 
 @node.needs_node

@@ -9,10 +9,31 @@ from html import escape
 from gainproof.book.play.pictures import Picture, pictures
 from gainproof.book.play.subjects import Slider, Subject
 
-_LEAD = (
-    "Move a slider or type a number: everything below is computed in the page, by kernels that are "
-    "printed from the same expression graphs as the NumPy kernels. The interval between samples "
-    "and the variance of a position measurement are 1."
+_STEADY = (
+    "Gains, poles, variances and lags come from kernels that are printed from the same expression "
+    "graphs as the NumPy kernels, the responses from the filter itself, run in the page."
+)
+_FIXED = (
+    "Poles, variances and lags come from kernels that are printed from the same expression graphs "
+    "as the NumPy kernels as far as these take the gains, beyond them from plain formulas; the "
+    "responses come from the filter itself, run in the page."
+)
+_MEASURED = (
+    "Gains, poles and Kalman variances come from kernels that are printed from the same expression "
+    "graphs as the NumPy kernels; lag, variance under noise alone and the responses are computed "
+    "in the page from the gains."
+)
+_COMPUTED = {
+    "two-states": _STEADY,
+    "three-states": _STEADY,
+    "both-measured": _MEASURED,
+    "two-gains": _FIXED,
+    "three-gains": _FIXED,
+}
+_UNITS = "The interval between samples and the variance of a position measurement are 1."
+_KALMAN = (
+    "A Kalman variance is that of the error under the model's process noise; the variance under "
+    "noise alone is what the measurements' noise makes of it where the target moves as predicted."
 )
 
 
@@ -25,7 +46,7 @@ def _lines(subject: Subject) -> Iterator[str]:
     data = f'data-kind="{subject.kind}" data-subject="{subject.name}" data-swept="{subject.swept}"'
     yield f'<section class="play" id="play" aria-labelledby="play-title" {data}>'
     yield '<h2 id="play-title">Play</h2>'
-    yield f"<p>{_LEAD}</p>"
+    yield f"<p>Move a slider or type a number. {_COMPUTED[subject.kind]} {_UNITS}</p>"
     yield '<p class="play-without">This part needs JavaScript.</p>'
     yield '<form class="play-form" aria-label="What is moved">'
     for slider in subject.sliders:
@@ -38,7 +59,8 @@ def _lines(subject: Subject) -> Iterator[str]:
         yield from _figure(picture)
     yield "</div>"
     yield '<div class="play-numbers"><table>'
-    yield "<caption>The same in numbers, dimensionless.</caption>"
+    told = f" {_KALMAN}" if subject.swept else ""
+    yield f"<caption>The same in numbers.{told}</caption>"
     yield "<tbody></tbody>"
     yield "</table></div>"
     yield "</section>"

@@ -32,7 +32,7 @@ _LOCUS = {
     "three-states": "all tracking indices",
     "both-measured": "all tracking indices at this S",
 }
-_BEST = "least variance of any filter at that lag"
+_FILTERS = {"two": "α-β", "three": "α-β-γ"}
 _REGION = {
     "two-states": "Stable gains: the triangle 0 < α, 0 < β < 4 − 2α.",
     "two-gains": "Stable gains: the triangle 0 < α, 0 < β < 4 − 2α.",
@@ -52,7 +52,8 @@ def pictures(subject: Subject) -> tuple[Picture, ...]:
     """The pictures of a subject, in the order of the page."""
     kind = subject.kind
     locus = (("second", _LOCUS[kind]),) if kind in _LOCUS else ()
-    best = () if kind == "both-measured" else (("third", _BEST),)
+    filters = _FILTERS.get(kind.partition("-")[0])
+    best = (("third", f"least of any {filters} filter at that lag"),) if filters else ()
     found = [
         Picture(
             "poles",

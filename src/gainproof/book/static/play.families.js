@@ -14,22 +14,22 @@
     }
   }
 
-  // Two states with any stable gains: lag, variances. Beyond the kernel's domain by the coordinates
-  // 2 alpha/beta and (4 - 2 alpha - beta)/beta, which a filter has whenever it is stable.
-  function fixedTwo(alpha, beta) {
+  // Two states: lag and variances of stable gains, in the kernel's domain; `beyond` it by plain
+  // formulas, the coordinates 2 alpha/beta and (4 - 2 alpha - beta)/beta among them.
+  function fixedTwo(alpha, beta, beyond) {
     const kernel = kernels["alpha-beta"];
     const margin = 4 - 2 * alpha - beta;
     const stable = alpha > 0 && beta > 0 && margin > 0;
     if (!stable) return { stable };
     const variances =
       within(() => kernel.variances(alpha, beta)) ||
-      within(() => kernel.variances_of_coordinates(2 * (alpha / beta), margin / beta));
+      (beyond && within(() => kernel.variances_of_coordinates(2 * (alpha / beta), margin / beta)));
     const lag = within(() => kernel.lags(alpha, beta).predicted_position_lag);
-    return { stable, lag: lag === undefined ? 1 / beta : lag, ...named(variances) };
+    return { stable, lag: lag || (beyond ? 1 / beta : undefined), ...named(variances) };
   }
 
   // The largest stable gamma, 2 alpha beta/(2 - alpha), divides into gamma as a share.
-  function fixedThree(alpha, beta, gamma) {
+  function fixedThree(alpha, beta, gamma, beyond) {
     const kernel = kernels["alpha-beta-gamma"];
     const margin = 4 - 2 * alpha - beta;
     const gap = alpha * beta - gamma * (1 - alpha / 2);
@@ -39,9 +39,9 @@
     const coordinates = [2 * (beta / gamma), 2 * (margin / gamma), 8 * (gap / gamma / gamma)];
     const variances =
       within(() => kernel.variances(alpha, beta, share)) ||
-      within(() => kernel.variances_of_coordinates(...coordinates));
+      (beyond && within(() => kernel.variances_of_coordinates(...coordinates)));
     const lag = within(() => kernel.lags(alpha, beta, share).predicted_position_lag);
-    return { stable, lag: lag === undefined ? 1 / gamma : lag, ...named(variances) };
+    return { stable, lag: lag || (beyond ? 1 / gamma : undefined), ...named(variances) };
   }
 
   // Gains of any size have poles; what is drawn stays far from overflow.
@@ -53,7 +53,7 @@
     return gains;
   }
 
-  const named = (variances) => variances && { variance: variances.predicted_11 };
+  const named = (variances) => (variances ? { variance: variances.predicted_11 } : {});
 
   // A steady state is stable at every index; rounded, its gains may lie on the border.
   const steadily = (found) => ({ ...found, stable: true });
@@ -66,7 +66,7 @@
         const z = kernel.closed_loop_poles(tracking_index);
         return [[z.first_real, z.first_imaginary], [z.second_real, z.second_imaginary]];
       },
-      fixed: ({ alpha, beta }) => steadily(fixedTwo(alpha, beta)),
+      fixed: ({ alpha, beta }) => steadily(fixedTwo(alpha, beta, false)),
       more: steady,
     },
     "three-states": {
@@ -76,7 +76,7 @@
         const z = kernel.closed_loop_poles(tracking_index);
         return [[z.real_pole, 0], ...pair(z.half_sum, z.quarter_discriminant)];
       },
-      fixed: ({ alpha, beta, gamma }) => steadily(fixedThree(alpha, beta, gamma)),
+      fixed: ({ alpha, beta, gamma }) => steadily(fixedThree(alpha, beta, gamma, false)),
       more: steady,
     },
     "both-measured": {
@@ -108,7 +108,7 @@
         const half = (alpha + beta) / 2;
         return pair(1 - half, half * half - beta);
       },
-      fixed: ({ alpha, beta }) => fixedTwo(alpha, beta),
+      fixed: ({ alpha, beta }) => fixedTwo(alpha, beta, true),
       more: () => ({}),
     },
     "three-gains": {
@@ -116,7 +116,7 @@
       matrix: ({ alpha, beta, gamma }) => [[alpha], [beta], [gamma]],
       poles: (kernel, { alpha, beta, gamma }) =>
         triple(kernel.closed_loop_poles(alpha, beta, gamma)),
-      fixed: ({ alpha, beta, gamma }) => fixedThree(alpha, beta, gamma),
+      fixed: ({ alpha, beta, gamma }) => fixedThree(alpha, beta, gamma, true),
       more: () => ({}),
     },
   };

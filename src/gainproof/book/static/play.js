@@ -28,6 +28,11 @@
     return [...kept, ...poles, ...last];
   }
 
+  function without(value, { stable }) {
+    if (!stable) return "none: not stable";
+    return value === undefined ? "outside the kernel's domain" : "no finite number";
+  }
+
   function fill(table, found) {
     const lines = rows(found).map(([key, words, value]) => {
       const line = document.createElement("tr");
@@ -37,7 +42,7 @@
       const cell = document.createElement("td");
       cell.dataset.output = key;
       const known = Number.isFinite(value);
-      cell.textContent = known ? short(value) : found.stable ? "no finite number" : "none: not stable";
+      cell.textContent = known ? short(value) : without(value, found);
       if (known) cell.dataset.value = String(value);
       line.append(head, cell);
       return line;

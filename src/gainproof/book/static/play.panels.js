@@ -65,7 +65,7 @@
     const measured = noisyRest(found.deviations, SAMPLES, SEED);
     const points = respond(found.matrix, measured).map((x, k) => [k + 1, x]);
     draw(svg, {
-      x: { least: 0, most: SAMPLES, name: "samples" },
+      x: { least: 0, most: SAMPLES + 1, name: "samples" },
       y: { least: -3.5, most: 3.5, name: "position of what rests at 0" },
       dots: [{ look: "measured", points: measured.map(([x], k) => [k + 1, x]) }],
       curves: [
