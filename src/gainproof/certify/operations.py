@@ -43,7 +43,18 @@ def operations(
         if number not in found:
             found[number] = _operation(number, steps[number], number in given)
             wanted += found[number].parts
+    for each in found.values():
+        if each.kind in ("add", "sub"):
+            _require_whole_constants(each, [found[part] for part in each.parts])
     return tuple(found[number] for number in sorted(found))
+
+
+def _require_whole_constants(each: Operation, parts: Sequence[Operation]) -> None:
+    """The printer subtracts a constant that is no number of the format in two parts."""
+    signs = [part.factor > 0 or part.kind != "constant" for part in parts]
+    minus = each.kind == "sub" or not all(signs)
+    if minus and any(part.kind == "constant" and part.rounded for part in parts):
+        raise NotExportedError("kernels with constants in two parts")
 
 
 def _operation(number: int, step: Step, given: bool) -> Operation:

@@ -79,6 +79,11 @@ class Piece:
         factor = self.factors.get(number)
         return f"|l{number}|" if factor is None else f"|l{number}| * {dyadic(factor)}"
 
+    def ask(self, name: str, number: int, power: Fraction, over: str) -> None:
+        """Defines the value of an operation over x^power times something."""
+        own = self.section.sizes[number].power - power
+        self._put(f"{name} = {self._times(f'g{number} / ({over})', own)};")
+
     def _put(self, line: str) -> None:
         self.lines.append(line)
 
@@ -123,7 +128,10 @@ class Piece:
             case "sqrt":
                 text = f"sqrt({names[0]})"
             case "mul" | "div":
-                text = f" {'*' if operation.kind == 'mul' else '/'} ".join(names)
+                sign, turn = ("*", 1) if operation.kind == "mul" else ("/", -1)
+                a, b = (self.section.sizes[part].power for part in parts)
+                own = a + turn * b - self.section.sizes[n].power
+                text = self._times(f"{names[0]} {sign} {names[1]}", own)
             case _:
                 text = self._sum(operation)
         self._put(f"v{n} = {text};")

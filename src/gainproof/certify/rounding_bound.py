@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from time import perf_counter
 from typing import Any
 
 from gainproof.certify import gappa, roundings
-from gainproof.certify.cover import Cover, cover
+from gainproof.certify.cover import Cover, Weighing, cover
 from gainproof.certify.expression import NotExportedError
 from gainproof.certify.gappa import Enclosure
+from gainproof.certify.iterated import iterated
 from gainproof.certify.operations import operations
 from gainproof.certify.piece import Section
 from gainproof.certify.sizes import Size, logarithm, sizes
 from gainproof.derive.printer.plain import plain
-from gainproof.derive.printer.program import program
+from gainproof.derive.printer.program import Program, program
+from gainproof.derive.printer.unrolled import Cycle
 
 
 def covered(
@@ -33,25 +35,54 @@ def covered(
     gappa.OutOfTimeError after `limit` seconds.
     """
     stop = perf_counter() + limit
-    whole = plain(program(graph))  # type: ignore[arg-type]
-    if len(whole.inputs) != 1:
-        raise NotExportedError("kernels of several inputs")
     most = 2 * bound / roundings.MARGIN  # in units of 2^-53, second order taken off
     if most > roundings.MOST:
         raise NotExportedError("bounds above 512 * 2^-52")
     if domain[0] <= 0:
         raise NotExportedError("kernels of inputs that may be 0")
-    (argument,) = (n for n, step in enumerate(whole.steps) if step.operation == "input")
-    chosen = operations(whole.steps, whole.outputs[output])
+    weighed = weighing(graph, output, stop)
     if not _model_holds(stop):
         raise NotExportedError("anything: Gappa does not prove what is assumed of roundings")
+    return cover(weighed, domain, most, say)
+
+
+def weighing(graph: Mapping[str, Any], output: str, stop: float) -> Weighing:
+    """How much the roundings of an output weigh on a piece, in units of 2^-53.
+
+    NotExportedError as `covered`, gappa.OutOfTimeError when the clock (perf_counter) passes `stop`.
+    """
+    full = program(graph)  # type: ignore[arg-type]
+    whole = plain(full)
+    if len(whole.inputs) != 1:
+        raise NotExportedError("kernels of several inputs")
+    (argument,) = (n for n, step in enumerate(whole.steps) if step.operation == "input")
+    end = whole.outputs[output]
+    held = _roots(whole, full.cycles, end)
+    root = iterated(whole.steps, held[0], end) if held else None
+    chosen = () if root else operations(whole.steps, end)
 
     def weighed(low: Fraction, high: Fraction) -> Enclosure | None:
+        if root:
+            return root.weighed(argument, low, high, stop)
         middle = Size((logarithm(low) + logarithm(high)) / 2, 1, Fraction(1))
         section = Section(chosen, argument, sizes(chosen, {argument: middle}), {}, {}, {})
         return roundings.weighed(section, low, high, stop)
 
-    return cover(weighed, domain, most, say)
+    return weighed
+
+
+def _roots(whole: Program, cycles: Sequence[Cycle], end: int) -> list[Cycle]:
+    """The iterated roots that an output holds. NotExportedError for several."""
+    needed, wanted = set[int](), [end]
+    while wanted:
+        number = wanted.pop()
+        if number not in needed:
+            needed.add(number)
+            wanted += whole.steps[number].operands
+    found = [each for each in cycles if whole.steps[each.iterates[-1]].operands[0] in needed]
+    if len(found) > 1:
+        raise NotExportedError("kernels with several iterated roots")
+    return found
 
 
 @cache

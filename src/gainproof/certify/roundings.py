@@ -58,7 +58,7 @@ def weighed(section: Section, low: Fraction, high: Fraction, stop: float) -> Enc
         piece = Piece(section, faint, section.factors | factors)
         if piece.misplaced:
             return None
-        given = [_range(section.root, low, high), *piece.given]
+        given = [between(section.root, low, high), *piece.given]
         names = [*piece.sizes.values(), *piece.ratios.values(), "S"]
         found = gappa.enclosures(piece.definitions(), given, names, stop)
         if any(name not in found for name in piece.sizes.values()):
@@ -105,8 +105,8 @@ def _magnitude(value: Enclosure) -> Enclosure:
     return max(low, -high, Fraction(0)), max(-low, high)
 
 
-def _range(root: int, low: Fraction, high: Fraction) -> str:
-    """z, where z^root runs over all from low to high."""
+def between(root: int, low: Fraction, high: Fraction) -> str:
+    """The hypothesis on z, where z^root runs over all from low to high."""
     ends = []
     for value, more in ((low, 0), (high, 1)):
         shift = BITS - round(logarithm(value) / root)

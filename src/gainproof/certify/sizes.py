@@ -31,19 +31,18 @@ def logarithm(value: Fraction) -> float:
 
 
 def sizes(operations: Sequence[Operation], inputs: Mapping[int, Size]) -> dict[int, Size]:
-    """Of every operation, from those of the inputs."""
+    """Of every operation, from those of the inputs, and of others that are known."""
     found: dict[int, Size] = {}
     for operation in operations:
         parts = [found[part] for part in operation.parts]
-        found[operation.number] = _size(operation, parts, inputs)
+        size = inputs.get(operation.number)
+        found[operation.number] = _size(operation, parts) if size is None else size
     return found
 
 
-def _size(operation: Operation, parts: list[Size], inputs: Mapping[int, Size]) -> Size:
+def _size(operation: Operation, parts: list[Size]) -> Size:
     factor = operation.factor
     match operation.kind:
-        case "input":
-            return inputs[operation.number]
         case "constant":
             return Size(logarithm(abs(factor)), 1 if factor > 0 else -1, Fraction(0))
         case "scale":
