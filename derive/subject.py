@@ -27,8 +27,19 @@ class Spoken(Protocol):
 
 
 def held_whole(kernel: Kernel) -> Mapping[str, Graph]:
-    """One program of the kernel's name; of sines and the like what `algebraic` leaves of them."""
-    return {kernel.name: algebraic(kernel.graph)}
+    """One program of the kernel's name; of sines and the like what `algebraic` leaves of them.
+
+    A second one where another graph is computed in double-words.
+    """
+    found = {kernel.name: algebraic(kernel.graph)}
+    if kernel.accurate_graph is not None:
+        found[in_double_words(kernel.name)] = kernel.accurate_graph
+    return found
+
+
+def in_double_words(kernel: str) -> str:
+    """The name of the program that a kernel computes with `accurate=True`."""
+    return f"{kernel}_in_double_words"
 
 
 @dataclass(frozen=True)

@@ -119,11 +119,11 @@ def gains(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 1.95 * 2^-52 (float64), 1.95 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 2.67 * 2^-52 (float64),
+        2.67 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -150,28 +150,47 @@ def gains(
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    (w0,) = work
-    p = np.sqrt(tracking_index, alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
-    t6 = np.add(t3, t5, beta)
-    h_scaled = np.sqrt(t6, beta)
-    kappa = np.divide(h_scaled, p, beta)
-    t10 = np.add(kappa, 7.401486830834377e-17, w0)
-    rho_scaled = np.sqrt(t10, w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t15 = np.add(rho, 1.1102230246251565e-16, alpha)
-    t16 = np.add(kappa, t15, beta)
-    t18 = np.divide(2.0, t16, beta)
-    np.multiply(t18, rho, alpha)
-    np.multiply(t18, 2.220446049250313e-16, beta)
+    w0, w1, w2, w3, w4, w5 = work
+    t2 = np.multiply(tracking_index, 1.8014398509481984e16, w0)
+    index_or_switch = np.minimum(t2, 1.3510798882111488e16, out=w0)
+    t7 = np.divide(5.404319552844595e16, tracking_index, alpha)
+    four_or_less = np.minimum(7.205759403792794e16, t7, out=alpha)
+    t10 = np.square(four_or_less, alpha)
+    t11 = np.square(index_or_switch, w1)
+    t13 = np.divide(t11, 3.0, beta)
+    t14 = np.add(t10, t13, alpha)
+    eta_scaled = np.sqrt(t14, alpha)
+    t17 = np.multiply(eta_scaled, 2.0, w1)
+    t19 = np.multiply(index_or_switch, 1.3333333333333333, beta)
+    t20 = np.add(t17, t19, beta)
+    t21 = np.multiply(index_or_switch, t20, beta)
+    ratio_scaled = np.sqrt(t21, beta)
+    t24 = np.multiply(index_or_switch, 6.666666666666667, w2)
+    t26 = np.divide(index_or_switch, 6.0, w3)
+    t27 = np.divide(t26, ratio_scaled, w3)
+    t29 = np.multiply(index_or_switch, 16.0, w4)
+    t31 = np.add(t27, 1.0, w5)
+    t32 = np.multiply(t27, t31, w3)
+    t33 = np.multiply(t29, t32, w4)
+    t34 = np.add(t24, t33, w2)
+    t36 = np.multiply(index_or_switch, 1.152921504606847e18, w3)
+    t38 = np.multiply(ratio_scaled, 4.0, w4)
+    t39 = np.add(t38, t34, w4)
+    t40 = np.add(t17, t39, w1)
+    t41 = np.divide(t36, t40, w3)
+    alpha_raised = np.sqrt(t41, w3)
+    t45 = np.multiply(index_or_switch, 4.0, w1)
+    t46 = np.add(index_or_switch, ratio_scaled, w0)
+    t47 = np.add(eta_scaled, t46, w0)
+    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
+    np.divide(t45, t47, beta)
 
 
 _GAINS = Signature(
     "gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    1,
+    6,
     _gains_block,
 )
 
@@ -292,18 +311,18 @@ def gains_with_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 1.95 * 2^-52 (float64), 1.95 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 2.67 * 2^-52 (float64),
+        2.67 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 10.42 * 2^-52 (float64), 10.42
+    d_alpha: derivative of the position gain. Relative error at most 12.59 * 2^-52 (float64), 12.59
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        10.99 * 2^-52 (float64), 10.99 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        12.61 * 2^-52 (float64), 12.61 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -324,38 +343,63 @@ def gains_with_derivatives(
 def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1, w2, w3 = work
-    p = np.sqrt(tracking_index, alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
-    t6 = np.add(t3, t5, beta)
-    h_scaled = np.sqrt(t6, d_alpha)
-    kappa = np.divide(h_scaled, p, d_beta)
-    half_eta = np.multiply(p, h_scaled, alpha)
-    t11 = np.add(kappa, 7.401486830834377e-17, w0)
-    rho_scaled = np.sqrt(t11, w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t16 = np.add(rho, 1.1102230246251565e-16, w1)
-    t17 = np.add(kappa, t16, beta)
-    t19 = np.divide(2.0, t17, d_alpha)
-    t23 = np.multiply(tracking_index, t17, beta)
-    t25 = np.divide(6.617444900424222e-24, t23, beta)
-    t26 = np.divide(t25, half_eta, alpha)
-    t27 = np.multiply(t26, t25, alpha)
-    t28 = np.divide(t27, rho, w2)
-    t30 = np.add(kappa, 3.700743415417188e-17, d_beta)
-    t32 = np.multiply(t28, 2.0, w3)
-    np.multiply(t19, rho, alpha)
-    np.multiply(t19, 2.220446049250313e-16, beta)
-    np.multiply(t28, t30, d_alpha)
-    np.multiply(t32, t16, d_beta)
+    w0, w1, w2, w3, w4 = work
+    t2 = np.multiply(tracking_index, 1.8014398509481984e16, w0)
+    index_or_switch = np.minimum(t2, 1.3510798882111488e16, out=w0)
+    t7 = np.divide(5.404319552844595e16, tracking_index, alpha)
+    four_or_less = np.minimum(7.205759403792794e16, t7, out=alpha)
+    t10 = np.square(four_or_less, alpha)
+    t11 = np.square(index_or_switch, w1)
+    t13 = np.divide(t11, 3.0, beta)
+    t14 = np.add(t10, t13, alpha)
+    eta_scaled = np.sqrt(t14, d_alpha)
+    t17 = np.multiply(eta_scaled, 2.0, w1)
+    t19 = np.multiply(index_or_switch, 1.3333333333333333, alpha)
+    t20 = np.add(t17, t19, alpha)
+    t21 = np.multiply(index_or_switch, t20, alpha)
+    ratio_scaled = np.sqrt(t21, d_beta)
+    t24 = np.multiply(index_or_switch, 6.666666666666667, alpha)
+    t26 = np.divide(index_or_switch, 6.0, beta)
+    t27 = np.divide(t26, ratio_scaled, beta)
+    t29 = np.multiply(index_or_switch, 16.0, w2)
+    t31 = np.add(t27, 1.0, w3)
+    t32 = np.multiply(t27, t31, beta)
+    t33 = np.multiply(t29, t32, w2)
+    t34 = np.add(t24, t33, alpha)
+    t36 = np.multiply(index_or_switch, 1.152921504606847e18, w2)
+    t38 = np.multiply(ratio_scaled, 4.0, w3)
+    t39 = np.add(t38, t34, w3)
+    t40 = np.add(t17, t39, w1)
+    t41 = np.divide(t36, t40, w2)
+    alpha_raised = np.sqrt(t41, w2)
+    t45 = np.multiply(index_or_switch, 4.0, w1)
+    t46 = np.add(index_or_switch, ratio_scaled, w3)
+    t47 = np.add(eta_scaled, t46, w3)
+    t50 = np.multiply(eta_scaled, 1.1102230246251565e-16, d_alpha)
+    kappa = np.divide(t50, index_or_switch, d_alpha)
+    t52 = np.multiply(ratio_scaled, 1.1102230246251565e-16, d_beta)
+    rho = np.divide(t52, index_or_switch, d_beta)
+    half_eta = np.multiply(tracking_index, kappa, w0)
+    t55 = np.add(rho, 1.1102230246251565e-16, w4)
+    t56 = np.add(kappa, t55, alpha)
+    t57 = np.multiply(tracking_index, t56, alpha)
+    t59 = np.divide(6.617444900424222e-24, t57, alpha)
+    t60 = np.divide(t59, half_eta, w0)
+    t61 = np.multiply(t60, t59, w0)
+    t62 = np.divide(t61, rho, w0)
+    t64 = np.add(kappa, 3.700743415417188e-17, d_alpha)
+    t66 = np.multiply(t62, 2.0, d_beta)
+    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
+    np.divide(t45, t47, beta)
+    np.multiply(t62, t64, d_alpha)
+    np.multiply(t66, t55, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    4,
+    5,
     _gains_with_derivatives_block,
 )
 
@@ -372,11 +416,11 @@ def predictor_gains(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 3.76 * 2^-52 (float64),
-        3.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 2.76 * 2^-52 (float64),
+        2.76 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.03 *
-        2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 2.67 *
+        2^-52 (float64), 2.67 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -398,29 +442,48 @@ def predictor_gains(
 def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     position, velocity = out
-    (w0,) = work
-    p = np.sqrt(tracking_index, velocity)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, position)
-    t5 = np.multiply(tracking_index, 4.108650548026103e-33, w0)
-    t6 = np.add(t3, t5, position)
-    h_scaled = np.sqrt(t6, position)
-    kappa = np.divide(h_scaled, p, position)
-    t10 = np.add(kappa, 7.401486830834377e-17, w0)
-    rho_scaled = np.sqrt(t10, w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t15 = np.add(rho, 1.1102230246251565e-16, velocity)
-    t16 = np.add(kappa, t15, position)
-    t18 = np.divide(2.0, t16, position)
-    t21 = np.add(rho, 2.220446049250313e-16, w0)
-    np.multiply(t18, 2.220446049250313e-16, velocity)
-    np.multiply(t18, t21, position)
+    w0, w1, w2, w3, w4, w5 = work
+    t2 = np.multiply(tracking_index, 1.8014398509481984e16, w0)
+    index_or_switch = np.minimum(t2, 1.3510798882111488e16, out=w0)
+    t7 = np.divide(5.404319552844595e16, tracking_index, velocity)
+    four_or_less = np.minimum(7.205759403792794e16, t7, out=velocity)
+    t10 = np.square(four_or_less, velocity)
+    t11 = np.square(index_or_switch, w1)
+    t13 = np.divide(t11, 3.0, position)
+    t14 = np.add(t10, t13, velocity)
+    eta_scaled = np.sqrt(t14, velocity)
+    t17 = np.multiply(eta_scaled, 2.0, w1)
+    t19 = np.multiply(index_or_switch, 1.3333333333333333, position)
+    t20 = np.add(t17, t19, position)
+    t21 = np.multiply(index_or_switch, t20, position)
+    ratio_scaled = np.sqrt(t21, position)
+    t24 = np.multiply(index_or_switch, 6.666666666666667, w2)
+    t26 = np.divide(index_or_switch, 6.0, w3)
+    t27 = np.divide(t26, ratio_scaled, w3)
+    t29 = np.multiply(index_or_switch, 16.0, w4)
+    t31 = np.add(t27, 1.0, w5)
+    t32 = np.multiply(t27, t31, w3)
+    t33 = np.multiply(t29, t32, w4)
+    t34 = np.add(t24, t33, w2)
+    t36 = np.multiply(index_or_switch, 1.152921504606847e18, w3)
+    t38 = np.multiply(ratio_scaled, 4.0, w4)
+    t39 = np.add(t38, t34, w4)
+    t40 = np.add(t17, t39, w1)
+    t41 = np.divide(t36, t40, w3)
+    alpha_raised = np.sqrt(t41, w3)
+    t44 = np.multiply(alpha_raised, 3.725290298461914e-09, w3)
+    t45 = np.multiply(index_or_switch, 4.0, w1)
+    t46 = np.add(index_or_switch, ratio_scaled, w0)
+    t47 = np.add(eta_scaled, t46, velocity)
+    np.divide(t45, t47, velocity)
+    np.add(t44, velocity, position)
 
 
 _PREDICTOR_GAINS = Signature(
     "predictor_gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    1,
+    6,
     _predictor_gains_block,
 )
 
@@ -858,8 +921,8 @@ def gain_second_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 17.18 * 2^-52
-        (float64), 17.16 * 2^-23 (float32), proved for 1.5697348409117346e-206 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 17.20 * 2^-52
+        (float64), 17.19 * 2^-23 (float32), proved for 1.5697348409117346e-206 <= tracking_index <=
         1.442954478563842e77 (float64) and 1.0258406e-26 <= tracking_index <= 5.3522156e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
@@ -968,7 +1031,7 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 19.23 * 2^-52 (float64), 19.21 * 2^-23 (float32), proved for 1.5697348409117355e-206
+        at most 19.21 * 2^-52 (float64), 19.20 * 2^-23 (float32), proved for 1.5697348409117355e-206
         <= tracking_index <= 2.318063502250569e77 (float64) and 1.0258408e-26 <= tracking_index <=
         8.598175e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
@@ -1222,7 +1285,7 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 17.18 * 2^-52 (float64), 17.16 * 2^-23 (float32), proved for
+        Relative error at most 17.20 * 2^-52 (float64), 17.19 * 2^-23 (float32), proved for
         1.5697348409117346e-206 <= tracking_index <= 1.442954478563842e77 (float64) and
         1.0258406e-26 <= tracking_index <= 5.3522156e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
@@ -1363,13 +1426,13 @@ def closed_loop_poles(
         (float64), 10.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 8.15 * 2^-52 (float64), 8.15 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.13 * 2^-52 (float64), 8.13 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     second_real: real part of the second pole. Error over second_modulus at most 10.67 * 2^-52
         (float64), 10.58 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 8.15 * 2^-52 (float64), 8.15 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 8.13 * 2^-52 (float64), 8.13 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.6421143998800672e154 (float64) and 1e-45 <= tracking_index <= 2.2592554e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal

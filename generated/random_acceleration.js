@@ -12,12 +12,21 @@
       const t4 = kappa + 1.3877787807814457e-17;
       const rho_scaled = Math.sqrt(t4);
       const twice_rho = rho_scaled * 1.4901161193847656e-08;
-      const t9 = twice_rho + 5.551115123125783e-17;
-      const t10 = t9 * t9;
-      const t12 = 2.220446049250313e-16 / t10;
-      const t13 = t12 * twice_rho;
-      const t14 = t12 * 1.1102230246251565e-16;
-      return { alpha: t13, beta: t14 };
+      const t9 = 2.7755575615628914e-17 / twice_rho;
+      const t11 = t9 + 2.0;
+      const t12 = t9 * t11;
+      const t14 = t12 + 1.5;
+      const t16 = t14 * 5.551115123125783e-17;
+      const t17 = twice_rho + t16;
+      const t18 = t4 + t17;
+      const t20 = 16.0 / t18;
+      const alpha_raised = Math.sqrt(t20);
+      const t24 = kappa * 2.0;
+      const t25 = twice_rho + 5.551115123125783e-17;
+      const t26 = t24 + t25;
+      const t23 = alpha_raised * 3.725290298461914e-09;
+      const t28 = 2.220446049250313e-16 / t26;
+      return { alpha: t23, beta: t28 };
     },
     // Steady-state predictor gain F K.
     predictor_gains(tracking_index) {
@@ -26,13 +35,22 @@
       const t4 = kappa + 1.3877787807814457e-17;
       const rho_scaled = Math.sqrt(t4);
       const twice_rho = rho_scaled * 1.4901161193847656e-08;
-      const t9 = twice_rho + 5.551115123125783e-17;
-      const t10 = t9 * t9;
-      const t12 = 2.220446049250313e-16 / t10;
-      const t14 = twice_rho + 1.1102230246251565e-16;
-      const t13 = t12 * 1.1102230246251565e-16;
-      const t15 = t12 * t14;
-      return { position: t15, velocity: t13 };
+      const t9 = 2.7755575615628914e-17 / twice_rho;
+      const t11 = t9 + 2.0;
+      const t12 = t9 * t11;
+      const t14 = t12 + 1.5;
+      const t16 = t14 * 5.551115123125783e-17;
+      const t17 = twice_rho + t16;
+      const t18 = t4 + t17;
+      const t20 = 16.0 / t18;
+      const alpha_raised = Math.sqrt(t20);
+      const t23 = alpha_raised * 3.725290298461914e-09;
+      const t24 = kappa * 2.0;
+      const t25 = twice_rho + 5.551115123125783e-17;
+      const t26 = t24 + t25;
+      const t28 = 2.220446049250313e-16 / t26;
+      const t29 = t23 + t28;
+      return { position: t29, velocity: t28 };
     },
     // Poles of the filter: a complex pair or two real numbers.
     closed_loop_poles(tracking_index) {

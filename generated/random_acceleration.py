@@ -119,11 +119,11 @@ def gains(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: position gain. Relative error at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 1.69 * 2^-52 (float64), 1.69 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 4.01 * 2^-52 (float64),
-        4.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 1.95 * 2^-52 (float64),
+        1.95 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -150,23 +150,32 @@ def gains(
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    (w0,) = work
+    w0, w1, w2 = work
     kappa = np.divide(1.1102230246251565e-16, tracking_index, alpha)
-    t4 = np.add(kappa, 1.3877787807814457e-17, alpha)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
     rho_scaled = np.sqrt(t4, beta)
     twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, beta)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, alpha)
-    t10 = np.square(t9, alpha)
-    t12 = np.divide(2.220446049250313e-16, t10, w0)
-    np.multiply(t12, twice_rho, alpha)
-    np.multiply(t12, 1.1102230246251565e-16, beta)
+    t9 = np.divide(2.7755575615628914e-17, twice_rho, w1)
+    t11 = np.add(t9, 2.0, w2)
+    t12 = np.multiply(t9, t11, w1)
+    t14 = np.add(t12, 1.5, w1)
+    t16 = np.multiply(t14, 5.551115123125783e-17, w1)
+    t17 = np.add(twice_rho, t16, w1)
+    t18 = np.add(t4, t17, w0)
+    t20 = np.divide(16.0, t18, w0)
+    alpha_raised = np.sqrt(t20, w0)
+    t24 = np.multiply(kappa, 2.0, alpha)
+    t25 = np.add(twice_rho, 5.551115123125783e-17, beta)
+    t26 = np.add(t24, t25, beta)
+    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
+    np.divide(2.220446049250313e-16, t26, beta)
 
 
 _GAINS = Signature(
     "gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    1,
+    3,
     _gains_block,
 )
 
@@ -273,11 +282,11 @@ def gains_with_derivatives(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: position gain. Relative error at most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 1.69 * 2^-52 (float64), 1.69 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 4.01 * 2^-52 (float64),
-        4.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 1.95 * 2^-52 (float64),
+        1.95 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
     d_alpha: derivative of the position gain. Relative error at most 11.01 * 2^-52 (float64), 11.01
@@ -305,29 +314,39 @@ def gains_with_derivatives(
 def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1 = work
+    w0, w1, w2 = work
     kappa = np.divide(1.1102230246251565e-16, tracking_index, d_alpha)
     t4 = np.add(kappa, 1.3877787807814457e-17, w0)
     rho_scaled = np.sqrt(t4, alpha)
     twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, alpha)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, w0)
-    t10 = np.square(t9, w1)
-    t12 = np.divide(2.220446049250313e-16, t10, beta)
-    t15 = np.multiply(tracking_index, t10, w1)
-    t17 = np.divide(2.465190328815662e-32, t15, d_beta)
-    t18 = np.square(t17, d_beta)
-    t19 = np.divide(t18, twice_rho, d_beta)
-    np.multiply(t12, twice_rho, alpha)
-    np.multiply(t12, 1.1102230246251565e-16, beta)
-    np.multiply(t19, kappa, d_alpha)
-    np.multiply(t19, t9, d_beta)
+    t9 = np.divide(2.7755575615628914e-17, twice_rho, beta)
+    t11 = np.add(t9, 2.0, w1)
+    t12 = np.multiply(t9, t11, beta)
+    t14 = np.add(t12, 1.5, beta)
+    t16 = np.multiply(t14, 5.551115123125783e-17, beta)
+    t17 = np.add(twice_rho, t16, beta)
+    t18 = np.add(t4, t17, w0)
+    t20 = np.divide(16.0, t18, d_beta)
+    alpha_raised = np.sqrt(t20, d_beta)
+    t24 = np.multiply(kappa, 2.0, w0)
+    t25 = np.add(twice_rho, 5.551115123125783e-17, w1)
+    t26 = np.add(t24, t25, w0)
+    t29 = np.square(t25, beta)
+    t30 = np.multiply(tracking_index, t29, beta)
+    t32 = np.divide(2.465190328815662e-32, t30, beta)
+    t33 = np.square(t32, beta)
+    t34 = np.divide(t33, twice_rho, w2)
+    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
+    np.divide(2.220446049250313e-16, t26, beta)
+    np.multiply(t34, kappa, d_alpha)
+    np.multiply(t34, t25, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    2,
+    3,
     _gains_with_derivatives_block,
 )
 
@@ -344,11 +363,11 @@ def predictor_gains(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 4.02 * 2^-52 (float64),
-        4.02 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 2.32 * 2^-52 (float64),
+        2.32 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 4.01 *
-        2^-52 (float64), 4.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 1.95 *
+        2^-52 (float64), 1.95 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -370,24 +389,33 @@ def predictor_gains(
 def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     position, velocity = out
-    (w0,) = work
+    w0, w1, w2 = work
     kappa = np.divide(1.1102230246251565e-16, tracking_index, velocity)
-    t4 = np.add(kappa, 1.3877787807814457e-17, velocity)
+    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
     rho_scaled = np.sqrt(t4, position)
     twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, position)
-    t9 = np.add(twice_rho, 5.551115123125783e-17, velocity)
-    t10 = np.square(t9, velocity)
-    t12 = np.divide(2.220446049250313e-16, t10, w0)
-    t14 = np.add(twice_rho, 1.1102230246251565e-16, position)
-    np.multiply(t12, 1.1102230246251565e-16, velocity)
-    np.multiply(t12, t14, position)
+    t9 = np.divide(2.7755575615628914e-17, twice_rho, w1)
+    t11 = np.add(t9, 2.0, w2)
+    t12 = np.multiply(t9, t11, w1)
+    t14 = np.add(t12, 1.5, w1)
+    t16 = np.multiply(t14, 5.551115123125783e-17, w1)
+    t17 = np.add(twice_rho, t16, w1)
+    t18 = np.add(t4, t17, w0)
+    t20 = np.divide(16.0, t18, w0)
+    alpha_raised = np.sqrt(t20, w0)
+    t23 = np.multiply(alpha_raised, 3.725290298461914e-09, w0)
+    t24 = np.multiply(kappa, 2.0, velocity)
+    t25 = np.add(twice_rho, 5.551115123125783e-17, position)
+    t26 = np.add(t24, t25, velocity)
+    np.divide(2.220446049250313e-16, t26, velocity)
+    np.add(t23, velocity, position)
 
 
 _PREDICTOR_GAINS = Signature(
     "predictor_gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    1,
+    3,
     _predictor_gains_block,
 )
 
@@ -938,7 +966,7 @@ def predicted_covariance_second_derivatives(
         and finite.
 
     predicted_11: second derivative by Lambda of the variance of the predicted position over
-        sigma_v^2. Relative error at most 10.28 * 2^-52 (float64), 10.37 * 2^-23 (float32), proved
+        sigma_v^2. Relative error at most 10.23 * 2^-52 (float64), 10.32 * 2^-23 (float32), proved
         for 1.5697348409117308e-206 <= tracking_index <= 1.7976931348623157e308 (float64) and
         1.0258392e-26 <= tracking_index <= 3.4028235e38 (float32).
     predicted_12: second derivative by Lambda of the covariance of predicted position and velocity

@@ -118,11 +118,11 @@ def gains(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 1.85 * 2^-52 (float64), 1.85 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 2.63 * 2^-52 (float64),
+        2.63 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
 
@@ -149,28 +149,39 @@ def gains(
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta = out
-    (w0,) = work
-    p = np.sqrt(tracking_index, alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
-    t6 = np.add(t3, t5, beta)
-    h_scaled = np.sqrt(t6, beta)
-    kappa = np.divide(h_scaled, p, beta)
-    t10 = np.add(kappa, 1.1102230246251565e-16, w0)
-    rho_scaled = np.sqrt(t10, w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t14 = np.add(rho, 1.1102230246251565e-16, alpha)
-    t15 = np.add(kappa, t14, beta)
-    t17 = np.divide(2.0, t15, beta)
-    np.multiply(t17, rho, alpha)
-    np.multiply(t17, 2.220446049250313e-16, beta)
+    w0, w1, w2, w3, w4 = work
+    t2 = np.multiply(tracking_index, 1.8014398509481984e16, w0)
+    index_or_switch = np.minimum(t2, 1.3510798882111488e16, out=w0)
+    t7 = np.divide(5.404319552844595e16, tracking_index, alpha)
+    four_or_less = np.minimum(7.205759403792794e16, t7, out=alpha)
+    t10 = np.square(four_or_less, alpha)
+    t11 = np.square(index_or_switch, w1)
+    t12 = np.add(t10, t11, alpha)
+    eta_scaled = np.sqrt(t12, beta)
+    t15 = np.multiply(eta_scaled, 2.0, w1)
+    t16 = np.multiply(index_or_switch, 2.0, alpha)
+    t17 = np.add(t15, t16, alpha)
+    t18 = np.multiply(index_or_switch, t17, alpha)
+    ratio_scaled = np.sqrt(t18, alpha)
+    t21 = np.multiply(index_or_switch, 6.0, w2)
+    t23 = np.multiply(index_or_switch, 1.152921504606847e18, w3)
+    t25 = np.multiply(ratio_scaled, 4.0, w4)
+    t26 = np.add(t25, t21, w4)
+    t27 = np.add(t15, t26, w1)
+    t28 = np.divide(t23, t27, w3)
+    alpha_raised = np.sqrt(t28, w3)
+    t32 = np.multiply(index_or_switch, 4.0, w1)
+    t33 = np.add(index_or_switch, ratio_scaled, w0)
+    t34 = np.add(eta_scaled, t33, beta)
+    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
+    np.divide(t32, t34, beta)
 
 
 _GAINS = Signature(
     "gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta"),
-    1,
+    5,
     _gains_block,
 )
 
@@ -224,8 +235,8 @@ def gain_derivatives(
     alpha: derivative of the position gain. Relative error at most 9.26 * 2^-52 (float64), 9.26 *
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
         1e-45 <= tracking_index <= 5.541191e12 (float32).
-    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.35
-        * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.31
+        * 2^-52 (float64), 10.34 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -290,18 +301,18 @@ def gains_with_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 1.85 * 2^-52 (float64), 1.85 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 3.03 * 2^-52 (float64),
-        3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 2.63 * 2^-52 (float64),
+        2.63 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 9.26 * 2^-52 (float64), 9.26 *
-        2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
-        1e-45 <= tracking_index <= 5.541191e12 (float32).
+    d_alpha: derivative of the position gain. Relative error at most 10.51 * 2^-52 (float64), 10.51
+        * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64)
+        and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        10.35 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        12.24 * 2^-52 (float64), 12.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -322,37 +333,54 @@ def gains_with_derivatives(
 def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1 = work
-    p = np.sqrt(tracking_index, alpha)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, beta)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
-    t6 = np.add(t3, t5, beta)
-    h_scaled = np.sqrt(t6, d_alpha)
-    kappa = np.divide(h_scaled, p, d_beta)
-    half_eta = np.multiply(p, h_scaled, alpha)
-    t11 = np.add(kappa, 1.1102230246251565e-16, w0)
-    rho_scaled = np.sqrt(t11, w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t15 = np.add(rho, 1.1102230246251565e-16, beta)
-    t16 = np.add(kappa, t15, d_beta)
-    t18 = np.divide(2.0, t16, beta)
-    t22 = np.multiply(tracking_index, t16, d_beta)
-    t24 = np.divide(4.440892098500626e-16, t22, d_beta)
-    t25 = np.square(t24, d_beta)
-    t26 = np.divide(t25, half_eta, d_beta)
-    t29 = np.divide(4.930380657631324e-32, rho, alpha)
-    t30 = np.add(t29, 4.440892098500626e-16, w1)
-    np.multiply(t18, rho, alpha)
-    np.multiply(t18, 2.220446049250313e-16, beta)
-    np.multiply(t26, rho, d_alpha)
-    np.multiply(t26, t30, d_beta)
+    w0, w1, w2, w3 = work
+    t2 = np.multiply(tracking_index, 1.8014398509481984e16, w0)
+    index_or_switch = np.minimum(t2, 1.3510798882111488e16, out=w0)
+    t7 = np.divide(5.404319552844595e16, tracking_index, alpha)
+    four_or_less = np.minimum(7.205759403792794e16, t7, out=alpha)
+    t10 = np.square(four_or_less, alpha)
+    t11 = np.square(index_or_switch, w1)
+    t12 = np.add(t10, t11, alpha)
+    eta_scaled = np.sqrt(t12, beta)
+    t15 = np.multiply(eta_scaled, 2.0, w1)
+    t16 = np.multiply(index_or_switch, 2.0, alpha)
+    t17 = np.add(t15, t16, alpha)
+    t18 = np.multiply(index_or_switch, t17, alpha)
+    ratio_scaled = np.sqrt(t18, d_alpha)
+    t21 = np.multiply(index_or_switch, 6.0, alpha)
+    t23 = np.multiply(index_or_switch, 1.152921504606847e18, w2)
+    t25 = np.multiply(ratio_scaled, 4.0, w3)
+    t26 = np.add(t25, t21, w3)
+    t27 = np.add(t15, t26, w1)
+    t28 = np.divide(t23, t27, d_beta)
+    alpha_raised = np.sqrt(t28, d_beta)
+    t32 = np.multiply(index_or_switch, 4.0, w1)
+    t33 = np.add(index_or_switch, ratio_scaled, w2)
+    t34 = np.add(eta_scaled, t33, w2)
+    t37 = np.multiply(eta_scaled, 1.1102230246251565e-16, beta)
+    kappa = np.divide(t37, index_or_switch, beta)
+    t39 = np.multiply(ratio_scaled, 1.1102230246251565e-16, d_alpha)
+    rho = np.divide(t39, index_or_switch, d_alpha)
+    half_eta = np.multiply(tracking_index, kappa, w0)
+    t42 = np.add(rho, 1.1102230246251565e-16, w3)
+    t43 = np.add(kappa, t42, beta)
+    t44 = np.multiply(tracking_index, t43, beta)
+    t46 = np.divide(4.440892098500626e-16, t44, beta)
+    t47 = np.square(t46, beta)
+    t48 = np.divide(t47, half_eta, w0)
+    t51 = np.divide(4.930380657631324e-32, rho, w3)
+    t52 = np.add(t51, 4.440892098500626e-16, w3)
+    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
+    np.divide(t32, t34, beta)
+    np.multiply(t48, rho, d_alpha)
+    np.multiply(t48, t52, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    2,
+    4,
     _gains_with_derivatives_block,
 )
 
@@ -369,11 +397,11 @@ def predictor_gains(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    position: position entry of F K, alpha + beta. Relative error at most 2.26 * 2^-52 (float64),
-        2.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
+    position: position entry of F K, alpha + beta. Relative error at most 1.63 * 2^-52 (float64),
+        1.63 * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 1.7976931348623157e308
         (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
-    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 3.03 *
-        2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+    velocity: velocity entry of F K times the sampling interval, beta. Relative error at most 2.63 *
+        2^-52 (float64), 2.63 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
 
@@ -395,28 +423,35 @@ def predictor_gains(
 def _predictor_gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     position, velocity = out
-    (w0,) = work
-    p = np.sqrt(tracking_index, velocity)
-    t3 = np.divide(1.9721522630525295e-31, tracking_index, position)
-    t5 = np.multiply(tracking_index, 1.232595164407831e-32, w0)
-    t6 = np.add(t3, t5, position)
-    h_scaled = np.sqrt(t6, position)
-    kappa = np.divide(h_scaled, p, position)
-    t10 = np.add(kappa, 1.1102230246251565e-16, w0)
-    rho_scaled = np.sqrt(t10, w0)
-    rho = np.multiply(rho_scaled, 1.4901161193847656e-08, w0)
-    t14 = np.add(rho, 1.1102230246251565e-16, velocity)
-    t15 = np.add(kappa, t14, position)
-    t17 = np.divide(2.0, t15, position)
-    np.multiply(t17, 2.220446049250313e-16, velocity)
-    np.divide(4.440892098500626e-16, rho, position)
+    w0, w1, w2 = work
+    t2 = np.multiply(tracking_index, 1.8014398509481984e16, w0)
+    index_or_switch = np.minimum(t2, 1.3510798882111488e16, out=w0)
+    t7 = np.divide(5.404319552844595e16, tracking_index, position)
+    four_or_less = np.minimum(7.205759403792794e16, t7, out=position)
+    t10 = np.square(four_or_less, position)
+    t11 = np.square(index_or_switch, w1)
+    t12 = np.add(t10, t11, position)
+    eta_scaled = np.sqrt(t12, velocity)
+    t15 = np.multiply(eta_scaled, 2.0, w1)
+    t16 = np.multiply(index_or_switch, 2.0, position)
+    t17 = np.add(t15, t16, w1)
+    t18 = np.multiply(index_or_switch, t17, position)
+    ratio_scaled = np.sqrt(t18, position)
+    t21 = np.multiply(index_or_switch, 1.152921504606847e18, w2)
+    t22 = np.divide(t21, t17, w2)
+    position_raised = np.sqrt(t22, w2)
+    t27 = np.multiply(index_or_switch, 4.0, w1)
+    t28 = np.add(index_or_switch, ratio_scaled, w0)
+    t29 = np.add(eta_scaled, t28, velocity)
+    np.multiply(position_raised, 3.725290298461914e-09, position)
+    np.divide(t27, t29, velocity)
 
 
 _PREDICTOR_GAINS = Signature(
     "predictor_gains",
     (_TRACKING_INDEX_DOMAIN,),
     ("position", "velocity"),
-    1,
+    3,
     _predictor_gains_block,
 )
 
@@ -437,7 +472,7 @@ def predictor_gain_derivatives(
         2^-52 (float64), 10.32 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.796093e12 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.35 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 10.31 * 2^-52 (float64), 10.34 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
         (float32).
 
@@ -514,7 +549,7 @@ def predicted_covariance(
         2^-52 (float64), 5.78 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.34078079299425e154 (float64) and 1e-45 <= tracking_index <= 1.8446673e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 3.53 * 2^-52 (float64), 3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.53 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.34078079299425e154 (float64) and 1.1754944e-38 <= tracking_index <=
         1.8446673e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
@@ -679,7 +714,7 @@ def updated_covariance(
         (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.03 * 2^-52 (float64), 3.03 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.03 * 2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
     updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.76 *
@@ -750,7 +785,7 @@ def updated_covariance_derivatives(
         most 9.26 * 2^-52 (float64), 9.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.4794894843556084e102 (float64) and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.35 * 2^-52 (float64), 10.35 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 10.31 * 2^-52 (float64), 10.34 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <=
         7.9917807e12 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
@@ -834,12 +869,12 @@ def gain_second_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: second derivative by Lambda of the position gain. Relative error at most 13.28 * 2^-52
-        (float64), 13.26 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
+    alpha: second derivative by Lambda of the position gain. Relative error at most 13.31 * 2^-52
+        (float64), 13.31 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
         1.2814501160326402e77 (float64) and 1.0258395e-26 <= tracking_index <= 4.753162e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.83 * 2^-52 (float64), 12.83 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <= 6.2555136e09
         (float32).
 
@@ -935,11 +970,11 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 13.78 * 2^-52 (float64), 13.76 * 2^-23 (float32), proved for 1.569734840911732e-206
+        at most 13.79 * 2^-52 (float64), 13.79 * 2^-23 (float32), proved for 1.569734840911732e-206
         <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258396e-26 <= tracking_index <=
         6.721987e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for
+        beta. Relative error at most 12.83 * 2^-52 (float64), 12.83 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <=
         6.2555136e09 (float32).
 
@@ -1163,15 +1198,15 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 13.28 * 2^-52 (float64), 13.26 * 2^-23 (float32), proved for
+        Relative error at most 13.31 * 2^-52 (float64), 13.31 * 2^-23 (float32), proved for
         1.5697348409117316e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
         1.0258395e-26 <= tracking_index <= 4.753162e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 12.76 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 12.83 * 2^-52 (float64), 12.83 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index
         <= 6.2555136e09 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
-        T^2/sigma_v^2. Relative error at most 3.63 * 2^-52 (float64), 3.63 * 2^-23 (float32), proved
+        T^2/sigma_v^2. Relative error at most 3.64 * 2^-52 (float64), 3.63 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <= tracking_index
         <= 3.4028235e38 (float32).
 
@@ -1284,13 +1319,13 @@ def closed_loop_poles(
         finite.
 
     first_real: real part of the first pole. Error over first_modulus at most 7.02 * 2^-52
-        (float64), 7.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        (float64), 7.02 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
         most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_real: real part of the second pole. Error over second_modulus at most 7.02 * 2^-52
-        (float64), 7.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        (float64), 7.02 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
         most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=

@@ -10,6 +10,7 @@ from fractions import Fraction
 from gainproof.derive.printer.affine import AffineSum, in_two_parts
 from gainproof.derive.printer.formats import FLOAT32, FORMATS
 from gainproof.derive.printer.kernel import Kernel
+from gainproof.derive.printer.least import is_least
 from gainproof.derive.printer.library import NUMPY
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Step
@@ -146,16 +147,20 @@ class Arithmetic:
         yield f"{target}np.add({register}, {rest}, {register})"
 
     def _select(self, number: int, step: Step, target: str) -> Iterator[str]:
+        register = self._register(number)
+        x, y = step.operands[2:]
+        for part in (x, y):
+            yield from self._prepared(part)
+        if is_least(self.program, step):
+            operands = f"{self._operand(x)}, {self._operand(y)}"
+            yield f"{target}np.minimum({operands}, out={register})"  # NumPy wants it named
+            return
         limits = [threshold(self.program, step, form) for form in FORMATS]
         value, lines = self._by_type("limit", [limit.value for limit in limits])
         yield from lines
         input_first = limits[0].input_first
         compared = self._operand(step.operands[0 if input_first else 1])
         first, second = (compared, value) if input_first else (value, compared)
-        register = self._register(number)
-        x, y = step.operands[2:]
-        for part in (x, y):
-            yield from self._prepared(part)
         condition = f"np.less({first}, {second})"
         if condition not in self.masks:
             self.masks[condition] = self._fresh("mask")

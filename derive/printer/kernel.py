@@ -101,7 +101,8 @@ class Kernel:
     subtractions of computed values that are meant, by the name (in the graph's "names") of the
     difference, each with its reason; any other subtraction of computed values is refused.
     `requirements`: what the inputs must fulfil together, of kernels with signed inputs.
-    `accurate`: the domain in which its one input is taken with `accurate=True`, in double-words.
+    `accurate`: the domain in which its one input is taken with `accurate=True`, in double-words;
+    `accurate_graph`: what is computed then, if it is another graph of the same outputs.
     """
 
     name: str
@@ -115,11 +116,17 @@ class Kernel:
     cancellations: Mapping[str, str] = field(default_factory=dict)
     requirements: tuple[Requirement, ...] = ()
     accurate: Input | None = None
+    accurate_graph: Graph | None = None
 
     @cached_property
     def program(self) -> Program:
         """The steps of the graph; ValueError names a node that the printer does not know."""
         return program(self.graph)
+
+    @cached_property
+    def accurate_program(self) -> Program:
+        """The steps that are computed in double-words."""
+        return self.program if self.accurate_graph is None else program(self.accurate_graph)
 
 
 @dataclass(frozen=True)

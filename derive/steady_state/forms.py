@@ -95,15 +95,6 @@ def gains(x: Basis) -> dict[str, Any]:
     }
 
 
-def predictor_gains(x: Basis) -> dict[str, Any]:
-    """Predictor gain F K."""
-    velocity = x.share * x.share_unit
-    if x.e == 1:  # (1 + 1/rho) alpha with alpha = 2/(1 + rho)
-        return {"position": (2 * x.unit) / x.rho, "velocity": velocity}
-    ratio = x.twice if x.e == 0 else x.rho
-    return {"position": x.share * (ratio + x.share_unit), "velocity": velocity}
-
-
 def gain_derivatives(x: Basis) -> dict[str, Any]:
     """d alpha/d Lambda = (kappa + e/2)/(rho sigma^2 kappa Lambda), and
     d beta/d Lambda = (2 rho + 1)/(rho sigma^2 kappa Lambda).

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -47,15 +48,36 @@ def graph_basis(builder: GraphBuilder, e: Fraction, n: Fraction) -> tuple[Basis,
 FormsOf = Callable[[Basis], Mapping[str, Any]]
 
 
-def index_graph(e: Fraction, n: Fraction, *parts: FormsOf) -> Graph:
+@dataclass(frozen=True)
+class NodesOf:
+    """Forms that need more than the basis: `made` gives outputs, with names of nodes."""
+
+    made: Callable[[GraphBuilder, Fraction, Fraction], tuple[Mapping[str, Any], Names]]
+
+
+Part = FormsOf | NodesOf
+
+
+def index_graph(e: Fraction, n: Fraction, *parts: Part) -> Graph:
     """The graph of the outputs of one or more forms; a name met again is prefixed d_."""
     builder = GraphBuilder()
-    basis, names = graph_basis(builder, e, n)
     outputs: dict[str, Any] = {}
+    names: Names = {}
     for part in parts:
-        for key, value in part(basis).items():
+        found, own = _made(builder, e, n, part)
+        names |= own
+        for key, value in found.items():
             outputs[f"d_{key}" if key in outputs else key] = value
     return builder.graph(outputs, names)
+
+
+def _made(
+    builder: GraphBuilder, e: Fraction, n: Fraction, part: Part
+) -> tuple[Mapping[str, Any], Names]:
+    if isinstance(part, NodesOf):
+        return part.made(builder, e, n)
+    basis, names = graph_basis(builder, e, n)
+    return part(basis), names
 
 
 def alpha_graph(e: Fraction, output: str) -> Graph:

@@ -10,13 +10,19 @@ from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.steady_state import covariance_forms, curvature_module, forms
 from gainproof.derive.steady_state.context import Context
-from gainproof.derive.steady_state.kernels import FormsOf, largest_beta
+from gainproof.derive.steady_state.gain_kernels import (
+    GAINS,
+    GAINS_WITH_DERIVATIVES,
+    PREDICTOR_GAINS,
+)
+from gainproof.derive.steady_state.kernels import Part, largest_beta
+from gainproof.derive.subject import in_double_words
 
-INDEX_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
-    "gains": (forms.gains,),
+INDEX_KERNELS: Mapping[str, tuple[Part, ...]] = {
+    "gains": (GAINS,),
     "gain_derivatives": (forms.gain_derivatives,),
-    "gains_with_derivatives": (forms.gains, forms.gain_derivatives),
-    "predictor_gains": (forms.predictor_gains,),
+    "gains_with_derivatives": (GAINS_WITH_DERIVATIVES,),
+    "predictor_gains": (PREDICTOR_GAINS,),
     "predictor_gain_derivatives": (forms.predictor_gain_derivatives,),
     "predicted_covariance": (covariance_forms.predicted_covariance,),
     "predicted_covariance_derivatives": (covariance_forms.predicted_covariance_derivatives,),
@@ -24,6 +30,7 @@ INDEX_KERNELS: Mapping[str, tuple[FormsOf, ...]] = {
     "updated_covariance_derivatives": (covariance_forms.updated_covariance_derivatives,),
 }
 
+ACCURATE_GAINS = in_double_words("gains")
 SUMMARIES = {
     "gains": "Steady-state filter gain.",
     "gain_derivatives": "First derivatives of the filter gain with respect to the tracking index.",
@@ -62,7 +69,7 @@ MEANINGS = {
 
 def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
     """The module of a family."""
-    kernels = (_kernel(c, name, graph) for name, graph in graphs.items())
+    kernels = (_kernel(c, name, graphs) for name in graphs if name != ACCURATE_GAINS)
     return catalogue_module(
         c.model.name,
         f"{c.model.title}: steady state with measured position",
@@ -71,7 +78,8 @@ def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
     )
 
 
-def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
+def _kernel(c: Context, name: str, graphs: Mapping[str, Graph]) -> Kernel:
+    graph = graphs[name]
     shown = [output for output in graph["outputs"] if not output.endswith(("_modulus", "_scale"))]
     second = name in curvature_module.SUMMARIES
     return Kernel(
@@ -90,6 +98,7 @@ def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
         source=f"derivation {c.model.name}",
         cancellations=curvature_module.cancellations(graph) if second else {},
         accurate=_accurate_input(c) if name == "gains" else None,
+        accurate_graph=graphs[ACCURATE_GAINS] if name == "gains" else None,
     )
 
 

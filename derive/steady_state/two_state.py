@@ -12,15 +12,23 @@ from gainproof.derive.expression import real
 from gainproof.derive.model import Model
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation
+from gainproof.derive.steady_state import forms
 from gainproof.derive.steady_state.context import Context, context
 from gainproof.derive.steady_state.curvature_kernels import SCALE
 from gainproof.derive.steady_state.curvature_module import second_derivative_graphs
+from gainproof.derive.steady_state.gain_towers import (
+    Side,
+    last_roots,
+    range_towers,
+    sides,
+)
 from gainproof.derive.steady_state.kernels import alpha_graph, beta_graph, index_graph, pole_graph
-from gainproof.derive.steady_state.module import INDEX_KERNELS, kernel_module
+from gainproof.derive.steady_state.module import ACCURATE_GAINS, INDEX_KERNELS, kernel_module
 from gainproof.derive.steady_state.names import DEVIATION, INDEX, LATEX
 from gainproof.derive.steady_state.steps_curvature import curvature_steps, second
 from gainproof.derive.steady_state.steps_curvature_ends import curvature_end_steps
 from gainproof.derive.steady_state.steps_ends import end_steps
+from gainproof.derive.steady_state.steps_gain_kernels import side_steps
 from gainproof.derive.steady_state.steps_gains import gain_steps
 from gainproof.derive.steady_state.steps_model import model_steps
 from gainproof.derive.steady_state.steps_pole_kernel import pole_programs
@@ -42,6 +50,7 @@ from gainproof.derive.steady_state.textbook import textbook_forms
 from gainproof.derive.steady_state.towers import graph_roots
 from gainproof.derive.subject import Program, Subject
 
+ON_TWO_SIDES = ("gains", "gains_with_derivatives", "predictor_gains")
 OPENING = (
     "A position is measured at a fixed interval; the state holds the position and its rate. "
     "How much of each innovation should a Kalman filter in its steady state believe?"
@@ -54,7 +63,7 @@ def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
     Raises ModelError, naming the reason, for a model outside the method's reach.
     """
     c = context(model)
-    graphs = _graphs(c)
+    graphs, gain_sides = _graphs(c), sides(c.e, c.n)
     steps = (
         *model_steps(c),
         *gain_steps(c),
@@ -67,11 +76,13 @@ def derive_two_state(model: Model, sources: tuple[str, ...]) -> Subject:
         *end_steps(c),
         *curvature_end_steps(c),
         *inverse_steps(c),
-        *_program_steps(c, graphs),
+        *side_steps(c, gain_sides),
+        *_program_steps(c, graphs, gain_sides),
         *pole_programs(c, graphs["closed_loop_poles"]),
     )
     latex = {**LATEX, **{quantity.name: quantity.latex for quantity in model.quantities}}
     towers = (c.tower, inverse_tower(c), *turn_tower(c), *pole_towers(c))
+    towers += (*(side.tower for side in gain_sides), *range_towers(c.e))
     return Subject(
         name=model.name,
         title=model.title,
@@ -93,6 +104,7 @@ def _inputs(name: str) -> Mapping[str, str]:
 
 def _graphs(c: Context) -> dict[str, Graph]:
     graphs = {name: index_graph(c.e, c.n, *parts) for name, parts in INDEX_KERNELS.items()}
+    graphs[ACCURATE_GAINS] = index_graph(c.e, c.n, forms.gains)
     graphs |= second_derivative_graphs(c.e, c.n)
     return graphs | {
         "closed_loop_poles": pole_graph(c.e, c.n),
@@ -103,35 +115,53 @@ def _graphs(c: Context) -> dict[str, Graph]:
     }
 
 
-def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
+def _program_steps(
+    c: Context, graphs: Mapping[str, Graph], gain_sides: tuple[Side, ...]
+) -> list[Step]:
     """Every kernel but the poles computes what its outputs are called."""
     roots = {
         **graph_roots(c.e),
         **inverse_roots(c),
+        **last_roots(),
         "root_of_3": ROOT_3,
     }
     towers = {"index_from_beta": inverse_tower(c).name}
     if c.e == 0:
         towers["predicted_covariance_second_derivatives"] = TURN_TOWER
-    return [
-        Step(
-            f"kernel-{name.replace('_', '-')}",
-            f"The kernel {name} computes what it says.",
-            Relation(
-                "program",
-                {
-                    "program": name,
-                    "outputs": {output: _meant(name, output) for output in graph["outputs"]},
-                },
-            ),
-            "Evaluate the kernel's graph in the tower.",
-            tower=towers.get(name, "main"),
-            hint={"graph": graph, "roots": roots},
-            shown=False,
-        )
-        for name, graph in graphs.items()
-        if name != "closed_loop_poles"
-    ]
+    found: list[Step] = []
+    for name, graph in graphs.items():
+        if name == "closed_loop_poles":
+            continue
+        if name in ON_TWO_SIDES and gain_sides:
+            found += [_on_one_side(name, graph, side) for side in gain_sides]
+            continue
+        sentence = f"The kernel {name} computes what it says."
+        hint = {"graph": graph, "roots": roots}
+        found.append(_program_step(name, graph, "", sentence, towers.get(name, "main"), hint))
+    return found
+
+
+def _on_one_side(name: str, graph: Graph, side: Side) -> Step:
+    """A kernel that chooses, where it chooses so."""
+    where = side.tower.name.replace("_", "-")
+    sentence = f"The kernel {name} computes what it says, {where.replace('-', ' ')}."
+    hint = {"graph": graph, "roots": side.roots, "branches": side.branches, "gaps": side.gaps}
+    return _program_step(name, graph, f"-{where}", sentence, side.tower.name, hint)
+
+
+def _program_step(
+    name: str, graph: Graph, ending: str, sentence: str, tower: str, hint: Mapping[str, Any]
+) -> Step:
+    outputs = {output: _meant(name, output) for output in graph["outputs"]}
+    return Step(
+        f"kernel-{name.replace('_', '-')}{ending}",
+        sentence,
+        Relation("program", {"program": name, "outputs": outputs}),
+        "Evaluate the kernel's graph in the tower.",
+        tower=tower,
+        hint=hint,
+        shown=False,
+    )
 
 
 def _meant(kernel: str, output: str) -> sp.Expr:

@@ -138,12 +138,30 @@ def _covered(name: str, kernel: str, output: str, factor: Fraction) -> Cover:
 
 
 def test_gappa_proves_a_printed_bound_and_not_a_hundredth_less() -> None:
-    """Roundings of random acceleration weigh 3.5 together, far out and next to 0 alike."""
+    """The sum is largest at a hundred, where no term of a sum is all of it."""
     found = _covered("random-acceleration", "gains", "alpha", Fraction(1))
     assert found.failed is None
-    assert found.pieces < 10
-    assert found.largest / 2 == pytest.approx(3.5, abs=1e-6)
-    assert _covered("random-acceleration", "gains", "alpha", Fraction(99, 100)).failed
+    assert found.pieces < 60
+    assert 1.68 < found.largest / 2 <= 1.69
+    assert _covered("random-acceleration", "gains", "alpha", Fraction(98, 100)).failed
+
+
+def test_gappa_looks_at_both_sides_of_a_choice() -> None:
+    """x + x^2 below 3/4 has more roundings than x^2 from there on."""
+    _tool("gappa")
+    graph = _graph(
+        ["number", "3/4"],
+        ["mul", 0, 0],
+        ["add", 0, 2],
+        ["call", "select", 0, 1, 3, 2],
+    )
+    ends = (Fraction(1, 4), Fraction(4))
+    assert covered(graph, "y", ends, Fraction(1), SECONDS).failed is None
+    failed = covered(graph, "y", ends, Fraction(51, 100), SECONDS).failed
+    assert failed is not None
+    assert failed[1] <= Fraction(3, 4)
+    above = (Fraction(3, 4), Fraction(4))
+    assert covered(graph, "y", above, Fraction(51, 100), SECONDS).failed is None
 
 
 @pytest.mark.thorough

@@ -66,7 +66,7 @@ def errors(kernel: Kernel, low: Fraction, high: Fraction) -> tuple[Fraction, ...
     DoubleWordError for a step that is none of + * / and square root of positive numbers, and for
     one whose magnitude is not seen to keep between 2^-900 and 2^900.
     """
-    program = kernel.program
+    program = kernel.accurate_program
     sizes: list[Size] = []
     for step in program.steps:
         found = _size(kernel, step, sizes, (low, high))

@@ -14,7 +14,7 @@ FUNCTIONS = {"input": "exact", "add": "add", "mul": "multiply", "div": "divide",
 
 def lines(kernel: Kernel) -> Iterator[str]:
     """Statements from `given` to `out`, one a step; results are rounded once, to their type."""
-    program = kernel.program
+    program = kernel.accurate_program
     used = {_function(step) for step in program.steps if step.operation != "constant"}
     yield "# loaded when it is asked for"
     yield f"from gainproof.generated._double_word import {', '.join(sorted(used))}"

@@ -9,6 +9,7 @@ from time import perf_counter
 from typing import Any
 
 from gainproof.certify import gappa, roundings
+from gainproof.certify.branches import branches
 from gainproof.certify.cover import Cover, Weighing, cover
 from gainproof.certify.expression import NotExportedError
 from gainproof.certify.gappa import Enclosure
@@ -40,10 +41,28 @@ def covered(
         raise NotExportedError("bounds above 512 * 2^-52")
     if domain[0] <= 0:
         raise NotExportedError("kernels of inputs that may be 0")
-    weighed = weighing(graph, output, stop)
+    full = program(graph)  # type: ignore[arg-type]
+    whole = plain(full)
+    if len(whole.inputs) != 1:
+        raise NotExportedError("kernels of several inputs")
+    parts = [
+        (part, _weighing(steps, full.cycles, output, stop))
+        for part, steps in branches(whole, domain)
+    ]
     if not _model_holds(stop):
         raise NotExportedError("anything: Gappa does not prove what is assumed of roundings")
-    return cover(weighed, domain, most, say)
+    found = Cover(0, Fraction(0))
+    for part, weighed in parts:
+        before = found.pieces
+
+        def told(pieces: int, before: int = before) -> None:
+            say(before + pieces)
+
+        own = cover(weighed, part, most, told)
+        found = Cover(before + own.pieces, max(found.largest, own.largest), own.failed)
+        if own.failed:
+            break
+    return found
 
 
 def weighing(graph: Mapping[str, Any], output: str, stop: float) -> Weighing:
@@ -55,9 +74,14 @@ def weighing(graph: Mapping[str, Any], output: str, stop: float) -> Weighing:
     whole = plain(full)
     if len(whole.inputs) != 1:
         raise NotExportedError("kernels of several inputs")
+    return _weighing(whole, full.cycles, output, stop)
+
+
+def _weighing(whole: Program, cycles: Sequence[Cycle], output: str, stop: float) -> Weighing:
+    """The same of a program that chooses nothing."""
     (argument,) = (n for n, step in enumerate(whole.steps) if step.operation == "input")
     end = whole.outputs[output]
-    held = _roots(whole, full.cycles, end)
+    held = _roots(whole, cycles, end)
     root = iterated(whole.steps, held[0], end) if held else None
     chosen = () if root else operations(whole.steps, end)
 
