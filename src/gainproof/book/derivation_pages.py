@@ -148,10 +148,10 @@ def _marks(steps: Sequence[ShownStep]) -> tuple[Mark, ...]:
 
 
 def _step(step: DerivedStep, writer: Writer, marks: Mapping[str, str]) -> ShownStep:
-    return ShownStep(step.id, tuple(_formulas(step, writer)), marks[step.id], how(step.kind))
+    return ShownStep(step.id, tuple(formulas_of(step, writer)), marks[step.id], how(step.kind))
 
 
-def _formulas(step: DerivedStep, writer: Writer) -> list[Markup]:
+def formulas_of(step: DerivedStep, writer: Writer) -> list[Markup]:
     """Formulas set; what is words stays words."""
     return [
         prose(line.removeprefix(_IN_WORDS), writer.names)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import gainproof
 from gainproof.book import document_pages, kernel_pages, list_pages, play, site
 from gainproof.book.contents import Contents
 from gainproof.book.derivation_pages import derivation_page
+from gainproof.book.more import More
 from gainproof.book.page import Page
 from gainproof.book.source_pages import source_pages
 
@@ -34,9 +36,16 @@ def documents() -> Path | None:
     return folder if folder.is_dir() else None
 
 
-def build(contents: Contents, folder: Path, tell: Callable[[str], None]) -> dict[str, bytes]:
+def build(
+    contents: Contents, folder: Path, tell: Callable[[str], None], more: More | None = None
+) -> dict[str, bytes]:
     """Write the site; the files that it has, by their paths."""
-    made = site.files(pages(contents), scripts(contents), tell)
+    more = more or More()
+    front, *others = pages(contents)
+    front = replace(front, data={**front.data, **more.front})
+    loaded = {**scripts(contents), **more.scripts}
+    made = site.files([front, *others, *more.pages], loaded, tell)
+    made.update((path, text.encode()) for path, text in more.files.items())
     site.write(made, folder)
     return made
 

@@ -10,13 +10,23 @@ Writes a static site that works from a folder without network: a page for each d
 step with the checker's word; for each source with its claims, verdicts and errata; for each kernel;
 and the documentation. Needs the extra: pip install 'gainproof[book]'.
 
+With --exercises N the site has N sheets too: stretches of derivations, each with one planted error
+that has an exact counterexample while the checker accepts every other step; the reader marks a line
+and sees the witness. The same seed gives the same sheets. The key lies apart: answers.html and
+answers.json in DIR.
+
 DIR is a new or empty folder, or a book made before, which is renewed. Exit status 1 where a
 certificate or the proof of a claim is rejected, or a link leads nowhere."""
+MOST_SHEETS = 200
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", metavar="DIR", default="book", help="default: book")
     parser.add_argument("--open", action="store_true", help="show it in the browser")
+    parser.add_argument(
+        "--exercises", metavar="N", type=int, help="with N sheets that have an error each"
+    )
+    parser.add_argument("--seed", metavar="S", type=int, default=1, help="of the sheets; default 1")
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
 
 
@@ -31,6 +41,10 @@ def run(options: argparse.Namespace) -> int:
     from gainproof.bad_input import BadInputError
     from gainproof.workshop import open_workshop
 
+    if options.exercises is not None and not 1 <= options.exercises <= MOST_SHEETS:
+        raise BadInputError(
+            f"--exercises: a number from 1 to {MOST_SHEETS} is wanted, got {options.exercises}"
+        )
     for name in ("jinja2", "latex2mathml", "markdown_it", "pygments"):
         if find_spec(name) is None:
             raise BadInputError(f"{name} is missing: pip install 'gainproof[book]'")
@@ -40,7 +54,12 @@ def run(options: argparse.Namespace) -> int:
     site.require_own(folder)
     shop = open_workshop(fresh=options.fresh)
     found = contents.gather(shop)
-    made = making.build(found, folder, shop.progress.say_sometimes)
+    more = None
+    if options.exercises is not None:
+        from gainproof.book.exercises.making_sheets import exercises
+
+        more = exercises(found.subjects, options.exercises, options.seed, shop)
+    made = making.build(found, folder, shop.progress.say_sometimes, more)
     pages = sum(path.endswith(".html") for path in made)
     size = sum(map(len, made.values())) / 1e6
     print(f"{pages} pages, {len(made)} files, {size:.1f} MB ({shop.progress.elapsed():.1f} s)")

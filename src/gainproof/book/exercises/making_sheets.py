@@ -1,0 +1,54 @@
+"""Sheets made, checked, and put into the site."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from gainproof import derivations
+from gainproof.book.exercises.planting import Planted, plant
+from gainproof.book.exercises.sheet_pages import (
+    KEY,
+    SCRIPT,
+    key_file,
+    sheet_pages,
+    words_on_others,
+)
+from gainproof.book.more import More
+from gainproof.derived import Derived
+from gainproof.workshop import Workshop
+
+_STATIC = Path(__file__).resolve().parent.parent / "static"
+SOUND = frozenset({"proved", "cited", "definition"})
+
+
+def exercises(subjects: Sequence[Derived], count: int, seed: int, shop: Workshop) -> More:
+    """So many sheets with their list and their key. Raises BadInputError where no derivation has a
+    step in which an error can be planted.
+    """
+    sheets = plant(subjects, count, seed)
+    reports = derivations.recheck([(s.derived.certificate, s.derived) for s in sheets], shop)
+    for sheet, report in zip(sheets, reports, strict=True):
+        require_sound(sheet, report)
+    return More(
+        pages=sheet_pages(sheets, reports),
+        scripts={SCRIPT: (_STATIC / SCRIPT).read_text(encoding="utf-8")},
+        files={f"{KEY}.json": key_file(sheets)},
+        front={"exercises": count},
+    )
+
+
+def require_sound(sheet: Planted, report: dict[str, object]) -> None:
+    """The checker rejects the planted line and no other. Raises ArithmeticError otherwise: a sheet
+    that says so and does not hold it up is worse than none.
+    """
+    statements = report["statements"]
+    assert isinstance(statements, list)
+    words = {entry["id"]: entry["status"] for entry in statements}
+    others = {word for id_, word in words.items() if id_ != sheet.id}
+    if words.get(sheet.id) != "rejected" or not others <= SOUND or len(words) < 2:
+        told = words_on_others(sheet, report)
+        raise ArithmeticError(
+            f"sheet {sheet.number}, {sheet.derived.name}: step {sheet.id} is "
+            f"{words.get(sheet.id)}, of the others {told}"
+        )
