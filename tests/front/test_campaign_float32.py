@@ -6,6 +6,7 @@ import inspect
 import random
 import re
 from dataclasses import replace
+from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
@@ -19,7 +20,7 @@ from gainproof.bench.compiler import compiler
 from gainproof.campaign import float32
 from gainproof.campaign.campaign import Done, Report
 from gainproof.campaign.float32 import kernels, sweep
-from gainproof.campaign.float32.compiled import Compiled, measure, measure_of
+from gainproof.campaign.float32.compiled import Compiled, Measure, measure, measure_of
 from gainproof.campaign.float32.kernels import Swept, swept_kernels
 from gainproof.campaign.float32.reference import Compared, Reference, reference
 from gainproof.campaign.float32.report import Row, report
@@ -216,6 +217,12 @@ def test_another_kernel_than_the_one_of_the_digest_is_refused() -> None:
         block(kernel.id, "0" * 16, kernel.start, 10)
 
 
+@cache
+def measure_of_same() -> Measure:
+    """Compiled once for all tests of a process."""
+    return measure_of(SAME)
+
+
 def measured(way: str, results: list[float], *parts: int, output: Compared = OUTPUT) -> Any:
     """The tally of results for the inputs 0.5, 1, 2, 4, ..., which they should be; the inputs come
     in parts that end where it is said.
@@ -223,7 +230,7 @@ def measured(way: str, results: list[float], *parts: int, output: Compared = OUT
     x = np.ldexp(np.float32(0.5), np.arange(len(results)))
     y = np.array(results, np.float32)
     found = Reference(SAME, (output,))
-    made = Compiled(measure_of(SAME), found.outputs) if way == "C" else Tallied(found)
+    made = Compiled(measure_of_same(), found.outputs) if way == "C" else Tallied(found)
     for start, stop in zip((0, *parts), (*parts, x.size), strict=True):
         made.add(x[start:stop], (y[start:stop],))
     return made.tallies()["y"]

@@ -66,16 +66,22 @@ class Swept:
         itself; and not of NumPy's version: sums, products, quotients and roots are rounded
         correctly in each, and `test_campaign_float32` says so if a kernel takes anything else.
         """
-        found = hashlib.sha256(inspect.getsource(self.signature.block).encode())
+        found = hashlib.sha256(source_of(self.signature.block).encode())
         for name in self.signature.block.__code__.co_names:
             called = getattr(_bits, name, None)
             if inspect.isfunction(called):
-                found.update(inspect.getsource(called).encode())
+                found.update(source_of(called).encode())
         domain = self.signature.inputs[0]
         ranges = [(each.scale, each.lowest, each.highest) for each in self.stated]
         found.update(repr((domain.single, domain.whole, self.signature.outputs, ranges)).encode())
         found.update(measuring_code())
         return found.hexdigest()[:16]
+
+
+@cache
+def source_of(function: Callable[..., Any]) -> str:
+    """Its text: to find it takes some milliseconds."""
+    return inspect.getsource(function)
 
 
 @cache
