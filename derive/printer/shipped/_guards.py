@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 SIZE = 65536
 """Elements of a block of many arrays: calls cost little beside it, and they stay in the cache."""
 MANY = 17
+LEG = SIZE // 2
+"""Elements of a leg at once: its three passes find it in the second-level cache."""
 ROW = 1024
 """Numbers of a sum of squares: of more, numbers of the domain would often add up to too much, and
 from 8193 on libraries take threads, which may have to wait.
@@ -119,9 +121,9 @@ def _apart(required: Required, parts: Arrays, size: int) -> bool:
     single = kind == np.float32
     # a little more, for the roundings of the root
     least = ENOUGH * (required.single if single else required.double)
-    value: Array = np.empty(min(size, SIZE), kind)
-    for start in range(0, size, SIZE):
-        stop = min(start + SIZE, size)
+    value: Array = np.empty(min(size, LEG), kind)
+    for start in range(0, size, LEG):
+        stop = min(start + LEG, size)
         leg = value[: stop - start]
         required.leg(parts_of(parts, start, stop, size), [leg], (), single)
         if not np.minimum.reduce(np.absolute(leg, leg)) >= least:
