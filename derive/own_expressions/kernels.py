@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
+from gainproof.derive.own_expressions.angles import with_angles
 from gainproof.derive.own_expressions.expressions import (
     Argument,
     ExpressionError,
@@ -26,7 +27,8 @@ COLUMNS = 88
 def kernel_of(given: ExpressionKernel, graph: Graph) -> Kernel:
     """The kernel of this graph. An output whose terms may cancel is measured by them.
 
-    PrintingError where it has no bound, ExpressionError for a domain that cannot be one.
+    PrintingError where it has no bound, ExpressionError for a domain that cannot be one, or that
+    admits what has no value.
     """
     made = Kernel(
         name=given.name,
@@ -45,7 +47,7 @@ def kernel_of(given: ExpressionKernel, graph: Graph) -> Kernel:
         replace(output, by_terms=not known[used.outputs[output.name]].tight)
         for output in made.outputs
     )
-    return replace(made, outputs=tuple(outputs))
+    return with_angles(replace(made, outputs=tuple(outputs)))
 
 
 def inputs_of(given: ExpressionKernel) -> tuple[Input, ...]:

@@ -23,6 +23,7 @@ LIBRARY: Mapping[str, Callable[..., Ball]] = MappingProxyType(
         "cos": arb.cos,
         "exp": arb.exp,
         "expm1": arb.expm1,
+        "log1p": arb.log1p,
         "atan2": arb.atan2,
         "hypot": lambda x, y: (x * x + y * y).sqrt(),
     }
