@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import inspect
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
@@ -15,6 +16,8 @@ from gainproof.book.highlighted import highlighted
 from gainproof.book.kernel_pictures import pictures
 from gainproof.book.page import Finding, Page
 from gainproof.derived import Derived
+
+_NAMED = re.compile(r"[`\w]+: ")
 
 
 @dataclass(frozen=True)
@@ -85,13 +88,25 @@ def _signature(function: Any) -> str:
     return str(inspect.signature(function)).replace("'", "")
 
 
-def _sections(told: str) -> list[tuple[str, bool]]:
-    """Paragraphs of a docstring after its first; true for those of formulas, which are set in."""
-    paragraphs = told.split("\n\n")[1:]
+def _sections(told: str) -> list[tuple[tuple[str, ...], bool]]:
+    """Paragraphs of a docstring after its first, each as entries without line breaks; true for
+    those of formulas, which are set in and have one entry with its lines.
+    """
     return [
-        (inspect.cleandoc(text) if text.startswith("    ") else text, text.startswith("    "))
-        for text in paragraphs
+        ((inspect.cleandoc(text),), True) if text.startswith("    ") else (_entries(text), False)
+        for text in told.split("\n\n")[1:]
     ]
+
+
+def _entries(text: str) -> tuple[str, ...]:
+    """`name: what it is`, each whole; a paragraph without names is one entry."""
+    found: list[str] = []
+    for line in text.splitlines():
+        if found and not _NAMED.match(line):
+            found[-1] = f"{found[-1]} {line.strip()}"
+        else:
+            found.append(line.strip())
+    return tuple(found)
 
 
 def _source(function: Any) -> Markup:

@@ -34,7 +34,7 @@ _WORDS: Mapping[str, tuple[str, str]] = {
         "Every claim that can be decided stands as printed.",
         "判定できる主張は、すべて印刷どおりに成り立つ。",
     ),
-    "cannot-stand": ("claims that cannot stand as printed", "印刷どおりには成り立たない主張"),
+    "cannot-stand": ("Claims that cannot stand as printed", "印刷どおりには成り立たない主張"),
     "claims": ("Claims, in the order of the source", "主張(文献の順)"),
     "claim": ("claim", "主張"),
     "verdicts": ("Verdicts", "判定"),
