@@ -14,11 +14,14 @@ from gainproof.derive.own_expressions.expressions import (
     ExpressionSet,
     Result,
 )
+from gainproof.derive.own_expressions.kernel_names import require_side_by_side
 
 NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
-TAKEN = frozenset({"np", "evaluate", "annotations", "iv", "out"})
+TAKEN = frozenset({"np", "evaluate", "annotations", "iv", "out", "near_cbrt", "choose", "mask_of"})
 INPUTS_TAKEN = frozenset({"abs", "accurate", "value", "workers"})
 """Names that a printed module, function or certificate has for something else."""
+EXPONENT = 64
+"""Of a power, as in claim files: proofs expand powers."""
 PARTS = re.compile(r"(part|over)_\d+(_of.*)?")
 """Names of what is no polynomial, see `parts`."""
 
@@ -29,10 +32,12 @@ def require_written_well(given: ExpressionSet) -> None:
     _require_name("the set", module)
     if not given.kernels:
         raise ExpressionError(f"{given.name}: a kernel at least is wanted, there is none")
-    _require_different("kernels", [kernel.name for kernel in given.kernels])
+    names = [kernel.name for kernel in given.kernels]
+    _require_different("kernels", names)
     _require_line(given.name, given.title)
     for kernel in given.kernels:
         _require_kernel(kernel)
+    require_side_by_side(names)
 
 
 def _require_kernel(kernel: ExpressionKernel) -> None:
@@ -70,6 +75,11 @@ def _require_kernel(kernel: ExpressionKernel) -> None:
                 f"{place}: exact numbers are wanted, {expression} holds a float; write a quotient "
                 "of whole numbers (sp.Rational)"
             )
+        for power in expression.atoms(sp.Pow):
+            if power.exp.is_Rational and abs(power.exp.p) > EXPONENT:
+                raise ExpressionError(
+                    f"{place}: exponents of at most {EXPONENT} are wanted, {power} came"
+                )
         used |= expression.free_symbols
     for symbol in sorted(known - used, key=str):
         raise ExpressionError(f"{kernel.name}: the input {symbol} occurs in no output")

@@ -14,6 +14,7 @@ from gainproof.derive.own_expressions.expressions import (
     ExpressionKernel,
     Result,
 )
+from gainproof.derive.own_expressions.kernel_names import result_class
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Output, closed, signed
@@ -32,7 +33,7 @@ def kernel_of(given: ExpressionKernel, graph: Graph) -> Kernel:
     """
     made = Kernel(
         name=given.name,
-        result="".join(word.capitalize() for word in given.name.split("_")),
+        result=result_class(given.name),
         summary=f"{given.title.removesuffix('.')}.",
         equations=tuple(line for output in given.outputs for line in _formula(output)),
         inputs=inputs_of(given),

@@ -156,6 +156,21 @@ def test_a_record_names_nothing_elsewhere(package: Path, capsys: Capture, name: 
     assert (package.parent / "outside.txt").exists()
 
 
+@pytest.mark.parametrize("name", ["tests", f"{MODULE}.py"])
+def test_a_link_in_it_is_not_followed(
+    package: Path, tmp_path: Path, capsys: Capture, name: str
+) -> None:
+    """What a link leads to was written, and deleted where it was of a former run."""
+    elsewhere = tmp_path / "elsewhere"
+    (package / name).rename(elsewhere)
+    (package / name).symlink_to(elsewhere)
+    read = elsewhere if elsewhere.is_file() else elsewhere / "test_values.py"
+    read.write_text("mine", encoding="utf-8")
+    assert again(package) == 2
+    assert f"{name} in it is a link" in capsys.readouterr().err
+    assert read.read_text("utf-8") == "mine"
+
+
 def test_all_files_are_written_or_none(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     before = contents(package)
     files = {name.replace(MODULE, "other"): text + b"\n" for name, text in before.items()}

@@ -57,8 +57,9 @@ def put(files: Mapping[str, bytes], folder: Path) -> int:
 
     Raises BadInputError, and changes nothing, where a file stands that no run has written.
     """
-    found = differences(files, folder)
     former = recorded(folder)
+    _require_no_links(folder, {*files, *former, RECORD})
+    found = differences(files, folder)
     for each in found:
         path = folder / each.name
         if each.kind != "stale" and each.name not in former and os.path.lexists(path):
@@ -77,6 +78,21 @@ def put(files: Mapping[str, bytes], folder: Path) -> int:
     if stale:
         named_files.write({folder / RECORD: record_of(files)})
     return len(found)
+
+
+def _require_no_links(folder: Path, names: Iterable[str]) -> None:
+    """That nothing in the folder on the way to these files is a link: what it leads to is not of
+    the package, and would be written or deleted.
+    """
+    for name in sorted(names):
+        for path in (folder / name, *(folder / name).parents):
+            if path == folder:
+                break
+            if path.is_symlink():
+                raise BadInputError(
+                    f"{places.shown(folder)}: {path.relative_to(folder)} in it is a link, which "
+                    "leads elsewhere; it is left as it is, and nothing is written"
+                )
 
 
 def _delete(path: Path) -> None:
