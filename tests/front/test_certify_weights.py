@@ -9,12 +9,14 @@ from typing import Any
 import mpmath
 import pytest
 
-from gainproof.certify import external, gappa, roundings
+from gainproof.certify import external, gappa, roundings, singly
+from gainproof.certify.operations import operations
 from gainproof.certify.rounding_bound import weighing
 from gainproof.certify.subjects import chosen
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, program
+from gainproof.generated import random_acceleration
 
 SECONDS = 120.0
 
@@ -123,3 +125,20 @@ def test_what_is_assumed_of_roundings_is_proved_and_a_little_less_is_not() -> No
     for kept, made in (("1b-53", "4503599627370495b-105"), ("1b-1075", "1b-1076")):
         assert kept in roundings.MODEL
         assert not gappa.proves(roundings.MODEL.replace(kept, made), stop)
+
+
+def test_a_single_number_where_a_result_is_just_subnormal() -> None:
+    """Beta of random acceleration at the least normal index, against its own rational parameter."""
+    (subject,) = chosen(["random-acceleration"])
+    steps = plain(program(subject.certificate["programs"]["gains"]["graph"]))
+    chosen_steps = operations(steps.steps, steps.outputs["beta"])
+    for place in range(5):
+        x = 2.0**-1022 + place * 2.0**-1074
+        with mpmath.workdps(1000):
+            r = (4 + mpmath.mpf(x) - mpmath.sqrt((4 + mpmath.mpf(x)) ** 2 - 16)) / 4
+            exact = 2 * (1 - r) ** 2
+            error = abs(mpmath.mpf(float(random_acceleration.gains(x).beta)) / exact - 1) * 2**53
+        at = Fraction(x)
+        found = singly.errors(chosen_steps, at, at, perf_counter() + SECONDS)
+        assert found is not None
+        assert float(found[1]) == pytest.approx(float(error), abs=1e-6)

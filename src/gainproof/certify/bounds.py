@@ -11,7 +11,7 @@ from gainproof.certify.cover import Cover
 from gainproof.certify.expression import NotExportedError
 from gainproof.certify.outcome import Outcome
 from gainproof.certify.printed_bound import PrintedBound, printed_bounds
-from gainproof.certify.rounding_bound import covered
+from gainproof.certify.rounding_bound import covered, steps_of
 from gainproof.certify.subjects import Subject
 from gainproof.progress import Progress
 
@@ -27,7 +27,7 @@ def certify(subject: Subject, limit: float) -> Outcome:
     start, statements, accepted = perf_counter(), 0, 0
     left_out: Counter[str] = Counter()
     rejected, unfinished, notes = "", False, []
-    progress = Progress()
+    progress, known = Progress(), dict[object, Cover]()
     for printed in printed_bounds(subject.source):
         what = f"{printed.kernel}.{printed.output}"
 
@@ -36,7 +36,7 @@ def certify(subject: Subject, limit: float) -> Outcome:
 
         begun = perf_counter()
         try:
-            found = _found(subject, printed, limit - (begun - start), say)
+            found = _found(subject, printed, known, limit - (begun - start), say)
         except NotExportedError as reason:
             left_out[str(reason)] += 1
             continue
@@ -63,12 +63,21 @@ def certify(subject: Subject, limit: float) -> Outcome:
 
 
 def _found(
-    subject: Subject, printed: PrintedBound, limit: float, say: Callable[[int], None]
+    subject: Subject,
+    printed: PrintedBound,
+    known: dict[object, Cover],
+    limit: float,
+    say: Callable[[int], None],
 ) -> Cover:
+    """What Gappa makes of an output; of those computed alike it is asked once."""
     program = subject.certificate["programs"].get(printed.kernel)
     if program is None:
         raise NotExportedError("kernels of several programs")
-    return covered(program["graph"], printed.output, printed.domain, printed.bound, limit, say)
+    graph, domain, bound = program["graph"], printed.domain, printed.bound
+    alike = (steps_of(graph, printed.output), domain, bound)
+    if alike not in known:
+        known[alike] = covered(graph, printed.output, domain, bound, limit, say)
+    return known[alike]
 
 
 def _words(printed: PrintedBound, found: Cover) -> str:

@@ -8,7 +8,7 @@ from functools import cache
 from time import perf_counter
 from typing import Any
 
-from gainproof.certify import gappa, roundings
+from gainproof.certify import gappa, roundings, singly
 from gainproof.certify.branches import branches
 from gainproof.certify.cover import Cover, Weighing, cover
 from gainproof.certify.expression import NotExportedError
@@ -68,6 +68,8 @@ def covered(
 def weighing(graph: Mapping[str, Any], output: str, stop: float) -> Weighing:
     """How much the roundings of an output weigh on a piece, in units of 2^-53.
 
+    On a piece of few numbers it is the largest error itself.
+
     NotExportedError as `covered`, gappa.OutOfTimeError when the clock (perf_counter) passes `stop`.
     """
     full = program(graph)  # type: ignore[arg-type]
@@ -88,6 +90,9 @@ def _weighing(whole: Program, cycles: Sequence[Cycle], output: str, stop: float)
     def weighed(low: Fraction, high: Fraction) -> Enclosure | None:
         if root:
             return root.weighed(argument, low, high, stop)
+        alone = singly.errors(chosen, low, high, stop)
+        if alone is not None:
+            return alone
         middle = Size((logarithm(low) + logarithm(high)) / 2, 1, Fraction(1))
         section = Section(chosen, argument, sizes(chosen, {argument: middle}), {}, {}, {})
         return roundings.weighed(section, low, high, stop)
@@ -95,14 +100,33 @@ def _weighing(whole: Program, cycles: Sequence[Cycle], output: str, stop: float)
     return weighed
 
 
-def _roots(whole: Program, cycles: Sequence[Cycle], end: int) -> list[Cycle]:
-    """The iterated roots that an output holds. NotExportedError for several."""
+def steps_of(graph: Mapping[str, Any], output: str) -> tuple[object, ...]:
+    """The steps of an output by their places: equal for outputs that are computed alike."""
+    whole = program(graph)  # type: ignore[arg-type]
+    place: dict[int, int] = {}
+    found: list[object] = [cycle.within for cycle in whole.cycles]
+    for number in sorted(_needed(whole, whole.outputs[output])):
+        step = whole.steps[number]
+        place[number] = len(place)
+        value = step.constant.between() if step.constant else None
+        parts = tuple(place[part] for part in step.operands)
+        found.append((step.operation, parts, value, step.scale))
+    return tuple(found)
+
+
+def _needed(whole: Program, end: int) -> set[int]:
     needed, wanted = set[int](), [end]
     while wanted:
         number = wanted.pop()
         if number not in needed:
             needed.add(number)
             wanted += whole.steps[number].operands
+    return needed
+
+
+def _roots(whole: Program, cycles: Sequence[Cycle], end: int) -> list[Cycle]:
+    """The iterated roots that an output holds. NotExportedError for several."""
+    needed = _needed(whole, end)
     found = [each for each in cycles if whole.steps[each.iterates[-1]].operands[0] in needed]
     if len(found) > 1:
         raise NotExportedError("kernels with several iterated roots")
