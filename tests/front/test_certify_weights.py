@@ -10,8 +10,9 @@ import mpmath
 import pytest
 
 from gainproof.certify import external, gappa, roundings, singly
+from gainproof.certify.branches import branches
 from gainproof.certify.operations import operations
-from gainproof.certify.rounding_bound import weighing
+from gainproof.certify.rounding_bound import weighed_at
 from gainproof.certify.subjects import chosen
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.plain import plain
@@ -27,10 +28,12 @@ def _gappa() -> None:
         pytest.skip("gappa is not installed")
 
 
-def _program(subject: str, kernel: str) -> tuple[Any, Program]:
+def _program(subject: str, kernel: str, low: Fraction, high: Fraction) -> tuple[Any, Program]:
+    """The graph, and the steps that are carried out between the ends."""
     (found,) = chosen([subject])
     graph = found.certificate["programs"][kernel]["graph"]
-    return graph, plain(program(graph))
+    ((_, steps),) = branches(plain(program(graph)), (low, high))
+    return graph, steps
 
 
 def _output(steps: Program, output: str, x: Fraction, moved: int | None) -> Any:
@@ -105,14 +108,15 @@ def _output(steps: Program, output: str, x: Fraction, moved: int | None) -> Any:
 )
 def test_the_sum_of_weights(subject: str, kernel: str, output: str, x: str) -> None:
     at = Fraction(x)
-    graph, steps = _program(subject, kernel)
+    end = at * (1 + Fraction(1, 10**6))
+    graph, steps = _program(subject, kernel, at, end)
     with mpmath.workdps(80):
         usual = _output(steps, output, at, None)
         total = sum(
             abs(_output(steps, output, at, number) / usual - 1) * mpmath.mpf(10) ** 30
             for number in range(len(steps.steps))
         )
-    found = weighing(graph, output, perf_counter() + SECONDS)(at, at * (1 + Fraction(1, 10**6)))
+    found = weighed_at(graph, output, at, end, SECONDS)
     assert found is not None
     low, high = (float(end) for end in found)
     assert low * (1 - 1e-4) <= float(total) <= high * (1 + 1e-4)
@@ -129,9 +133,6 @@ def test_what_is_assumed_of_roundings_is_proved_and_a_little_less_is_not() -> No
 
 def test_a_single_number_where_a_result_is_just_subnormal() -> None:
     """Beta of random acceleration at the least normal index, against its own rational parameter."""
-    (subject,) = chosen(["random-acceleration"])
-    steps = plain(program(subject.certificate["programs"]["gains"]["graph"]))
-    chosen_steps = operations(steps.steps, steps.outputs["beta"])
     for place in range(5):
         x = 2.0**-1022 + place * 2.0**-1074
         with mpmath.workdps(1000):
@@ -139,6 +140,10 @@ def test_a_single_number_where_a_result_is_just_subnormal() -> None:
             exact = 2 * (1 - r) ** 2
             error = abs(mpmath.mpf(float(random_acceleration.gains(x).beta)) / exact - 1) * 2**53
         at = Fraction(x)
-        found = singly.errors(chosen_steps, at, at, perf_counter() + SECONDS)
+        graph, steps = _program("random-acceleration", "gains", at, at)
+        found = singly.errors(
+            operations(steps.steps, steps.outputs["beta"]), at, at, perf_counter() + SECONDS
+        )
+        assert found == weighed_at(graph, "beta", at, at, SECONDS)
         assert found is not None
         assert float(found[1]) == pytest.approx(float(error), abs=1e-6)

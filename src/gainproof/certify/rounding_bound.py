@@ -65,22 +65,23 @@ def covered(
     return found
 
 
-def weighing(graph: Mapping[str, Any], output: str, stop: float) -> Weighing:
-    """How much the roundings of an output weigh on a piece, in units of 2^-53.
+def weighed_at(
+    graph: Mapping[str, Any], output: str, low: Fraction, high: Fraction, limit: float
+) -> Enclosure | None:
+    """How much the roundings of an output weigh from low to high, in units of 2^-53.
 
-    On a piece of few numbers it is the largest error itself.
-
-    NotExportedError as `covered`, gappa.OutOfTimeError when the clock (perf_counter) passes `stop`.
+    On a piece of few numbers it is the largest error itself. NotExportedError as `covered`, and
+    where a choice changes between the ends; gappa.OutOfTimeError after `limit` seconds.
     """
     full = program(graph)  # type: ignore[arg-type]
-    whole = plain(full)
-    if len(whole.inputs) != 1:
-        raise NotExportedError("kernels of several inputs")
-    return _weighing(whole, full.cycles, output, stop)
+    parts = list(branches(plain(full), (low, high)))
+    if len(parts) != 1:
+        raise NotExportedError("a choice that changes")
+    return _weighing(parts[0][1], full.cycles, output, perf_counter() + limit)(low, high)
 
 
 def _weighing(whole: Program, cycles: Sequence[Cycle], output: str, stop: float) -> Weighing:
-    """The same of a program that chooses nothing."""
+    """How much the roundings of an output weigh on a piece, of a program that chooses nothing."""
     (argument,) = (n for n, step in enumerate(whole.steps) if step.operation == "input")
     end = whole.outputs[output]
     held = _roots(whole, cycles, end)
