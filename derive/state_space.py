@@ -72,6 +72,25 @@ class Model:
     ratios: tuple[Ratio, ...] = ()
     parameters: tuple[Parameter, ...] = ()
 
+    def __str__(self) -> str:
+        """The title and the matrices, a line each."""
+        shown = [f"  {label} = {matrix.tolist()}" for label, matrix in self._matrices()]
+        return "\n".join([f"{self.name}: {self.title}", *shown])
+
+    def _repr_latex_(self) -> str:
+        """The matrices, for a notebook; it takes this form, and the title is `print`'s."""
+        rows = [f"{label} = {sp.latex(matrix)}" for label, matrix in self._matrices()]
+        body = r" \\ ".join(rows)
+        return rf"$$\begin{{gathered}}{body}\end{{gathered}}$$"
+
+    def _matrices(self) -> list[tuple[str, sp.MatrixBase]]:
+        return [
+            ("F", self.transition),
+            ("Q", self.process_noise),
+            ("H", self.measurement),
+            ("R", self.measurement_noise),
+        ]
+
 
 @dataclass(frozen=True)
 class ScaledModel:

@@ -9,7 +9,7 @@ from typing import Any
 Plain = dict[str, Any]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class DerivedStep:
     """One step: what is said, why it follows, and the relation as plain data.
 
@@ -28,10 +28,30 @@ class DerivedStep:
     heading: str = ""
     joins: bool = False
 
+    def __repr__(self) -> str:
+        return f"<step {self.id}: {self.kind} in {self.tower}>"
 
-@dataclass(frozen=True)
+    def __str__(self) -> str:
+        """The sentence and the relations, names as the certificate has them."""
+        from gainproof.formula_text import formula_text
+        from gainproof.prose import plain_prose
+        from gainproof.relation_text import Writer, relation_lines
+
+        writer = Writer({}, formula_text, plain=plain_prose)
+        shown = [f"    {line}" for line in relation_lines(self.kind, self.claim, writer)]
+        # a step that joins the one before it has no sentence of its own
+        return "\n".join([plain_prose(self.sentence), *shown] if self.sentence else shown)
+
+    def _repr_latex_(self) -> str:
+        """The relations, names as the certificate has them: `Derivation.step` knows their LaTeX."""
+        from gainproof.notebook.markup import step_latex
+
+        return step_latex(self, {})
+
+
+@dataclass(frozen=True, repr=False)
 class Derived:
-    """One subject of the catalogue.
+    """One subject of the catalogue. It shows itself in a notebook; `repr` is one line.
 
     `symbols`: LaTeX of the names that occur. `model`: the scaled model, or None. `sources`: records
     of the works this rests on (key, text, rests_on). `kernels`: name, summary, module and
@@ -54,6 +74,20 @@ class Derived:
     claims: tuple[Plain, ...]
     domains: Mapping[str, Any]
     programs: Mapping[str, Any]
+
+    def __repr__(self) -> str:
+        return f"<derivation {self.name}: {len(self.steps)} steps>"
+
+    def _repr_html_(self) -> str:
+        """The whole page. Nothing is said here of what the checker thinks of it."""
+        from gainproof.notebook.markup import derived_html
+
+        return derived_html(self)
+
+    def _repr_latex_(self) -> str:
+        from gainproof.notebook.markup import derived_latex
+
+        return derived_latex(self)
 
     def plain(self) -> Plain:
         """As plain data for a JSON file, of which parts are this one's own.

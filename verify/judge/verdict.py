@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -67,6 +68,19 @@ class ClaimVerdict:
         """Whether the claim is true wherever both sides have a value, and no more."""
         sides = [(self.witness or {}).get(side, {}) for side in ("left", "right")]
         return self.verdict == "conditional" and any("undefined" in side for side in sides)
+
+    def __str__(self) -> str:
+        """`16a: refuted (why)`, readable where `repr` holds the whole certificate."""
+        return f"{self.id}: {self.verdict}{f' ({self.reason})' if self.reason else ''}"
+
+    def _repr_html_(self) -> str:
+        """For a notebook. The formula is shown as it was typed: a claim file is untrusted, and
+        what sets formulas in a browser follows links and macros.
+        """
+        told = html.escape(self.reason).replace("$", "&#36;")
+        formula = html.escape(self.latex).replace("$", "&#36;")
+        name = html.escape(self.id)
+        return f"<p><b>{name}</b>: {self.verdict} <code>{formula}</code><br>{told}</p>"
 
     def to_json(self) -> dict[str, Any]:
         """Plain data."""
