@@ -12,6 +12,7 @@ from gainproof.verify.judge.claim.record import Claim, Setting, Unit
 from gainproof.verify.judge.dimensions.dimension import unit_text
 from gainproof.verify.judge.dimensions.formula import dimension_of, reading_fault
 from gainproof.verify.judge.formula import Formula
+from gainproof.verify.judge.kinds.definition import defined_token
 from gainproof.verify.judge.reach import names_in
 from gainproof.verify.judge.verdict import ClaimVerdict
 
@@ -36,15 +37,6 @@ def in_words(unit: Unit) -> str:
     """`a velocity (m s^-1)`."""
     name = NAMED.get(unit, "a quantity")
     return f"{name} ({unit_text(unit)})" if unit != Unit() else name
-
-
-def defined_token(claim: Claim, setting: Setting) -> str | None:
-    """The symbol that a claim of kind definition defines: it stands alone on the left."""
-    if claim.kind != "definition" or claim.formula is None:
-        return None
-    nodes = claim.formula.readings[0].relations[0].left["nodes"]
-    token = str(nodes[0][1]) if len(nodes) == 1 and nodes[0][0] == "symbol" else None
-    return token if token in setting.symbols else None
 
 
 def contradicted(claim: Claim, setting: Setting, claims: Sequence[Claim]) -> str | None:

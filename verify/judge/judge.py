@@ -4,7 +4,7 @@ for the setting; then the nearest true formulas for what is not true.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import count
@@ -14,6 +14,7 @@ from gainproof.verify.judge.choice import choose, verdict_of
 from gainproof.verify.judge.claim.record import Claim, ClaimFile, Setting
 from gainproof.verify.judge.definition_use import contradicted, with_blame
 from gainproof.verify.judge.dimensions.claim import claim_readings
+from gainproof.verify.judge.kinds.definition import compared_token, is_as_declared, is_compared
 from gainproof.verify.judge.matrices.decide import decide
 from gainproof.verify.judge.setting.environment import Environment
 from gainproof.verify.judge.stages import (
@@ -38,6 +39,7 @@ WITHOUT_DECISION = {
     "definition": "nothing to decide but dimensions",
     "remark": "no decidable content",
 }
+FAILED = ("refuted", "conditional")
 
 
 def judge_file(
@@ -108,7 +110,8 @@ def _judged(
         left = tuple(claim for claim in mine if claim.id not in used_up)
         tried = tuple(trials[claim.id] for claim in left)
         all_here = tuple(claim for claim in claims if claim.setting == setting.name)
-        verdicts = _verdicts(setting, all_here, tried)
+        compared = done([TrialTask(c, setting) for c in all_here if is_compared(c, setting)])
+        verdicts = _verdicts(setting, all_here, tried, compared)
         verdicts += [used_up_verdict(c, fixed) for c in mine if c.id in used_up]
         stages.append(Stage(setting, all_here, left, tried, tuple(verdicts)))
     stages = with_other_conventions(stages, done)
@@ -128,7 +131,12 @@ def judge_setting(
         for claim in chosen
         if claim.kind not in WITHOUT_DECISION
     ]
-    return _verdicts(setting, chosen, trials)
+    compared = {
+        claim.id: TrialTask(claim, setting).run(models, solved)
+        for claim in chosen
+        if is_compared(claim, setting)
+    }
+    return _verdicts(setting, chosen, trials, compared)
 
 
 def here(models: Models, on_trial: OnTrial, known: dict[Any, Environment] | None = None) -> Done:
@@ -146,17 +154,22 @@ def here(models: Models, on_trial: OnTrial, known: dict[Any, Environment] | None
 
 
 def _verdicts(
-    setting: Setting, claims: Sequence[Claim], trials: Sequence[Trial]
+    setting: Setting,
+    claims: Sequence[Claim],
+    trials: Sequence[Trial],
+    compared: Mapping[str, Trial],
 ) -> list[ClaimVerdict]:
     plain = [
-        _plain(claim, setting, claims)
+        _plain(claim, setting, claims, compared.get(claim.id))
         for claim in claims
         if claim.setting == setting.name and claim.kind in WITHOUT_DECISION
     ]
     return with_blame([*plain, *choose(trials)], claims, setting)
 
 
-def _plain(claim: Claim, setting: Setting, claims: Sequence[Claim]) -> ClaimVerdict:
+def _plain(
+    claim: Claim, setting: Setting, claims: Sequence[Claim], compared: Trial | None
+) -> ClaimVerdict:
     fault = contradicted(claim, setting, claims)
     if fault is None and claim.formula is not None:
         fault = claim_readings(claim, setting)[1]
@@ -164,5 +177,26 @@ def _plain(claim: Claim, setting: Setting, claims: Sequence[Claim]) -> ClaimVerd
         return verdict_of(claim, decide(claim.matrices, setting.matrices), None, 0.0)
     if fault is not None:
         return verdict_of(claim, Finding("refuted", fault, method="dimensions"), None, 0.0)
+    if is_as_declared(claim, setting) or (compared is not None and compared.findings):
+        return _of_definition(claim, setting, compared)
     reason = claim.note if claim.kind == "remark" and claim.note else WITHOUT_DECISION[claim.kind]
     return verdict_of(claim, Finding(claim.kind, reason), None, 0.0)
+
+
+def _of_definition(claim: Claim, setting: Setting, compared: Trial | None) -> ClaimVerdict:
+    """Refuted if under no convention it is what its symbol stands for in all other claims; without
+    a trial it is that as declared.
+    """
+    findings = [] if compared is None else list(compared.findings.values())
+    seconds = 0.0 if compared is None else compared.seconds
+    token = compared_token(claim, setting)
+    if findings and all(finding.verdict in FAILED for finding in findings):
+        reason = f"not what {token} stands for in this setting: {findings[0].reason}"
+        found = replace(findings[0], verdict="refuted", reason=reason)
+        return verdict_of(claim, found, None, seconds)
+    reason = WITHOUT_DECISION["definition"]
+    method = None
+    if compared is None or any(finding.verdict == "proved" for finding in findings):
+        method = f"equal to what {token} stands for"
+        reason = f"{reason}; it is what {token} stands for in this setting"
+    return verdict_of(claim, Finding("definition", reason, method=method), None, seconds)

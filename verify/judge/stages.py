@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from gainproof.verify.judge.choice import admitted
 from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.contradiction import other_tasks, under_other_convention
-from gainproof.verify.judge.definition_use import defined_token
+from gainproof.verify.judge.kinds.definition import defined_token
 from gainproof.verify.judge.repair.definition import DefinitionTask, definition_task
 from gainproof.verify.judge.repair.offer import (
     NOT_TRUE,

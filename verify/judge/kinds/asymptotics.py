@@ -36,11 +36,14 @@ from gainproof.verify.judge.series.series import EXACT, Series, leading
 from gainproof.verify.judge.verdict import Finding, finding_of
 
 METHOD = "expansion near the limit"
+GAP = Fraction(1, 10**6)
+"""Less than there is between two exponents of an expansion: denominators are those of roots."""
 
 
 def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether both sides agree to the order stated; without an order, whether their ratio tends to
-    1.
+    1 and, with an approximation of several terms, whether what is left is smaller than each of
+    them: of 1 + x for a root of 1 + x the second is no term of it.
     """
     arrow, others = arrow_of(reading)
     relation = reading.relations[0]
@@ -62,12 +65,15 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     parts = constant_parts(approach.name, left, right, *smaller, *errors)
     values = around.decide(with_values(parts))
     oracle = Coefficients(around, parts)
+    terms = _terms(second) if relation.operator == "approx" else [second]
     finding: Finding | None = None
     for side in open_sides(approach, frame, around):
         if errors:
             finding = _agree(rest, smaller, errors, approach, side, oracle)
         else:
             finding = _equivalent(left, right, approach, side, oracle)
+        if finding.verdict == "proved" and not errors and len(terms) > 1:
+            finding = _beyond(rest, terms, approach, side, oracle)
         if finding.verdict != "proved":
             if dropped:
                 raise Undecided("asymptotics under conditions on the variable: false without them")
@@ -118,6 +124,38 @@ def _agree(
     order = min(_exponent(approach.moved(e, side), oracle) for e in errors)
     if any(_exponent(approach.moved(e, side), oracle) < order for e in smaller):
         raise Undecided("an O(...) on the left that is not of the order of that on the right")
+    finding = _zero_below(rest, order, f"not {order}", approach, side, oracle)
+    if finding is not None:
+        return finding
+    certificate = {"order": str(order), "terms below it": "all zero"}
+    return Finding("proved", f"the difference is of order {order}", None, METHOD, None, certificate)
+
+
+def _terms(expr: Expr) -> list[Expr]:
+    """What is added, whatever brackets and signs stand round it."""
+    if expr.kind not in ("add", "neg"):
+        return [expr]
+    return [term for part in expr.parts for term in _terms(part)]
+
+
+def _beyond(
+    rest: Expr, terms: list[Expr], approach: Approach, side: int, oracle: Coefficients
+) -> Finding:
+    """Whether what is left is of higher order than the smallest term that is printed."""
+    last = max(_exponent(approach.moved(term, side), oracle) for term in terms)
+    words = f"not beyond that of the terms printed, {last}"
+    finding = _zero_below(rest, last + GAP, words, approach, side, oracle)
+    if finding is not None:
+        return finding
+    certificate = {"order of the last term": str(last), "terms up to it": "all zero"}
+    reason = f"the difference is of higher order than {last}, that of the last term"
+    return Finding("proved", reason, None, METHOD, None, certificate)
+
+
+def _zero_below(
+    rest: Expr, order: Fraction, words: str, approach: Approach, side: int, oracle: Coefficients
+) -> Finding | None:
+    """Why what is left has a term below an order; None if it has none."""
     series = _reaching(approach.moved(rest, side), oracle, order)
     for exponent in series.exponents():
         if exponent >= order:
@@ -126,14 +164,13 @@ def _agree(
         if outcome.verdict == "proved":
             continue
         finding = finding_of(outcome)
-        reason = f"the difference has a term of order {exponent}, not {order}: {outcome.reason}"
+        reason = f"the difference has a term of order {exponent}, {words}: {outcome.reason}"
         if outcome.witness is not None:
             note = f"coefficient of order {exponent} of the difference"
             where = {approach.label: approach.text, **outcome.witness.point}
             finding = replace(finding, witness=replace(outcome.witness, point=where, note=note))
         return replace(finding, reason=reason, method=METHOD)
-    certificate = {"order": str(order), "terms below it": "all zero"}
-    return Finding("proved", f"the difference is of order {order}", None, METHOD, None, certificate)
+    return None
 
 
 def _exponent(error: Expr, oracle: Coefficients) -> Fraction:

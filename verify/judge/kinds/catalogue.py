@@ -12,6 +12,7 @@ from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import with_values
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.kinds.asymptotics import judge_asymptotics
+from gainproof.verify.judge.kinds.definition import judge_definition
 from gainproof.verify.judge.kinds.determines import judge_determines
 from gainproof.verify.judge.kinds.equivalence import judge_equivalence
 from gainproof.verify.judge.kinds.identity import judge_identity
@@ -43,7 +44,7 @@ KINDS = (
     Kind("identity", judge_identity),
     Kind("inequality", judge_identity),
     Kind("recursion", judge_identity),
-    Kind("definition", judge_identity),
+    Kind("definition", judge_definition),
     Kind("implication", judge_implication),
     Kind("equivalence", judge_equivalence),
     Kind("limit", judge_limit),

@@ -24,6 +24,7 @@ TRIED = 3
 MORE_TRIED = 12
 """Instances where no proof was found."""
 METHOD = "words"
+SHAPES = "the shapes of the letters give this one"
 TOO_DEEP = "definitions stand too deep inside one another"
 
 
@@ -58,11 +59,28 @@ def _found(claim: MatrixClaim, setting: MatrixSetting, proofs: Proofs) -> Findin
     fault = wrong_shape(claim, shapes)
     if fault is not None:
         return Finding("refuted", fault, method="shapes")
-    if claim.kind in ("dimension", "definition"):
-        verdict = "proved" if claim.kind == "dimension" else "definition"
-        return Finding(verdict, "the shapes of the letters give this one", method="shapes")
+    if claim.kind == "dimension":
+        return Finding("proved", SHAPES, method="shapes")
+    if claim.kind == "definition":
+        return _definition(cases, setting, proofs)
     findings = [_decided(case, setting, proofs) for case in cases]
     return _together(findings)
+
+
+def _definition(cases: list[Case], setting: MatrixSetting, proofs: Proofs) -> Finding:
+    """Refuted if it is not what its letter stands for in all other claims."""
+    left, *right = cases[0].question.chains[0].sides if cases[0].question.chains else (None,)
+    letter = setting.letters.get(left.name) if left is not None and left.kind == "name" else None
+    if letter is None or letter.definition is None:
+        return Finding("definition", SHAPES, method="shapes")
+    equal = f"equal to what {letter.name} stands for"
+    if right == [letter.definition]:
+        return Finding("definition", SHAPES, method=equal)
+    found = _together([_decided(case, setting, proofs) for case in cases])
+    if found.verdict in ("refuted", "conditional"):
+        reason = f"not what {letter.name} stands for in this setting: {found.reason}"
+        return replace(found, verdict="refuted", reason=reason)
+    return Finding("definition", SHAPES, method=equal if found.verdict == "proved" else "shapes")
 
 
 def wrong_shape(claim: MatrixClaim, shapes: Shapes) -> str | None:
