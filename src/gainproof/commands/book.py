@@ -13,7 +13,8 @@ and the documentation. Needs the extra: pip install 'gainproof[book]'.
 With --exercises N the site has N sheets too: stretches of derivations, each with one planted error
 that has an exact counterexample while the checker accepts every other step; the reader marks a line
 and sees the witness. The same seed gives the same sheets. The key lies apart: answers.html and
-answers.json in DIR.
+answers.json in DIR. --notebooks writes sheets and key as notebooks too; that needs the extra:
+pip install 'gainproof[notebook]'.
 
 DIR is a new or empty folder, or a book made before, which is renewed. Exit status 1 where a
 certificate or the proof of a claim is rejected, or a link leads nowhere."""
@@ -27,6 +28,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
         "--exercises", metavar="N", type=int, help="with N sheets that have an error each"
     )
     parser.add_argument("--seed", metavar="S", type=int, default=1, help="of the sheets; default 1")
+    parser.add_argument("--notebooks", action="store_true", help="the sheets as notebooks too")
     parser.add_argument("--fresh", action="store_true", help="take nothing from the cache")
 
 
@@ -45,6 +47,12 @@ def run(options: argparse.Namespace) -> int:
         raise BadInputError(
             f"--exercises: a number from 1 to {MOST_SHEETS} is wanted, got {options.exercises}"
         )
+    if options.notebooks:
+        from gainproof.notebook.cells import require_nbformat
+
+        if options.exercises is None:
+            raise BadInputError("--notebooks: it is the sheets of --exercises N that become them")
+        require_nbformat()
     for name in ("jinja2", "latex2mathml", "markdown_it", "pygments"):
         if find_spec(name) is None:
             raise BadInputError(f"{name} is missing: pip install 'gainproof[book]'")
@@ -58,7 +66,13 @@ def run(options: argparse.Namespace) -> int:
     if options.exercises is not None:
         from gainproof.book.exercises.making_sheets import exercises
 
-        more = exercises(found.subjects, options.exercises, options.seed, shop)
+        more = exercises(
+            found.subjects,
+            options.exercises,
+            options.seed,
+            shop,
+            notebooks=options.notebooks,
+        )
     made = making.build(found, folder, shop.progress.say_sometimes, more)
     pages = sum(path.endswith(".html") for path in made)
     size = sum(map(len, made.values())) / 1e6

@@ -16,11 +16,13 @@ from gainproof.book import site
 from gainproof.book.exercises.making_sheets import require_sound
 from gainproof.book.exercises.planting import Planted, plant, with_claim
 from gainproof.book.exercises.refutation import agree, refuted
-from gainproof.book.exercises.sheet_lines import region, seal, sheet_lines
+from gainproof.book.exercises.sheet_lines import answer, region, seal, sheet_lines
+from gainproof.book.exercises.sheet_notebook import key_cells, sheet_cells
 from gainproof.book.exercises.sheet_pages import key_file, sheet_pages
 from gainproof.book.exercises.tower_values import tower_values
 from gainproof.derived import Derived
 from gainproof.lecture_items import items
+from gainproof.notebook.cells import notebook
 from gainproof.rechecking import expected_of, recheck
 from gainproof.verify.judge.derivations.relation import judge_statement
 from gainproof.verify.judge.derivations.surroundings import surroundings
@@ -161,7 +163,8 @@ def test_pages_do_not_show_the_answer(
         text = made[f"exercises/sheet-{sheet.number}.html"].decode()
         assert f'id="line-{sheet.line}"' in text
         assert "rejected" not in text
-        assert sheet.slip not in text
+        assert answer(sheet) not in text
+        assert f"({sheet.slip};" not in text
         assert "answers.html#" not in text
         assert sheet.slip in made["answers.html"].decode()
         assert made["static/search-index.js"].decode().count(sheet.derived.title) == 0
@@ -180,6 +183,25 @@ def test_marks(sheets: Sequence[Planted]) -> None:
         assert {sheet.line - 1, sheet.line + 1} & set(shown) <= set(near)
         with pytest.raises(ValueError, match="not the wrong one"):
             sealed.answer(sheet.line + 1)
+
+
+def test_sheets_as_notebooks(sheets: Sequence[Planted]) -> None:
+    for sheet in sheets:
+        cells = sheet_cells(sheet)
+        text = "\n".join(cell.text for cell in cells)
+        assert answer(sheet) not in text
+        assert f"({sheet.slip};" not in text
+        known: dict[str, Any] = {}
+        exec(cells[-2].text, known)  # noqa: S102 (the notebook's own code, as it would be run)
+        assert known["sheet"] == seal(sheet)
+        exec(cells[-1].text, known)  # noqa: S102
+        assert known["sheet"].told(None) == "No line is marked."
+        assert "is wrong" in known["sheet"].told(sheet.line)
+        assert "holds" in known["sheet"].told(sheet.line - 1)
+        shown = [cell for cell in cells if f"**{sheet.line}.** " in cell.text]
+        assert len(shown) == 1
+    assert notebook(sheet_cells(sheets[0])) == notebook(sheet_cells(sheets[0]))
+    assert "is wrong" in notebook(key_cells(sheets))
 
 
 def test_sheets_are_whole_parts(sheets: Sequence[Planted]) -> None:

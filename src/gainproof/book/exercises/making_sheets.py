@@ -7,35 +7,48 @@ from pathlib import Path
 
 from gainproof import derivations
 from gainproof.book.exercises.planting import Planted, plant
+from gainproof.book.exercises.sheet_notebook import key_cells, sheet_cells
 from gainproof.book.exercises.sheet_pages import (
     KEY,
     SCRIPT,
     key_file,
+    notebook_address,
     sheet_pages,
     words_on_others,
 )
 from gainproof.book.more import More
 from gainproof.derived import Derived
+from gainproof.notebook.cells import notebook
 from gainproof.workshop import Workshop
 
 _STATIC = Path(__file__).resolve().parent.parent / "static"
 SOUND = frozenset({"proved", "cited", "definition"})
 
 
-def exercises(subjects: Sequence[Derived], count: int, seed: int, shop: Workshop) -> More:
-    """So many sheets with their list and their key. Raises BadInputError where no derivation has a
-    step in which an error can be planted.
+def exercises(
+    subjects: Sequence[Derived], count: int, seed: int, shop: Workshop, *, notebooks: bool = False
+) -> More:
+    """So many sheets with their list and their key, as notebooks too if these are wanted.
+
+    Raises BadInputError where no derivation has a step in which an error can be planted, and where
+    what writes notebooks is missing.
     """
     sheets = plant(subjects, count, seed)
     reports = derivations.recheck([(s.derived.certificate, s.derived) for s in sheets], shop)
     for sheet, report in zip(sheets, reports, strict=True):
         require_sound(sheet, report)
     return More(
-        pages=sheet_pages(sheets, reports),
+        pages=sheet_pages(sheets, reports, notebooks=notebooks),
         scripts={SCRIPT: (_STATIC / SCRIPT).read_text(encoding="utf-8")},
-        files={f"{KEY}.json": key_file(sheets)},
+        files={f"{KEY}.json": key_file(sheets), **(_notebooks(sheets) if notebooks else {})},
         front={"exercises": count},
     )
+
+
+def _notebooks(sheets: Sequence[Planted]) -> dict[str, str]:
+    """Raises BadInputError where nbformat is missing."""
+    files = {notebook_address(sheet.number): notebook(sheet_cells(sheet)) for sheet in sheets}
+    return {**files, f"{KEY}.ipynb": notebook(key_cells(sheets))}
 
 
 def require_sound(sheet: Planted, report: dict[str, object]) -> None:

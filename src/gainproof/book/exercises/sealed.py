@@ -41,6 +41,17 @@ class Sealed:
             raise ValueError(f"line {marked} is not the wrong one")
         return _mixed(b64decode(self.text), self.salt, marked).decode()
 
+    def told(self, marked: int | None) -> str:
+        """What a mark is worth, in words, and the answer for the right one."""
+        if marked is None:
+            return "No line is marked."
+        points = self.points(marked)
+        if points == RIGHT:
+            return f"{self.answer(marked)} 1 point."
+        if points == NEAR:
+            return f"Line {marked} holds; the error is near: in the same part, or next to it."
+        return f"Line {marked} holds, and the error is not near it."
+
     def plain(self) -> dict[str, object]:
         """As plain data, for a page or a notebook."""
         return {"salt": self.salt, "line": self.line, "near": [*self.near], "text": self.text}

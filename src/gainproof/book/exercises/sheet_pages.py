@@ -30,10 +30,19 @@ def sheet_address(number: int) -> str:
     return f"exercises/sheet-{number}.html"
 
 
-def sheet_pages(sheets: Sequence[Planted], reports: Sequence[Mapping[str, Any]]) -> list[Page]:
-    """The list, the sheets and the key. `reports`: the checker's on each sheet's certificate."""
+def notebook_address(number: int) -> str:
+    """Where a sheet lies as a notebook."""
+    return f"exercises/sheet-{number}.ipynb"
+
+
+def sheet_pages(
+    sheets: Sequence[Planted], reports: Sequence[Mapping[str, Any]], *, notebooks: bool = False
+) -> list[Page]:
+    """The list, the sheets and the key. `reports`: the checker's on each sheet's certificate;
+    `notebooks`: whether there are these to lead to.
+    """
     return [
-        _list(sheets),
+        _list(sheets, notebooks),
         *(_sheet(sheet, report) for sheet, report in zip(sheets, reports, strict=True)),
         _key(sheets, reports),
     ]
@@ -45,9 +54,16 @@ def words_on_others(sheet: Planted, report: Mapping[str, Any]) -> str:
     return count(marks[step.id] for step in sheet.derived.steps if step.id != sheet.id)
 
 
-def _list(sheets: Sequence[Planted]) -> Page:
+def _list(sheets: Sequence[Planted], notebooks: bool) -> Page:
     rows = [
-        (sheet_address(sheet.number), sheet.number, sheet.derived.title, sheet.first, sheet.last)
+        (
+            sheet_address(sheet.number),
+            notebook_address(sheet.number) if notebooks else "",
+            sheet.number,
+            sheet.derived.title,
+            sheet.first,
+            sheet.last,
+        )
         for sheet in sheets
     ]
     return Page(
