@@ -64,6 +64,13 @@ def root(a: Pair) -> Pair:
     return _short(first, (a[1] + ((a[0] - high) - low)) / (2.0 * first))
 
 
+def refined(near: Pair, image: Pair, slope: Pair) -> Pair:
+    """The root of x = f(x) from a float64 near it, f there, and the logarithmic slope of f."""
+    off = (image[0] - near[0]) + image[1]
+    high, low = _short(image[0], off * slope[0] / (1.0 - slope[0]))
+    return _short(high, low + image[1])
+
+
 def _short(a: Part, b: Part) -> Pair:
     """a + b with a the larger, and what its rounding leaves."""
     total = a + b

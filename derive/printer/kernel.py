@@ -93,6 +93,23 @@ class Output:
 
 
 @dataclass(frozen=True)
+class Refinement:
+    """How `accurate_graph` comes to a root x = f(x), its symbol `root`: from the symbol `near`.
+
+    That is factor * over/under, two outputs of the kernel in float64; the graph's output `image`
+    is f(near), `slope` the logarithmic slope of f there, between 0 and 1/4.
+    """
+
+    near: str
+    root: str
+    image: str
+    slope: str
+    over: str
+    under: str
+    factor: int
+
+
+@dataclass(frozen=True)
 class Kernel:
     """A function of NumPy arrays that is printed from its graph.
 
@@ -102,7 +119,8 @@ class Kernel:
     difference, each with its reason; any other subtraction of computed values is refused.
     `requirements`: what the inputs must fulfil together, of kernels with signed inputs.
     `accurate`: the domain in which its one input is taken with `accurate=True`, in double-words;
-    `accurate_graph`: what is computed then, if it is another graph of the same outputs.
+    `accurate_graph`: what is computed then, if it is another graph of the same outputs;
+    `refinement`: how it comes to a root.
     """
 
     name: str
@@ -117,6 +135,7 @@ class Kernel:
     requirements: tuple[Requirement, ...] = ()
     accurate: Input | None = None
     accurate_graph: Graph | None = None
+    refinement: Refinement | None = None
 
     @cached_property
     def program(self) -> Program:

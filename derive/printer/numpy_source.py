@@ -9,6 +9,7 @@ from gainproof.derive.printer.arithmetic import Arithmetic, literal
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.docstring import docstring, wanted_text
 from gainproof.derive.printer.double_word.domain import accurate_domain
+from gainproof.derive.printer.double_word.refinement import start_is_near
 from gainproof.derive.printer.double_word.source import lines as double_word_lines
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.layout import WIDTH, call, listed, row
@@ -26,6 +27,8 @@ def module_source(module: Module) -> str:
 
 def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
     """The text of one generated module from bounds already proved, one pair a kernel."""
+    for kernel, (first, *_) in zip(module.kernels, bounds, strict=True):
+        start_is_near(kernel, first)
     names = [kernel.name for kernel in module.kernels]
     results = [kernel.result for kernel in module.kernels]
     domains = _domains(module.kernels, bounds)

@@ -14,7 +14,7 @@ from gainproof.derive.printer.graph import Graph, GraphBuilder, Node, operands
 from gainproof.derive.printer.kernel import Input
 from gainproof.derive.stable_form.candidates import best
 from gainproof.derive.stable_form.certificate import GIVEN, STABLE, Proof, claims, document
-from gainproof.derive.stable_form.conditions import Condition, condition
+from gainproof.derive.stable_form.enlargement import Enlargement, enlargement
 from gainproof.derive.stable_form.ranking import Candidate
 from gainproof.derive.stable_form.writing import SCALE, VALUE
 
@@ -29,7 +29,7 @@ class StableForm:
     `graph`: all outputs, as the printer takes them, and for each whose subtractions remain an
     output of the name in `scales`, the same with both sides of every such subtraction added: what
     the error is to be measured by. `cancellations`: names of those differences in the graph's
-    "names", with the reason a kernel needs; `conditions`: how much they may lose, by output.
+    "names", with the reason a kernel needs; `enlargements`: scales over values, by output.
     `rules`: what was done, by output. `bounds`: the proved error in float64 of each output by
     itself, with the inputs for which it holds; None where none was proved. `refusals` says why
     none was for all inputs. `positive` says what each value is needed for that is shown to be
@@ -47,7 +47,7 @@ class StableForm:
     graph: Graph
     scales: Mapping[str, str]
     cancellations: Mapping[str, str]
-    conditions: Mapping[str, Condition]
+    enlargements: Mapping[str, Enlargement]
     rules: Mapping[str, tuple[str, ...]]
     bounds: Mapping[str, OutputBound | None]
     refusals: Mapping[str, str]
@@ -80,7 +80,7 @@ def stable(outputs: Mapping[str, sp.Expr], inputs: Sequence[Input]) -> StableFor
         graph,
         scales,
         cancellations,
-        {name: condition(graph, name, scale, inputs) for name, scale in scales.items()},
+        {name: enlargement(graph, name, scale, inputs) for name, scale in scales.items()},
         {name: each.rules for name, each in candidates.items()},
         {name: each.bound for name, each in found.items()},
         {name: each.refusal for name, each in found.items() if each.refusal},

@@ -8,7 +8,9 @@ from fractions import Fraction
 from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output
+from gainproof.derive.subject import in_double_words
 from gainproof.derive.three_state import pole_module
+from gainproof.derive.three_state.accurate_gains import REFINEMENT, accurate_input
 from gainproof.derive.three_state.context import Context
 from gainproof.derive.three_state.kernel_poles import POLES
 from gainproof.derive.three_state.kernels import SCALE, TURN
@@ -57,6 +59,7 @@ TURNS = (
     "it bends down for a small index and up for a large one; the scale is the sum of the two terms "
     "whose difference it is"
 )
+ACCURATE_GAINS = in_double_words("gains")
 # The cube of a smaller position gain, an index, leaves the range of the format.
 LEAST_ALPHA = (Fraction(1, 2**330), Fraction(1, 2**40))
 # Parts of M11'' and M12'' both leave it below an index.
@@ -72,13 +75,14 @@ SLOPES = (
 
 def kernel_module(c: Context, graphs: Mapping[str, Graph]) -> Module:
     """The module of a family."""
-    kernels = (_kernel(c, name, graph) for name, graph in graphs.items())
+    kernels = (_kernel(c, name, graphs) for name in graphs if name != ACCURATE_GAINS)
     return catalogue_module(
         c.model.name, f"{c.model.title}: steady state with measured position", kernels
     )
 
 
-def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
+def _kernel(c: Context, name: str, graphs: Mapping[str, Graph]) -> Kernel:
+    graph, accurate = graphs[name], graphs.get(ACCURATE_GAINS) if name == "gains" else None
     return Kernel(
         name=name,
         result="".join(word.capitalize() for word in name.split("_")),
@@ -97,6 +101,9 @@ def _kernel(c: Context, name: str, graph: Graph) -> Kernel:
         graph=graph,
         source=f"derivation {c.model.name}",
         cancellations=_cancellations(graph),
+        accurate=accurate_input(_input(c, name)) if accurate else None,
+        accurate_graph=accurate,
+        refinement=REFINEMENT if accurate else None,
     )
 
 

@@ -14,13 +14,20 @@ from gainproof.derive.relation import Relation
 from gainproof.derive.source import ALGEBRA
 from gainproof.derive.subject import Program, Subject
 from gainproof.derive.three_state import pole_tower
+from gainproof.derive.three_state.accurate_gains import (
+    accurate_graph,
+    accurate_inputs,
+    accurate_meaning,
+    accurate_roots,
+    within_reach,
+)
 from gainproof.derive.three_state.bending import bending_tower
 from gainproof.derive.three_state.context import Context, context
 from gainproof.derive.three_state.kernel_meanings import meant
 from gainproof.derive.three_state.kernel_poles import POLES
 from gainproof.derive.three_state.kernel_tower import kernel_tower, kernel_tower_steps
 from gainproof.derive.three_state.kernels import kernel_graphs, kernel_roots
-from gainproof.derive.three_state.module import kernel_module
+from gainproof.derive.three_state.module import ACCURATE_GAINS, kernel_module
 from gainproof.derive.three_state.names import LATEX
 from gainproof.derive.three_state.steps_change import change_steps
 from gainproof.derive.three_state.steps_curvature import curvature_steps
@@ -58,6 +65,8 @@ def derive_three_state(
     c = context(model)
     found = turning(c)
     graphs = kernel_graphs(c)
+    if within_reach(c.spectrum):
+        graphs[ACCURATE_GAINS] = accurate_graph(c.spectrum)
     roots = kernel_tower(c)
     bent, single = bending_tower(c), single_pole_towers(c)
     latex = {
@@ -106,6 +115,8 @@ def _roots_of_numbers(tower: Tower) -> list[str]:
 
 
 def _inputs(name: str) -> Mapping[str, str]:
+    if name == ACCURATE_GAINS:
+        return accurate_inputs()
     entry = "alpha" if name.endswith("from_alpha") else "tracking_index"
     return {entry: entry}
 
@@ -126,14 +137,23 @@ def _program_steps(c: Context, graphs: Mapping[str, Graph]) -> list[Step]:
             Relation("program", {"program": name, "outputs": _meanings(c, name, graph)}),
             "Evaluate the kernel's graph in the tower.",
             tower=_tower(name),
-            hint={"graph": graph, "roots": kernel_roots(c, name)},
+            hint={"graph": graph, "roots": _roots(c, name)},
             shown=False,
         )
         for name, graph in graphs.items()
     ]
 
 
+def _roots(c: Context, name: str) -> Mapping[str, sp.Expr]:
+    return accurate_roots() if name == ACCURATE_GAINS else kernel_roots(c, name)
+
+
 def _meanings(c: Context, name: str, graph: Graph) -> Mapping[str, sp.Expr]:
     if name == POLES:
         return poles_meant(c)
+    if name == ACCURATE_GAINS:
+        return {
+            output: accurate_meaning(output) or meant("gains", output)
+            for output in graph["outputs"]
+        }
     return {output: meant(name, output) for output in graph["outputs"]}

@@ -12,17 +12,20 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from gainproof.derive.printer.constant import constant
-from gainproof.derive.printer.kernel import Input, Kernel
+from gainproof.derive.printer.double_word.refinement import ends, refined
+from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.program import Step
 
 U = Fraction(1, 2**53)
+ROOT_EXPONENT = 160
 SUM = 3 * U**2 + 13 * U**3
 PRODUCT = 7 * U**2
 QUOTIENT = 15 * U**2 + 56 * U**3
 ROOT = Fraction(25, 8) * U**2
 CONSTANT = U**2
 MOST = Fraction(1, 2**30)
+ROOTS = Fraction(1, 2**ROOT_EXPONENT), Fraction(2**ROOT_EXPONENT)
+"""Roots that are refined lie between; who makes such a kernel says why."""
 FARTHEST = 900
 """Exponents of 2 between which products and their remainders are exact."""
 
@@ -54,12 +57,6 @@ def units(kernel: Kernel) -> float:
     return math.nextafter(float(found), math.inf)
 
 
-def ends(given: Input) -> tuple[Fraction, Fraction]:
-    """Least and greatest number of a domain that has both."""
-    assert given.upper is not None
-    return constant(given.lower).between()[0], constant(given.upper).between()[1]
-
-
 def errors(kernel: Kernel, low: Fraction, high: Fraction) -> tuple[Fraction, ...]:
     """Of each output, before the last rounding, for every input from `low` to `high`.
 
@@ -69,7 +66,10 @@ def errors(kernel: Kernel, low: Fraction, high: Fraction) -> tuple[Fraction, ...
     program = kernel.accurate_program
     sizes: list[Size] = []
     for step in program.steps:
-        found = _size(kernel, step, sizes, (low, high))
+        found = _size(kernel, step, sizes, _ends_of(kernel, step, (low, high)))
+        if kernel.refinement and step.label == kernel.refinement.root:
+            image = sizes[program.outputs[kernel.refinement.image]]
+            found = Size(found.low, found.high, refined(image.error, U))
         if not -FARTHEST <= found.low <= found.high <= FARTHEST:
             raise DoubleWordError(
                 f"{kernel.name}: {step.label} has a size from 2^{found.low} to 2^{found.high}, "
@@ -77,6 +77,14 @@ def errors(kernel: Kernel, low: Fraction, high: Fraction) -> tuple[Fraction, ...
             )
         sizes.append(found)
     return tuple(sizes[program.outputs[output.name]].error for output in kernel.outputs)
+
+
+def _ends_of(
+    kernel: Kernel, step: Step, ends: tuple[Fraction, Fraction]
+) -> tuple[Fraction, Fraction]:
+    """Least and greatest value of an input."""
+    wanted = kernel.refinement
+    return ROOTS if wanted and step.label in (wanted.near, wanted.root) else ends
 
 
 def _size(kernel: Kernel, step: Step, sizes: list[Size], ends: tuple[Fraction, Fraction]) -> Size:

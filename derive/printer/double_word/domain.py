@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from gainproof.derive.printer.arithmetic import literal
 from gainproof.derive.printer.docstring import wanted_text
-from gainproof.derive.printer.double_word.bound import ends
+from gainproof.derive.printer.double_word.refinement import ends
 from gainproof.derive.printer.formats import FORMATS, Format
 from gainproof.derive.printer.kernel import Input
 

@@ -16,6 +16,7 @@ def lines(kernel: Kernel) -> Iterator[str]:
     """Statements from `given` to `out`, one a step; results are rounded once, to their type."""
     program = kernel.accurate_program
     used = {_function(step) for step in program.steps if step.operation != "constant"}
+    used |= {"refined"} if kernel.refinement else set()
     yield "# loaded when it is asked for"
     yield f"from gainproof.generated._double_word import {', '.join(sorted(used))}"
     yield ""
@@ -26,9 +27,29 @@ def lines(kernel: Kernel) -> Iterator[str]:
             continue
         name = step.label if step.label.isidentifier() else f"t{step.node}"
         names.append(f"w{number}" if name in names or name in used else name)
-        yield f"{names[-1]} = {_call(step, program.inputs, names)}"
+        if kernel.refinement and step.label == kernel.refinement.near:
+            yield from _start(kernel, names[-1])
+        elif kernel.refinement and step.label == kernel.refinement.root:
+            near = names[[step.label for step in program.steps].index(kernel.refinement.near)]
+            ends = (kernel.refinement.image, kernel.refinement.slope)
+            image, slope = (names[program.outputs[end]] for end in ends)
+            yield f"{names[-1]} = refined({near}, {image}, {slope})"
+        else:
+            yield f"{names[-1]} = {_call(step, program.inputs, names)}"
     for place, output in enumerate(kernel.outputs):
         yield f"out[{place}][...] = {names[program.outputs[output.name]]}[0]"
+
+
+def _start(kernel: Kernel, name: str) -> Iterator[str]:
+    """The root's float64 start from two outputs of the plain kernel."""
+    wanted = kernel.refinement
+    assert wanted is not None
+    outputs = [output.name for output in kernel.outputs]
+    over, under = (outputs.index(each) for each in (wanted.over, wanted.under))
+    yield "# what the plain kernel gives is near the root"
+    signature = f"_{kernel.name.upper()}"
+    yield f"near = evaluate({signature}, (given[0].astype(np.float64),), None, 1)"
+    yield f"{name} = exact({literal(float(wanted.factor))} * near[{over}] / near[{under}])"
 
 
 def _function(step: Step) -> str:

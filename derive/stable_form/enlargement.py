@@ -1,7 +1,10 @@
-"""How much a subtraction that is left may lose: its condition number over a domain.
+"""How much a subtraction that is left may lose: how far its scale exceeds its value on a domain.
 
-That of a value over its scale, the same with both sides of each difference added, is scale/|value|:
-so many times the error bound that holds over the scale is what the value's own error may be.
+The scale is the same with both sides of each difference added: scale/|value| times the error bound
+that holds over the scale is what the value's own relative error may be. It is looked at on a grid
+of points, so that what is found is a least, not a bound: a peak or a pair of zeros between two of
+them is not seen. (The condition number that a kernel's docstring states is another thing: a bound,
+by which factor errors of a difference's operands enter an output.)
 """
 
 from __future__ import annotations
@@ -26,21 +29,21 @@ DIGITS = 60
 
 
 @dataclass(frozen=True)
-class Condition:
-    """The condition number is at least `least`, which it has at `place`; infinite: the value
-    changes its sign on the domain, from `place` on.
+class Enlargement:
+    """scale/|value| reaches `least`, which it has at `place`, the largest of the points looked at;
+    infinite: the value is 0 at `place`, or has another sign there than at a point before.
     """
 
     least: float
     place: Mapping[str, float]
 
 
-def condition(graph: Graph, value: str, scale: str, inputs: Sequence[Input]) -> Condition:
+def enlargement(graph: Graph, value: str, scale: str, inputs: Sequence[Input]) -> Enlargement:
     """The largest of a grid of points of the domain, a logarithmic one."""
     count = max(3, int(POINTS ** (1 / len(inputs))))
     axes = [_axis(given, count) for given in inputs]
     names = [given.name for given in inputs]
-    worst = Condition(1.0, {})
+    worst = Enlargement(1.0, {})
     signs: set[bool] = set()
     with mp.workdps(DIGITS):
         for point in itertools.product(*axes):
@@ -49,10 +52,10 @@ def condition(graph: Graph, value: str, scale: str, inputs: Sequence[Input]) -> 
             number, size = found[graph["outputs"][value]], found[graph["outputs"][scale]]
             signs.add(number > 0)
             if number == 0 or len(signs) == 2:
-                return Condition(math.inf, place)
+                return Enlargement(math.inf, place)
             least = float(abs(size / number))
             if least > worst.least:
-                worst = Condition(least, place)
+                worst = Enlargement(least, place)
     return worst
 
 
