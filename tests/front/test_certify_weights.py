@@ -67,9 +67,10 @@ def _output(steps: Program, output: str, x: Fraction, moved: int | None) -> Any:
             case _:
                 value = parts[0]
         rounded = step.operation in ("mul", "div", "add", "sub", "sqrt") and step.scale is None
-        if step.constant is not None:  # one that is no number of the format was rounded too
-            rounded = step.constant.rational != exact
-        off = mpmath.mpf(10) ** -30 if moved == number and rounded else 0
+        off = mpmath.mpf(10) ** -30 if moved == number and rounded else mpmath.mpf(0)
+        if step.constant is not None and moved == number:  # off by less than a rounding may be
+            below, _ = step.constant.between()
+            off = mpmath.mpf(10) ** -30 * float(abs(exact / below - 1) * 2**53)
         values[number] = value * (1 + off)
     return values[steps.outputs[output]]
 

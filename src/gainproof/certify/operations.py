@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import ceil
 
 from gainproof.certify.expression import NotExportedError
 from gainproof.derive.printer.formats import FLOAT64
@@ -19,7 +20,7 @@ class Operation:
     """`input`, `constant`, `scale` (times 2^k), or one of KINDS, of earlier operations.
 
     `factor` is the number printed for a constant, or 2^k. `rounded`: whether its value is rounded
-    (a constant: whether the printed number is not the exact one, then the nearest to it).
+    (a constant: whether the printed number is not the exact one, and `off` how far, over 2^-53).
     """
 
     number: int
@@ -27,6 +28,7 @@ class Operation:
     parts: tuple[int, ...] = ()
     factor: Fraction = Fraction(1)
     rounded: bool = False
+    off: Fraction = Fraction(1)
 
 
 def operations(
@@ -64,7 +66,9 @@ def _operation(number: int, step: Step, given: bool) -> Operation:
         nearest = Fraction(step.constant.nearest(FLOAT64))
         if not nearest:
             raise NotExportedError("kernels with a constant 0")
-        return Operation(number, "constant", (), nearest, nearest != step.constant.rational)
+        off = max(abs(nearest / end - 1) for end in step.constant.between()) * 2**53
+        off = ceil(off * 2**30) * Fraction(1, 2**30)
+        return Operation(number, "constant", (), nearest, nearest != step.constant.rational, off)
     if step.scale is not None:
         return Operation(number, "scale", step.operands, Fraction(step.scale))
     if step.operation not in KINDS:

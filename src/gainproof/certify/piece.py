@@ -56,7 +56,9 @@ class Piece:
     def __init__(
         self, section: Section, faint: Collection[int], factors: Mapping[int, Fraction]
     ) -> None:
-        self.section, self.faint, self.factors = section, faint, dict(factors)
+        self.section, self.faint = section, faint
+        own = {each.number: each.off for each in section.operations if each.off != 1}
+        self.factors = {n: value for n, value in own.items() if value} | dict(factors)
         self.lines: list[str] = []
         self.powers: set[int] = set()
         self.given: list[str] = []
