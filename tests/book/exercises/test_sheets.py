@@ -107,6 +107,16 @@ def test_nothing_true_is_refuted(subjects: Sequence[Derived]) -> None:
                     assert agree(step.kind, step.claim, tower), step.id
 
 
+def test_a_tower_that_is_read_wrongly_is_seen(subjects: Sequence[Derived]) -> None:
+    written = subjects[0].certificate["towers"]["main"]
+    alpha = written["elements"]["alpha"]
+    twice = {**alpha, "num": [[str(2 * Fraction(c)), powers] for c, powers in alpha["num"]]}
+    tower = tower_values({**written, "elements": {**written["elements"], "alpha": twice}})
+    assert tower is not None
+    steps = [step for step in subjects[0].steps if step.tower == "main" and step.kind == "equal"]
+    assert not all(agree(step.kind, step.claim, tower) for step in steps)
+
+
 def test_a_mutant_that_is_true_is_not_refuted() -> None:
     tower = tower_values(
         {"parameters": [{"symbol": "p", "above": "0"}], "generators": [], "elements": {}}
