@@ -27,12 +27,14 @@ from gainproof.campaign.float32.report import Row, report
 from gainproof.campaign.float32.stated import Stated, stated
 from gainproof.campaign.float32.sweep import block
 from gainproof.campaign.float32.tally import Tallied, joined
+from gainproof.derive.printer.bound import prove
+from gainproof.derive.printer.formats import FLOAT64
 
 KERNELS = {kernel.id: kernel for kernel in swept_kernels()}
 PIECES = 16
 ONE_OF_EACH_KIND = (
     "random_velocity.gains",
-    "random_velocity.closed_loop_poles",  # errors over a modulus that is no output, a choice
+    "random_acceleration.closed_loop_poles",  # errors over a modulus that is no output, a choice
     "least_squares_mean.gains",  # whole numbers
     "acceleration_increments.gains",  # a root by Newton's steps
 )
@@ -185,6 +187,22 @@ def test_what_is_stated_is_read_from_docstrings() -> None:
     assert wide == (Stated(None, 2.5, 1.5, float(np.float32(0.1)), 4.0),)
     with pytest.raises(ValueError, match=r"bounds hold for 1\.0 to 4\.0, in float32 0\.1"):
         stated(text + "1.0 <= x <= 4.0 (float64) and 0.1 <= x <= 4.0 (float32).")
+
+
+@pytest.mark.thorough
+def test_scales_are_computed_as_well_as_it_is_taken_for_granted() -> None:
+    """Of `Stated.doubt`: each scale is off by less than 2^10 units of 2^-52."""
+    for kernel in KERNELS.values():
+        extra = {each.scale for each in kernel.stated} - {None, *kernel.signature.outputs}
+        if extra:
+            graph = reference(kernel).kernel
+            rows = tuple(row for row in graph.outputs if row.name in extra)
+            assert len(rows) == len(extra)
+            found = prove(replace(graph, outputs=rows), FLOAT64)
+            for each in found.outputs:
+                assert each.bound < 2**10, (kernel.id, each.name)
+                assert each.lowest <= min(promise.lowest for promise in kernel.stated)
+                assert each.highest >= max(promise.highest for promise in kernel.stated)
 
 
 def test_the_blocks_are_all_inputs() -> None:
