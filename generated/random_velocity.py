@@ -714,7 +714,7 @@ def updated_covariance(
         (float64), 3.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1e-45 <= tracking_index <= 3.4028235e38 (float32).
     updated_12: covariance of updated position and velocity times T/sigma_v^2. Relative error at
-        most 3.03 * 2^-52 (float64), 3.04 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.51 * 2^-52 (float64), 3.51 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <=
         3.4028235e38 (float32).
     updated_22: variance of the updated velocity times T^2/sigma_v^2. Relative error at most 2.76 *
@@ -1322,13 +1322,13 @@ def closed_loop_poles(
         (float64), 7.02 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
-        most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 5.10 * 2^-52 (float64), 5.10 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_real: real part of the second pole. Error over second_modulus at most 7.02 * 2^-52
         (float64), 7.02 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
-        most 4.60 * 2^-52 (float64), 4.60 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        most 5.10 * 2^-52 (float64), 5.10 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal

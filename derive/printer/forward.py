@@ -126,7 +126,8 @@ class Forward:
             raise PrintingError(f"{self._name(number)}: too many roundings to bound")
         if step.operation in ("mul", "div", "sqrt") and (step.scale is None or step.scale < 1):
             low = value.size[0][0] / (1.0 + value.drift) - none_as_zero(value.stray)
-            tiny = low < self.least_normal
+            # a scaling has no rounding of its own that could stand for that of a subnormal result
+            tiny = low < (self.least_normal if step.scale is None else self.form.least_normal)
             if interval.somewhere(tiny) and interval.somewhere(
                 tiny := tiny & (value.size[1][0] > 0)
             ):
