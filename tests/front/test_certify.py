@@ -137,6 +137,7 @@ def _covered(name: str, kernel: str, output: str, factor: Fraction) -> Cover:
     return covered(graph, output, printed.domain, printed.bound * factor, SECONDS)
 
 
+@pytest.mark.thorough
 def test_gappa_proves_a_printed_bound_and_not_a_hundredth_less() -> None:
     """The sum is largest at a hundred, where no term of a sum is all of it."""
     found = _covered("random-acceleration", "gains", "alpha", Fraction(1))

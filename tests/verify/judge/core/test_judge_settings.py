@@ -17,6 +17,8 @@ from gainproof.verify.judge.judge import judge_file
 from gainproof.verify.judge.trial import Trial, try_claim
 from gainproof.verify.judge.verdict import ClaimVerdict
 
+COMPARED = ("abg-update", "abg-predict")
+"""Definitions of the lecture that are compared with the fit of a parabola."""
 LECTURE = Path(__file__).parents[4] / "verify" / "claims" / "kosuge-slides.toml"
 MODELS: tuple[dict[str, Any], ...] = tuple(
     {
@@ -87,11 +89,12 @@ def test_lecture_is_decided_and_plain_data() -> None:
     assert [v.id for v in verdicts if v.verdict == "conditional"] == ["features-ab-stable-RA"]
     wanted = [v for v in verdicts if v.kind not in ("definition", "remark")]
     # After these the seven of the refuted one's setting under conventions that it excludes, repairs
-    # of these two, and one of the definition that the refuted one uses.
+    # of these two, and one of the definition that the refuted one uses; and the definitions that
+    # are compared with what their symbols stand for.
     setting = {claim.id: claim.setting for claim in lecture.claims}
     beside = [v for v in wanted if setting[v.id] == setting["interacting-smoothing"]]
     assert len(beside) == 7
-    tried = len(wanted) + len(beside) + 2 + 1
+    tried = len(wanted) + len(beside) + 2 + 1 + len(COMPARED)
     assert seen == [(n + 1, len(wanted)) for n in range(tried)]
     data = json.loads(json.dumps([v.to_json() for v in verdicts]))
     by_id = {claim["id"]: claim for claim in data}
