@@ -69,6 +69,7 @@ def _output(steps: Program, output: str, x: Fraction, moved: int | None) -> Any:
         rounded = step.operation in ("mul", "div", "add", "sub", "sqrt") and step.scale is None
         off = mpmath.mpf(10) ** -30 if moved == number and rounded else mpmath.mpf(0)
         if step.constant is not None and moved == number:  # off by less than a rounding may be
+            exact = Fraction(step.constant.nearest(FLOAT64))
             below, _ = step.constant.between()
             off = mpmath.mpf(10) ** -30 * float(abs(exact / below - 1) * 2**53)
         values[number] = value * (1 + off)

@@ -74,12 +74,12 @@ def test_notebook_runs_and_every_line_is_accepted(name: str) -> None:
 
 @pytest.mark.thorough
 def test_a_cell_that_fails_is_seen() -> None:
-    import nbclient
+    from nbclient.exceptions import CellExecutionError
 
     subject = derived(SHORT)
     written = derivation_cells(subject, SHORT)
     wrong = [*written, cells.Cell("code", "assert derivation.check('no-such-step')")]
-    with pytest.raises(nbclient.exceptions.CellExecutionError, match="no-such-step"):
+    with pytest.raises(CellExecutionError, match="no-such-step"):
         run(cells.notebook([written[1], wrong[-1]]))
 
 

@@ -47,7 +47,14 @@ def test_the_smaller_number_is_what_is_chosen(below: str, above: str) -> None:
     x = np.concatenate([np.nextafter(0.75, [0, 2]), [0.75, 5e-324, 1e308], np.logspace(-5, 5, 999)])
     for dtype in (np.float64, np.float32):
         given = x.astype(dtype)
-        values = {"x": given, "4x": given * 4, "3/4": 0.75, "3": 3.0, "4": 4.0, "3/x": 3 / given}
+        values = {
+            "x": given,
+            "4x": given * 4,
+            "3/4": 0.75,
+            "3": 3.0,
+            "4": 4.0,
+            "3/x": dtype(3) / given,
+        }
         first, second = (np.asarray(values[each], dtype) for each in (below, above))
         chosen = np.where(given < dtype(0.75), first, second)
         assert np.array_equal(np.minimum(first, second), chosen), block

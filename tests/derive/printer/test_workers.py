@@ -143,8 +143,8 @@ def test_however_many_interrupts_come_no_thread_is_left_at_work(times: int) -> N
     """The second meets the waiting for the others, the third what the second has begun."""
     done: list[int] = []
     inside = [True]
-    main = threading.main_thread().ident
-    assert main == threading.get_ident()
+    main = threading.get_ident()
+    assert threading.main_thread().ident == main
 
     def job(share: range) -> None:
         if share.start == 1:
