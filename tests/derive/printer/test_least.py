@@ -53,7 +53,7 @@ def test_the_smaller_number_is_what_is_chosen(below: str, above: str) -> None:
             "3/4": 0.75,
             "3": 3.0,
             "4": 4.0,
-            "3/x": dtype(3) / given,
+            "3/x": np.divide(3, given),
         }
         first, second = (np.asarray(values[each], dtype) for each in (below, above))
         chosen = np.where(given < dtype(0.75), first, second)
