@@ -91,12 +91,11 @@ class Iterated:
 
     def _root(self, argument: int, x: Size) -> Size:
         """About how large the root is, and the power of x that it follows."""
-        log = 0.0
+        found = Size(0.0, 1, Fraction(0), Fraction(0))
         for _ in range(60):  # K is at most 1/2 in what is printed; the rest is shown by Gappa
-            unknown = Size(log, 1, Fraction(0), Fraction(1))
+            unknown = Size(found.log, 1, Fraction(0), Fraction(1))
             found = sizes(self.map, {argument: x, self.root: unknown})[self.map[-1].number]
-            log = found.log
-        return Size(log, 1, found.power / (1 - found.of_unknown))
+        return Size(found.log, 1, found.power / (1 - found.of_unknown))
 
     def _between(
         self, section: Section, ends: Sequence[float], low: Fraction, high: Fraction, stop: float
