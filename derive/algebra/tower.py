@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.rings import PolyElement, PolyRing
 
+from gainproof.derive.algebra.common_factor import without_common_factor
 from gainproof.derive.algebra.sum_of_powers import sum_of_powers
 from gainproof.derive.algebra.variables import Fraction, Generator, Parameter, Poly, coupled
 
@@ -129,7 +130,7 @@ class Tower:
             raise ZeroDivisionError(f"division by zero in tower {self.name}")
         if not num:
             return Fraction(num, self.ring.one)
-        top, bottom = num.cancel(den)
+        top, bottom = without_common_factor(num, den)
         if _plain_sign(top) >= _plain_sign(num) and _plain_sign(bottom) >= _plain_sign(den):
             num, den = top, bottom
         # One sign and one scale: the denominator's leading coefficient is 1.
