@@ -95,15 +95,15 @@ class Tower:
         index = len(self.parameters) + position
         power, radicand = self.generators[position].power, self.radicands[position]
         while poly.degree(index) >= power:
-            low, high = self.ring.zero, self.ring.zero
-            for exponents, coefficient in poly.terms():
+            # each term goes to one place of one part, so that nothing needs to be added up
+            low, high = {}, {}
+            for exponents, coefficient in poly.items():
                 if exponents[index] >= power:
-                    lowered = list(exponents)
-                    lowered[index] -= power
-                    high += self.ring.term_new(tuple(lowered), coefficient)
+                    lowered = exponents[index] - power
+                    high[(*exponents[:index], lowered, *exponents[index + 1 :])] = coefficient
                 else:
-                    low += self.ring.term_new(exponents, coefficient)
-            poly = low + high * radicand
+                    low[exponents] = coefficient
+            poly = self.ring.from_dict(low) + self.ring.from_dict(high) * radicand
         return poly
 
     def starts_pair(self, position: int) -> bool:
