@@ -24,7 +24,7 @@ def without_common_factor(num: Poly, den: Poly) -> tuple[Poly, Poly]:
     common = top.gcd(bottom)
     if common.is_constant():
         return num, den
-    return _element(num, top), _element(num, bottom / common)
+    return _element(num, top / common), _element(num, bottom / common)
 
 
 def _rationals(poly: Poly) -> dict[tuple[int, ...], flint.fmpq]:

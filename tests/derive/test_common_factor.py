@@ -2,10 +2,11 @@
 
 import pytest
 import sympy as sp
-from gainproof.derive.algebra.common_factor import without_common_factor
 from hypothesis import given
 from hypothesis import strategies as st
 from sympy.polys.rings import PolyRing
+
+from gainproof.derive.algebra.common_factor import without_common_factor
 
 RING = PolyRing(["x", "y", "z"], sp.QQ, sp.lex)
 coefficients = st.fractions(-9, 9, max_denominator=4).map(
