@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from gainproof.campaign import float32
+from gainproof.campaign import float32, float64
 from gainproof.campaign.campaign import Campaign
 
 
@@ -19,4 +19,5 @@ class Entry:
 
 CAMPAIGNS: Mapping[str, Entry] = {
     "float32": Entry(float32.TITLE, float32.campaign),
+    "float64": Entry(float64.TITLE, float64.campaign),
 }

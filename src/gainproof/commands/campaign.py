@@ -25,6 +25,12 @@ documented. Beside a kernel stands a digest of its arithmetic, domain and ranges
 measured: a block that was done counts as long as these are the same, and kernels of one digest are
 swept once. Guards, threads and bounds do not belong to it: bounds are compared in the report.
 
+float64 [KERNEL ...] draws 1e8 float64 numbers from the whole domain of a kernel, as many of each
+power of 2, and 1e8 from 2^-24 to 2^24, and compares with its graph in C's long double of 64 digits
+or more; without KERNEL the three kernels of gains of two states. A row is a kernel and range, its
+columns those of float32, in units of 2^-52. It needs a C compiler whose long double is longer than
+double.
+
 Exit status: 1 where the report is not as it should be."""
 
 
