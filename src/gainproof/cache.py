@@ -47,16 +47,17 @@ class Cache:
         body = json.dumps(value, ensure_ascii=False, separators=(",", ":")).encode("utf-8")
         with contextlib.suppress(OSError):
             atomic_file.write_bytes(self._path(key), _header(key, body) + b"\n" + body)
-            self._drop_old()
+
+    def drop_old(self) -> None:
+        """Remove what nobody stored anew for `KEPT_DAYS`; looks at every entry, so not for each."""
+        oldest = time.time() - KEPT_DAYS * 86400
+        with contextlib.suppress(OSError):
+            for path in self.folder.glob("*.json"):
+                if path.stat().st_mtime < oldest:
+                    path.unlink(missing_ok=True)
 
     def _path(self, key: str) -> Path:
         return self.folder / f"{key}.json"
-
-    def _drop_old(self) -> None:
-        oldest = time.time() - KEPT_DAYS * 86400
-        for path in self.folder.glob("*.json"):
-            if path.stat().st_mtime < oldest:
-                path.unlink(missing_ok=True)
 
 
 def key_of(kind: str, *parts: str | bytes) -> str:

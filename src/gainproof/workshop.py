@@ -55,6 +55,7 @@ class Workshop:
             for i, result in zip(missing, fresh, strict=True):
                 found[i] = result
                 self.cache.store(keys[i], result)
+            self.cache.drop_old()
         if work and unchanged:
             self.progress.say(f"{work}: {unchanged} unchanged")
         return found
@@ -97,6 +98,8 @@ class Workshop:
 
         first = [other for job in jobs for other in missing(job)]
         workers.run(first, on_done=said, on_told=told, on_result=found)
+        if first:
+            self.cache.drop_old()
 
     def _key(self, job: workers.Job, *depends: bytes) -> str:
         return key_of(job.task, self.code, job.text, *depends)

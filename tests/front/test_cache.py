@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 
 from gainproof.cache import FOLDER_VARIABLE, KEPT_DAYS, Cache, default_folder, key_of
+from gainproof.progress import Progress
+from gainproof.workers import Job
+from gainproof.workshop import Workshop
 
 VALUE = {"verdict": "proved", "text": "α", "numbers": [1, 2.5, None]}
 KEY = key_of("judge", "claims", b"code")
@@ -83,7 +86,23 @@ def test_old_entries_are_dropped(cache: Cache) -> None:
     path = entry(cache)
     old = time.time() - (KEPT_DAYS + 1) * 86400
     os.utime(path, (old, old))
-    cache.store(key_of("judge", "new"), VALUE)
+    new = key_of("judge", "new")
+    cache.store(new, VALUE)
+    cache.drop_old()
+    assert not path.exists()
+    assert cache.load(new) == VALUE
+
+
+def test_a_folder_that_is_not_there_has_nothing_old(tmp_path: Path) -> None:
+    Cache(tmp_path / "nothing").drop_old()
+
+
+def test_results_that_are_kept_make_room(cache: Cache) -> None:
+    path = entry(cache)
+    old = time.time() - (KEPT_DAYS + 1) * 86400
+    os.utime(path, (old, old))
+    shop = Workshop(cache, Progress(quiet=True), "code")
+    shop.results("", [Job("names", "catalogue", {})])
     assert not path.exists()
 
 
