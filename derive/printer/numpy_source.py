@@ -186,7 +186,7 @@ def _kernel(
 def _accurate(kernel: Kernel, domain: str) -> Iterator[str]:
     """The block in double-words and its signature."""
     block, signature = f"_{kernel.name}_in_double_words", _accurate_signature(kernel)
-    yield f"def {block}(given: Arrays, out: Arrays, _work: Arrays, _single: bool) -> None:"
+    yield f"def {block}(given: Arrays, out: Arrays, _work: Arrays, single: bool) -> None:"
     yield from (f"    {line}".rstrip() for line in double_word_lines(kernel))
     yield from ("", "")
     yield f"{signature} = Signature("

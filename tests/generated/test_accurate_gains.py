@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from importlib import import_module
 from typing import Any
 
@@ -98,6 +99,22 @@ def test_numbers_arrays_types_and_places(family: str) -> None:
     assert (gains(long, accurate=True, workers=2).beta == gains(0.3, accurate=True).beta).all()
     for plain, exact in zip(gains(indices), whole, strict=True):
         assert np.allclose(plain, exact, rtol=7 * 2.0**-52, atol=0)
+
+
+def test_in_float32_the_float64_gains_are_rounded() -> None:
+    """Both are proved: what is rounded again is off by half a unit and its own error, which is the
+    stated 2^-26 or less."""
+    indices = np.float32(10) ** np.arange(-40, 39, dtype=np.float32)
+    for family in (*STEADY_STATES, *THREE_STATES):
+        found = gains_of(family)(indices, accurate=True)
+        double = gains_of(family)(indices.astype(np.float64))
+        text = " ".join(str(gains_of(family).__doc__).split())
+        stated = 2.0 ** int(re.findall(r"0\.5 \+ 2\^(-\d+) \(float32\)", text)[0])
+        bounds = [float(each) for each in re.findall(r"at most (\S+) \* 2\^-52", text)]
+        assert max(bounds) * 2.0**-28 <= stated <= 2.0**-25
+        for single, value in zip(found, double, strict=True):
+            assert single.dtype == np.float32
+            assert (single == value.astype(np.float32)).all()
 
 
 @pytest.mark.parametrize("index", [0.0, -1.0, 2.0**-401, 2.0**401, math.inf, math.nan])

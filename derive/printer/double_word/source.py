@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from gainproof.derive.printer.arithmetic import literal
+from gainproof.derive.printer.double_word.single import single_lines
 from gainproof.derive.printer.kernel import Kernel
 from gainproof.derive.printer.program import Step
 
@@ -15,6 +16,7 @@ FUNCTIONS = {"input": "exact", "add": "add", "mul": "multiply", "div": "divide",
 def lines(kernel: Kernel) -> Iterator[str]:
     """Statements from `given` to `out`, one a step; results are rounded once, to their type."""
     program = kernel.accurate_program
+    yield from single_lines(kernel)
     used = {_function(step) for step in program.steps if step.operation != "constant"}
     used |= {"refined"} if kernel.refinement else set()
     yield "# loaded when it is asked for"

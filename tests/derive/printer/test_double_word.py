@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from samples import samples
 
+from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.double_word.bound import (
     PRODUCT,
     QUOTIENT,
@@ -22,9 +23,12 @@ from gainproof.derive.printer.double_word.bound import (
     errors,
     units,
 )
+from gainproof.derive.printer.double_word.single import single_units
+from gainproof.derive.printer.formats import FLOAT32, FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder, Node
 from gainproof.derive.printer.kernel import Kernel, Output, closed
 from gainproof.derive.printer.shipped import _double_word as pair
+from gainproof.derive.printer.value import PrintingError
 
 
 def drawn(count: int, seed: int) -> Any:
@@ -113,3 +117,19 @@ def test_sizes_hold_at_both_ends() -> None:
     wider = replace(square, accurate=closed("x", "a number", "1", str(2**450 + 1)))
     with pytest.raises(DoubleWordError, match=r"f: .* has a size"):
         units(wider)
+
+
+def test_float32_takes_float64_that_is_bounded_well_enough() -> None:
+    plain = kernel(lambda b, x: b.sqrt(x * x + 3) / x * 4, "1/8", "8")
+    bound = prove(plain, FLOAT64)
+    (output,) = bound.outputs
+    assert single_units(plain, bound) == pytest.approx(float(output.bound) * 2**-28)
+    for changed, form in (
+        (replace(output, bound=Fraction(2**22)), FLOAT64),
+        (replace(output, domain=((0.126, 8.0),)), FLOAT64),
+        (replace(output, domain=((0.125, 7.99),)), FLOAT64),
+        (output, FLOAT32),
+    ):
+        worse = replace(bound, format=form, outputs=(changed,))
+        with pytest.raises(PrintingError, match="f: float64 errs by too much"):
+            single_units(plain, worse)
