@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
+from gainproof import interrupts
 from gainproof.bad_input import BadInputError
 from gainproof.process import BrokenOffError, Process
 from gainproof.tasks import DERIVING
@@ -76,7 +77,7 @@ def run(
     """
     settings = {**os.environ, **REPRODUCIBLE, **(environment or {})}
     listener = _Listener(on_done, on_told, on_result)
-    return asyncio.run(_run(jobs, listener, settings, limit or processors()))
+    return interrupts.run(_run(jobs, listener, settings, limit or processors()))
 
 
 def processors() -> int:
