@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -31,18 +32,21 @@ def sights() -> sp.ImmutableDenseMatrix:
     return sp.ImmutableDenseMatrix([list(transition(-x)[0, :]) for x in back])
 
 
+@cache  # asked for by each of the families' kernels and steps
 def weights() -> sp.ImmutableDenseMatrix:
     """W, with which three positions give the state: the parabola through them."""
     inverse: Any = sights().inv()
     return sp.ImmutableDenseMatrix(inverse.applyfunc(sp.factor))
 
 
+@cache
 def newer() -> sp.ImmutableDenseMatrix:
     """What the noise of the second interval does to the state that W gives."""
     rows = sights()
     return _factored(weights() * sp.ImmutableDenseMatrix([[0, 0, 0], rows[1, :], rows[2, :]]))
 
 
+@cache
 def older() -> sp.ImmutableDenseMatrix:
     """What the noise of the first interval does."""
     last = list(transition(-S)[0, :])
@@ -80,6 +84,7 @@ def named(prefix: str) -> sp.ImmutableDenseMatrix:
     return sp.ImmutableDenseMatrix(3, 3, entry)
 
 
+@cache
 def covariance(noise: TripleNoise) -> sp.ImmutableDenseMatrix:
     """Of the state that W gives, times the square of s t (s + t): polynomials in q, s, t and r."""
     square, two, one = (
