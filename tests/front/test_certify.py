@@ -6,12 +6,15 @@ import json
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from gainproof.certify import tools
+from gainproof.certify import portions, tools
+from gainproof.certify.carrying_out import carry_out
 from gainproof.certify.cover import Cover
+from gainproof.certify.outcome import Outcome
 from gainproof.certify.printed_bound import printed_bounds
 from gainproof.certify.reading import statements, towers
 from gainproof.certify.rounding_bound import covered
@@ -249,3 +252,100 @@ def test_the_table_says_what_is_absent(
 def test_an_unknown_subject(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["certify", "least-square-mean"]) == 2
     assert "least-squares-mean" in capsys.readouterr().err
+
+
+def test_what_is_kept_is_not_asked_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nor what time ran out of kept; and other certificates, code and tools are asked anew."""
+    state = tmp_path / "state.jsonl"
+    command = ["certify", "least-squares-mean", "--tool", "flint", "--state", str(state)]
+    assert main(command) == 0
+    first = capsys.readouterr().out
+    assert "6         6" in first
+    (line,) = state.read_text().splitlines()
+
+    asked: list[str] = []
+
+    def certify(subject: Subject, limit: float) -> Outcome:
+        asked.append(subject.name)
+        return _tool("flint").certify(subject, limit)
+
+    code = portions._code.__wrapped__
+    monkeypatch.setattr(portions, "_code", code)
+    monkeypatch.setattr(portions, "TOOLS", (replace(_tool("flint"), certify=certify),))
+    assert main(command) == 0
+    assert (capsys.readouterr().out, asked) == (first, [])
+    monkeypatch.setattr(portions, "_code", lambda: "other code")
+    assert main(command) == 0
+    assert asked == ["least-squares-mean"]
+    capsys.readouterr()
+    monkeypatch.setattr(portions, "_code", code)
+    unfinished = json.loads(line)
+    unfinished["result"]["unfinished"] = True
+    state.write_text(json.dumps(unfinished) + "\n")
+    assert main(command) == 2
+    assert "line 1" in capsys.readouterr().err
+    assert main([*command[:-2], "--jobs", "0"]) == 2
+
+
+def test_what_ran_out_of_time_is_asked_again(tmp_path: Path) -> None:
+    asked: list[float] = []
+
+    def certify(subject: Subject, limit: float) -> Outcome:
+        asked.append(limit)
+        return Outcome(subject.name, "flint", 3, 2, 1.0, unfinished=limit < 10)
+
+    def carried_out(seconds: float) -> list[Outcome]:
+        told: list[Outcome] = []
+        path = tmp_path / "state.jsonl"
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(portions, "TOOLS", (tool,))
+            assert carry_out(subjects, [tool], seconds, 1, path, told.append) == told
+        return told
+
+    tool = replace(_tool("flint"), certify=certify)
+    subjects = list(chosen(["least-squares-line", "least-squares-mean"]))
+    assert [each.unfinished for each in carried_out(5.0)] == [True, True]
+    assert [each.unfinished for each in carried_out(20.0)] == [False, False]
+    assert [each.accepted for each in carried_out(5.0)] == [2, 2]
+    assert asked == [5.0, 5.0, 20.0, 20.0]
+
+
+def test_gappa_is_asked_about_each_output_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Outputs that are computed alike go together, all of them somewhere, and join again."""
+    monkeypatch.setattr(portions, "_version", lambda _: "any")
+    (gappa,) = (tool for tool in tools.TOOLS if tool.name == "gappa")
+    subject = _subject("random-velocity")
+    found = [names for _, _, names, _ in portions.portions(subject, gappa)]
+    assert ["gains.beta", "predictor_gains.velocity", "gains_with_derivatives.beta"] in [
+        sorted(names, key=lambda name: ("with" in name, name)) for names in found
+    ]
+    wanted = sorted(each.name for each in printed_bounds(subject.source))
+    assert sorted(name for names in found for name in names) == wanted
+
+    def asked(
+        graph: object, output: str, domain: object, bound: object, limit: float, say: object
+    ) -> Cover:
+        return Cover(1, Fraction(1))
+
+    monkeypatch.setattr("gainproof.certify.bounds.covered", asked)
+    whole = gappa.certify(subject, SECONDS)
+    parts = [gappa.certify(replace(subject, outputs=frozenset(each)), SECONDS) for each in found]
+    both = [each.rpartition(",")[0] for each in sorted(portions.joined(parts).notes)]
+    assert both == [each.rpartition(",")[0] for each in sorted(whole.notes)]
+    assert portions.joined(parts).statements == whole.statements == len(wanted)
+    rejected = replace(parts[0], rejected="here", unfinished=True, left_out={"choices": 2})
+    again = portions.joined([parts[1], rejected, replace(parts[2], left_out={"choices": 1})])
+    assert (again.rejected, again.unfinished, again.left_out) == ("here", True, {"choices": 3})
+
+
+def test_processes_say_the_same(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    command = ["certify", "least-squares-mean", "least-squares-line", "--tool", "flint"]
+    told = []
+    for more in ([], ["--jobs", "2", "--state", str(tmp_path / "state")]):
+        assert main([*command, *more]) == 0
+        rows = capsys.readouterr().out.splitlines()
+        told.append([row.split()[:4] for row in rows if row.startswith("least")])
+    assert told[0] == told[1]
+    assert len(told[0]) == 2

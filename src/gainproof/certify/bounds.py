@@ -29,7 +29,9 @@ def certify(subject: Subject, limit: float) -> Outcome:
     rejected, unfinished, notes = "", False, []
     progress, known = Progress(), dict[object, Cover]()
     for printed in printed_bounds(subject.source):
-        what = f"{printed.kernel}.{printed.output}"
+        what = printed.name
+        if subject.outputs is not None and what not in subject.outputs:
+            continue
 
         def say(pieces: int, what: str = what) -> None:
             progress.say_sometimes(f"{subject.name} {what}: {pieces} pieces")

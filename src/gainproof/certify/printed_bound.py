@@ -24,6 +24,11 @@ class PrintedBound:
     bound: Fraction
     domain: tuple[Fraction, Fraction]
 
+    @property
+    def name(self) -> str:
+        """Of kernel and output."""
+        return f"{self.kernel}.{self.output}"
+
 
 def printed_bounds(source: str) -> Iterator[PrintedBound]:
     """The relative bounds of one input that a kernel module prints."""
