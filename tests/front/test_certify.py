@@ -11,11 +11,11 @@ from typing import Any
 
 import pytest
 
-from gainproof.certify import portions, tools
+from gainproof.certify import bounds, portions, tools
 from gainproof.certify.carrying_out import carry_out
 from gainproof.certify.cover import Cover
 from gainproof.certify.outcome import Outcome
-from gainproof.certify.printed_bound import printed_bounds
+from gainproof.certify.printed_bound import other_bounds, printed_bounds
 from gainproof.certify.reading import statements, towers
 from gainproof.certify.rounding_bound import covered
 from gainproof.certify.subjects import Subject, chosen
@@ -54,6 +54,12 @@ def small() -> Subject:
     subject = _subject("random-velocity")
     names = [_ids(subject, kind)[0] for kind in ("riccati", "stable", "positive_definite")]
     return _part(subject, *names, "alpha-below-one")
+
+
+@pytest.mark.thorough
+def test_coq_takes_a_divisor_that_occurs_twice() -> None:
+    found = _tool("coq").certify(_part(_subject("alpha-beta"), "optimum"), SECONDS)
+    assert (found.accepted, found.rejected) == (1, "")
 
 
 SLOW = ["flint", "singular", pytest.param("coq", marks=pytest.mark.thorough)]
@@ -166,6 +172,28 @@ def test_gappa_looks_at_both_sides_of_a_choice() -> None:
     assert failed[1] <= Fraction(3, 4)
     above = (Fraction(3, 4), Fraction(4))
     assert covered(graph, "y", above, Fraction(51, 100), SECONDS).failed is None
+
+
+def test_gappa_is_asked_about_0_by_itself() -> None:
+    """(x + 1)/10 next to 0 is exactly 1/10 rounded."""
+    _tool("gappa")
+    graph = _graph(["number", "1"], ["add", 0, 1], ["number", "10"], ["div", 2, 3])
+    ends = (Fraction(0), Fraction(4))
+    assert covered(graph, "y", ends, Fraction(101, 100), SECONDS).failed is None
+    low, high, sums = covered(graph, "y", ends, Fraction(2, 10), SECONDS).failed or (1, 1, None)
+    assert (low, high) == (0, 0)
+    exact = 2 * 2**52 * abs(Fraction(0.1) * 10 - 1)
+    assert sums is not None
+    assert abs(sums[0] - exact) < Fraction(1, 10**6)
+
+
+def test_bounds_that_are_not_asked_about_are_counted() -> None:
+    found = {name: other_bounds(_subject(name).source) for name in ("alpha-beta", "filter-step")}
+    assert set(found["filter-step"]) == {"kernels of several inputs"}
+    assert found["filter-step"].total() > 10
+    stated = " ".join(_subject("alpha-beta").source.split()).count("* 2^-52 (float64)")
+    one = len(list(printed_bounds(_subject("alpha-beta").source)))
+    assert one + found["alpha-beta"].total() == stated
 
 
 @pytest.mark.thorough
@@ -322,7 +350,7 @@ def test_gappa_is_asked_about_each_output_once(monkeypatch: pytest.MonkeyPatch) 
         sorted(names, key=lambda name: ("with" in name, name)) for names in found
     ]
     wanted = sorted(each.name for each in printed_bounds(subject.source))
-    assert sorted(name for names in found for name in names) == wanted
+    assert sorted(name for names in found for name in names) == sorted([*wanted, bounds.OTHERS])
 
     def asked(
         graph: object, output: str, domain: object, bound: object, limit: float, say: object
@@ -335,8 +363,9 @@ def test_gappa_is_asked_about_each_output_once(monkeypatch: pytest.MonkeyPatch) 
     both = [each.rpartition(",")[0] for each in sorted(portions.joined(parts).notes)]
     assert both == [each.rpartition(",")[0] for each in sorted(whole.notes)]
     assert portions.joined(parts).statements == whole.statements == len(wanted)
-    rejected = replace(parts[0], rejected="here", unfinished=True, left_out={"choices": 2})
-    again = portions.joined([parts[1], rejected, replace(parts[2], left_out={"choices": 1})])
+    assert portions.joined(parts).left_out == whole.left_out == {"errors over a scale": 5}
+    rejected = replace(parts[1], rejected="here", unfinished=True, left_out={"choices": 2})
+    again = portions.joined([parts[2], rejected, replace(parts[3], left_out={"choices": 1})])
     assert (again.rejected, again.unfinished, again.left_out) == ("here", True, {"choices": 3})
 
 

@@ -10,12 +10,14 @@ from gainproof.certify import gappa
 from gainproof.certify.cover import Cover
 from gainproof.certify.expression import NotExportedError
 from gainproof.certify.outcome import Outcome
-from gainproof.certify.printed_bound import PrintedBound, printed_bounds
+from gainproof.certify.printed_bound import PrintedBound, other_bounds, printed_bounds
 from gainproof.certify.rounding_bound import covered, steps_of
 from gainproof.certify.subjects import Subject
 from gainproof.progress import Progress
 
 NAME, PROGRAM = "gappa", gappa.PROGRAM
+OTHERS = "other bounds"
+"""Among the outputs of a subject: those bounds that Gappa is not asked about, to be counted."""
 
 
 def certify(subject: Subject, limit: float) -> Outcome:
@@ -26,6 +28,8 @@ def certify(subject: Subject, limit: float) -> Outcome:
     """
     start, statements, accepted = perf_counter(), 0, 0
     left_out: Counter[str] = Counter()
+    if subject.outputs is None or OTHERS in subject.outputs:
+        left_out += other_bounds(subject.source)
     rejected, unfinished, notes = "", False, []
     progress, known = Progress(), dict[object, Cover]()
     for printed in printed_bounds(subject.source):

@@ -151,7 +151,8 @@ class _Tower:
         proof += " {"
         for _, divisor, form in known_forms(goal, self.tower):
             proof += f" assert (same : {self.text(divisor)} = {self.text(form)})"
-            proof += f" by ({equal}). rewrite same; clear same."
+            # one of the same words was replaced with the first of them
+            proof += f" by ({equal}). try rewrite same; clear same."
         proof += f" {equal}. }}"
         if goal.positive:
             shift = f"{start} apply Rdiv_lt_0_compat; ring_simplify; " if self.tower.shifted else ""

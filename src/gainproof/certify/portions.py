@@ -1,7 +1,8 @@
 """What is asked of a tool at a time, so that it can be shared out and kept: plain data.
 
 Of Coq, Singular and python-flint that is a subject; of Gappa the outputs of a subject that are
-computed alike, which it is asked about once. What is said of the portions of a subject joins.
+computed alike, which it is asked about once, and the count of those that it is not asked about.
+What is said of the portions of a subject joins.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ def portions(subject: Subject, tool: Tool) -> Iterator[Portion]:
     if tool.name != bounds.NAME:
         yield tool.name, subject.name, [], known
         return
-    alike: dict[object, list[str]] = {}
+    alike: dict[object, list[str]] = {None: [bounds.OTHERS]}
     for printed in printed_bounds(subject.source):
         alike.setdefault(_kind(subject, printed), []).append(printed.name)
     for names in alike.values():

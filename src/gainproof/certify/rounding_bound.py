@@ -21,6 +21,8 @@ from gainproof.derive.printer.plain import plain
 from gainproof.derive.printer.program import Program, program
 from gainproof.derive.printer.unrolled import Cycle
 
+LEAST_POSITIVE = Fraction(1, 2**1074)
+
 
 def covered(
     graph: Mapping[str, Any],
@@ -39,16 +41,17 @@ def covered(
     most = 2 * bound / roundings.MARGIN  # in units of 2^-53, second order taken off
     if most > roundings.MOST:
         raise NotExportedError("bounds above 512 * 2^-52")
-    if domain[0] <= 0:
-        raise NotExportedError("kernels of inputs that may be 0")
     full = program(graph)  # type: ignore[arg-type]
     whole = plain(full)
     if len(whole.inputs) != 1:
         raise NotExportedError("kernels of several inputs")
+    above = max(domain[0], LEAST_POSITIVE), domain[1]
     parts = [
         (part, _weighing(steps, full.cycles, output, stop))
-        for part, steps in branches(whole, domain)
+        for part, steps in branches(whole, above)
     ]
+    if domain[0] < above[0]:  # 0 is asked about by itself, with what is chosen next to it
+        parts.insert(0, ((Fraction(0), Fraction(0)), parts[0][1]))
     if not _model_holds(stop):
         raise NotExportedError("anything: Gappa does not prove what is assumed of roundings")
     found = Cover(0, Fraction(0))
