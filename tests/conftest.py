@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterator
 from functools import cache
 
+import kept_processes
 import pytest
 import samples
 from catalogue_subjects import prepare_all
@@ -63,7 +64,10 @@ def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         changed.setattr(workers, "processors", lambda: 1)
         # pages and lists read all claim files, which takes a second; it depends on the text alone
         changed.setattr(file, "read_claim_text", cache(file.read_claim_text))
+        keeper = kept_processes.Keeper()
+        changed.setattr(workers, "Process", keeper.process())
         yield
+        keeper.close()
 
 
 @pytest.fixture(scope="session")

@@ -72,6 +72,14 @@ def certificate(name: str) -> Mapping[str, Any]:
     return derived(name).certificate
 
 
+@cache
+def report(name: str) -> Mapping[str, Any]:
+    """The checker's report on the certificate just derived: of whoever asks first in a session, or
+    that of `gainproof run` on the same certificate with the same code. Nobody changes it.
+    """
+    return derivations.own_report(derived(name), with_the_users(open_workshop(quiet=True)))
+
+
 def models() -> list[Mapping[str, Any]]:
     """The models of all subjects that have one, in the order of the catalogue, each once."""
     found = {data["name"]: data for entry in CATALOGUE if (data := derived(entry.name).model)}
