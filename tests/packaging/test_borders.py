@@ -29,6 +29,12 @@ class Border:
 # The longest matching folder decides.
 ARROWS = (
     Border("derive", ("gainproof.derive",), frozenset({"sympy", "mpmath", "numpy"})),
+    # common factors of polynomials: SymPy's own took a sixth of all derivations
+    Border(
+        "derive/algebra/common_factor.py",
+        ("gainproof.derive",),
+        frozenset({"sympy", "mpmath", "numpy", "flint"}),
+    ),
     # the printer works on plain graphs: no computer algebra behind a printed number
     Border("derive/printer", ("gainproof.derive",), frozenset({"numpy", "mpmath", "flint"})),
     # copied into generated/: it may lean on NumPy alone
