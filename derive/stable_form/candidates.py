@@ -21,6 +21,7 @@ from gainproof.derive.stable_form.writing import Text, Writing
 
 SCALED = Fraction(1, 2**60)  # keeps 1/x from overflowing for the least numbers x
 LONGER = 2  # times as many nodes as the shortest candidate: not worth a proof
+BY_SHARES = "root of a sum of squares by the shares of what is squared"
 PLACES = (Fraction(0), Fraction(1, 2), Fraction(1))
 
 
@@ -32,14 +33,35 @@ def best(expression: sp.Expr, inputs: Sequence[Input], prefix: str) -> Found:
     NoReading if the expression is none of what can be read.
     """
     found: list[tuple[tuple[float, ...], Found]] = []
-    refusal: NoReading | None = None
     seen: list[Graph] = []
+    refusal = _tried(expression, inputs, prefix, False, found, seen)
+    if not found:
+        raise refusal or NoReading(f"no form of {expression}")
+    if min(each[0] for each in found)[:2] == (0, 1):  # no subtraction, and no bound for all inputs
+        _tried(expression, inputs, prefix, True, found, seen)
+    ranked = [each for _, each in sorted(found, key=lambda each: each[0])]
+    return replace(within_range(ranked, inputs), tried=len(seen))
+
+
+def _tried(
+    expression: sp.Expr,
+    inputs: Sequence[Input],
+    prefix: str,
+    shares: bool,
+    found: list[tuple[tuple[float, ...], Found]],
+    seen: list[Graph],
+) -> NoReading | None:
+    """Adds what is found, with its cost, to those found before, whose graphs were `seen`."""
+    refusal: NoReading | None = None
     domains = list(coordinates(inputs))
     for domain in domains:
         for rooted, scale in combinations((False, True), (Fraction(1), SCALED)):
             try:
                 marked = tuple(replace(each, rooted=rooted) for each in domain)
-                candidates = list(_candidates(expression, marked, domains[-1], prefix, scale))
+                orders = _orders(shares)
+                candidates = list(
+                    _candidates(expression, marked, domains[-1], prefix, scale, orders)
+                )
             except NoReading as error:
                 refusal = error
                 break
@@ -54,14 +76,21 @@ def best(expression: sp.Expr, inputs: Sequence[Input], prefix: str) -> Found:
                     bound, reason = bounded(candidate, inputs)
                 found.append((cost(candidate, bound), Found(candidate, bound, reason, 0)))
             subtracts = all(candidate.differences for candidate in candidates)
-            if subtracts or min(each[0] for each in found)[:2] == (0, 0):
+            if subtracts or (found and min(each[0] for each in found)[:2] == (0, 0)):
                 break
-        if found and min(each[0] for each in found)[:1] == (0,):
+        if found and min(each[0] for each in found)[:2] <= (0, 0 if shares else 1):
             break
-    if not found:
-        raise refusal or NoReading(f"no form of {expression}")
-    ranked = [each for _, each in sorted(found, key=lambda each: each[0])]
-    return replace(within_range(ranked, inputs), tried=len(seen))
+    return refusal
+
+
+def _orders(shares: bool) -> list[tuple[Fraction, Order]]:
+    """The powers drawn out and the orders of operations that are tried together."""
+    return [
+        (place, Order(nested, alternating, shares))
+        for place in (PLACES[:1] if shares else PLACES)
+        for nested in (True, False)
+        for alternating in (False, True)
+    ]
 
 
 def _candidates(
@@ -70,6 +99,7 @@ def _candidates(
     narrow: tuple[Coordinate, ...],
     prefix: str,
     scale: Fraction,
+    orders: Sequence[tuple[Fraction, Order]],
 ) -> Iterator[Candidate]:
     text = _read(expression, domain, narrow, prefix)
     products = [text.reading.product(text.value), Products(text.reading.tower).whole(text.value)]
@@ -77,12 +107,11 @@ def _candidates(
         raise NoReading("the expression is 0")
     if products[0].powers == products[1].powers or shown(products[0]) > shown(products[1]):
         products.pop()
-    for product, place, nested, alternating in combinations(
-        products, PLACES, (True, False), (False, True)
-    ):
-        writing = Writing(text, product, place, scale, Order(nested, alternating))
+    for product, (place, order) in combinations(products, orders):
+        writing = Writing(text, product, place, scale, order)
         graph, differences = writing.graph(abstract=False)
-        yield Candidate(text, product.rules, writing, graph, differences)
+        rules = (*product.rules, BY_SHARES) if order.shares else product.rules
+        yield Candidate(text, rules, writing, graph, differences)
 
 
 def _read(

@@ -23,11 +23,14 @@ class Order:
     """How sums and quotients are written.
 
     `nested`: sums by Horner's rule, else term by term. `alternating`: factors and divisors in turn,
-    else one quotient of two products.
+    else one quotient of two products. `shares`: roots of sums of squares by the shares of what is
+    squared in its sum, sqrt(x^2 + y^2) as s sqrt((x/s)^2 + (y/s)^2) with s = x + y, so that no
+    square leaves the range of numbers where the root does not.
     """
 
     nested: bool
     alternating: bool
+    shares: bool = False
 
 
 class Emission:
@@ -193,8 +196,35 @@ class Emission:
     def _generator(self, number: int, power: int) -> list[Node]:
         """The root of its terms and of a factor, which is a power of 4."""
         whole = self.letters.generators[number]
+        by_shares = self._by_shares(whole.terms) if self.order.shares else None
+        if by_shares is not None:
+            root = self.lines.scaled(by_shares, _root(whole.factor))
+            return [root] * power
         node = self.polynomial(whole.terms)
-        outer = Fraction(isqrt(whole.factor.numerator), isqrt(whole.factor.denominator))
+        outer = _root(whole.factor)
         square = self.lines.scaled(node, whole.factor)
         root = self.lines.scaled(self.builder.sqrt(node), outer)
         return [square] * (power // 2) + [root] * (power % 2)
+
+    def _by_shares(self, terms: Terms) -> Node | None:
+        """The root of a sum of squares times positive numbers; None of anything else."""
+        whole_powers = all(
+            not each % (4 if place < self.letters.roots else 2)  # inputs in halves
+            for term in terms
+            for place, each in enumerate(term)
+        )
+        if not whole_powers or len(terms) < 2 or min(terms.values()) <= 0:
+            return None
+        squared = {term: tuple(each // 2 for each in term) for term in terms}
+        whole = self._term_by_term(dict.fromkeys(squared.values(), Fraction(1)))
+        parts: list[Node] = []
+        for term, value in sorted(terms.items()):
+            share = self._term(squared[term], Fraction(1)) / whole
+            square = share * share
+            parts.append(square if value == 1 else square * value)
+        return whole * self.builder.sqrt(reduce(Node.__add__, parts))
+
+
+def _root(factor: Fraction) -> Fraction:
+    """Of a power of 4."""
+    return Fraction(isqrt(factor.numerator), isqrt(factor.denominator))
