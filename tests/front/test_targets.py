@@ -28,7 +28,8 @@ def names(folder: Path) -> set[str]:
 
 def run_tests(folder: Path) -> subprocess.CompletedProcess[str]:
     run = [sys.executable, "-m", "pytest", *QUIET, str(folder / "tests/test_c.py")]
-    own = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
+    plain = {"PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+    own = {**os.environ, **plain}
     return subprocess.run(run, env=own, capture_output=True, text=True, check=False)
 
 
