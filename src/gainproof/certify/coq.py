@@ -30,6 +30,8 @@ Ltac sign := lazymatch goal with
   | |- _ => first [assumption | apply Rlt_le; assumption | lra]
   end.
 Ltac nonzero := apply Rgt_not_eq; unfold Rgt; first [sign | ring_simplify; sign].
+Ltac given := match goal with n : ?d <> 0 |- ?e <> 0 =>
+  let h := fresh in intro h; apply n; lra end.
 Ltac parts := repeat match goal with |- _ /\\ _ => split end.
 """
 
@@ -141,9 +143,8 @@ class _Tower:
             start += f"unfold {', '.join(f'{self.prefix}_{e}' for e in self.tower.elements)} in *;"
         rules = " ".join(f"r_{name}" for name in roots)
         rules = f" [{rules}]" if rules else ""
-        equal = (
-            f"{start} field{rules}; parts; (assumption || nonzero || ({_NONZERO.format(rules)}))"
-        )
+        nonzero = f"assumption || given || nonzero || ({_NONZERO.format(rules)})"
+        equal = f"{start} field{rules}; parts; ({nonzero})"
         if goal.left is goal.right:
             return f"Lemma {name} : {claim}. Proof. {proof} sign. Qed."
         if goal.positive:
