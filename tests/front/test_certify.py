@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -11,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from gainproof.certify import bounds, portions, tools
+from gainproof.certify import bounds, external, portions, tools
 from gainproof.certify.carrying_out import carry_out
 from gainproof.certify.cover import Cover
 from gainproof.certify.outcome import Outcome
@@ -366,7 +367,7 @@ def test_gappa_is_asked_about_each_output_once(monkeypatch: pytest.MonkeyPatch) 
 
     monkeypatch.setattr("gainproof.certify.bounds.covered", asked)
     whole = gappa.certify(subject, SECONDS)
-    parts = [gappa.certify(replace(subject, outputs=frozenset(each)), SECONDS) for each in found]
+    parts = [gappa.certify(replace(subject, only=frozenset(each)), SECONDS) for each in found]
     both = [each.rpartition(",")[0] for each in sorted(portions.joined(parts).notes)]
     assert both == [each.rpartition(",")[0] for each in sorted(whole.notes)]
     assert portions.joined(parts).statements == whole.statements == len(wanted)
@@ -385,3 +386,25 @@ def test_processes_say_the_same(tmp_path: Path, capsys: pytest.CaptureFixture[st
         told.append([row.split()[:4] for row in rows if row.startswith("least")])
     assert told[0] == told[1]
     assert len(told[0]) == 2
+
+
+def test_coq_is_asked_about_each_statement_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A few at a time, so that one that is not accepted hides no others; they join again."""
+    monkeypatch.setattr(portions, "_version", lambda _: "any")
+    (coq,) = (tool for tool in tools.TOOLS if tool.name == "coq")
+    subject = _subject("random-velocity")
+    found = [names for _, _, names, _ in portions.portions(subject, coq)]
+    every = list(statements(subject.certificate))
+    assert sorted(name for names in found for name in names) == sorted({s.id for s in every})
+    asked: list[str] = []
+
+    def ask(_command: object, _name: str, text: str, _limit: float) -> external.Answer:
+        asked.append(text)
+        return external.Answer(0, "", 0.0)
+
+    monkeypatch.setattr(external, "ask", ask)
+    whole = coq.certify(subject, SECONDS)
+    parts = [coq.certify(replace(subject, only=frozenset(each)), SECONDS) for each in found]
+    assert portions.joined(parts) == replace(whole, seconds=0.0)
+    lemmas = [sorted(re.findall(r"Lemma \w+ : (.*?)\. Proof", text)) for text in asked]
+    assert sorted(each for some in lemmas[1:] for each in some) == lemmas[0]

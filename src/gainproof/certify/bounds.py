@@ -28,13 +28,13 @@ def certify(subject: Subject, limit: float) -> Outcome:
     """
     start, statements, accepted = perf_counter(), 0, 0
     left_out: Counter[str] = Counter()
-    if subject.outputs is None or OTHERS in subject.outputs:
+    if subject.only is None or OTHERS in subject.only:
         left_out += other_bounds(subject.source)
     rejected, unfinished, notes = "", False, []
     progress, known = Progress(), dict[object, Cover]()
     for printed in printed_bounds(subject.source):
         what = printed.name
-        if subject.outputs is not None and what not in subject.outputs:
+        if subject.only is not None and what not in subject.only:
             continue
 
         def say(pieces: int, what: str = what) -> None:

@@ -15,13 +15,13 @@ from gainproof.bad_input import unknown_name
 class Subject:
     """`name` as on the command line, the certificate (parsed JSON), the module's source.
 
-    `outputs`: the only ones whose bounds are asked about, as "kernel.output"; None: all.
+    `only`: what is asked about, identifiers of statements or outputs as "kernel.output"; None: all.
     """
 
     name: str
     certificate: Mapping[str, Any]
     source: str
-    outputs: frozenset[str] | None = None
+    only: frozenset[str] | None = None
 
 
 def chosen(names: Sequence[str]) -> Iterator[Subject]:

@@ -11,10 +11,10 @@ gainproof, and prints what they accept: Coq (coqc) and Singular, python-flint fo
 Gappa for the bounds. What each checks, what it takes for granted and what is not handed over stands
 in docs/certify.md. Tools that are not installed are named and left out.
 
---jobs shares subjects out to processes, for Gappa outputs too. With --state what a tool has
-answered is kept, a line each, and the same command goes on after an interrupt, or with more
---seconds: what ran out of time is asked again, and all that rests on other code, certificates or
-tools.
+--jobs shares subjects out to processes, for Coq statements, for Gappa outputs. With --state what a
+tool has answered is kept, a line each, and the same command goes on after an interrupt, or with
+more --seconds: what ran out of time is asked again, and all that rests on other code, certificates
+or tools.
 
 Exit status 0: nothing is rejected; 1: a tool rejects something; 2: bad input, or a tool that is
 asked for by --tool is not installed."""
@@ -30,7 +30,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=600.0,
         metavar="S",
-        help="of a tool and subject, of Gappa and output; 600",
+        help="of a tool and subject; of Coq and six statements, of Gappa and an output; 600",
     )
     parser.add_argument(
         "--jobs", type=int, default=1, metavar="N", help="processes; 1 without this"
