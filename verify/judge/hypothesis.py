@@ -6,6 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import lru_cache
+from operator import itemgetter
 
 from gainproof.verify.judge.cells.decision import decide_in_cells
 from gainproof.verify.judge.domain import box_conditions
@@ -38,6 +40,30 @@ def settle(
     symbols, then by the relations of roots, then at points. Raises Undecided with the last reason.
     """
     labels = with_tokens(labels, statement.symbols())
+    known = tuple(sorted(boxes.items(), key=itemgetter(0)))
+    found = _settled(statement, known, parameter, tuple(sorted(labels.items())))
+    if isinstance(found, str):
+        raise Undecided(found)
+    return found
+
+
+@lru_cache(maxsize=1 << 10)  # two of three questions are asked again: by every convention, say
+def _settled(
+    statement: Statement,
+    boxes: tuple[tuple[str, Box], ...],
+    parameter: str | None,
+    labels: tuple[tuple[str, str], ...],
+) -> Outcome | str:
+    """The outcome, or why there is none; it depends on nothing but what is given."""
+    try:
+        return _decided(statement, dict(boxes), parameter, dict(labels))
+    except Undecided as reason:
+        return str(reason)
+
+
+def _decided(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Outcome:
     last = Undecided("no variable")
     for choice in candidates(statement, parameter):
         try:

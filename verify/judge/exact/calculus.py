@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from operator import is_
 
 from gainproof.verify.judge.exact.expression import (
     Expr,
@@ -23,10 +24,10 @@ def rebuilt(expr: Expr, change: Callable[[Expr, tuple[Expr, ...]], Expr | None])
     """The tree with every node replaced by change(node, new parts), bottom up; None keeps it."""
     done: dict[bytes, Expr] = {}
     for node in walk(expr):
-        parts = tuple(done[p.key] for p in node.parts)
+        parts = tuple([done[p.key] for p in node.parts])
         changed = change(node, parts)
         if changed is None:
-            same = all(a is b for a, b in zip(parts, node.parts, strict=True))
+            same = all(map(is_, parts, node.parts))
             changed = node if same else Expr(node.kind, node.value, parts)
         done[node.key] = changed
     return done[expr.key]

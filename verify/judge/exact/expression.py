@@ -167,10 +167,11 @@ def walk(*roots: Expr, known: Container[bytes] = ()) -> Iterator[Expr]:
         node = stack[-1]
         key = node.key
         if key not in seen and key not in known:
-            size = len(stack)
-            stack += [p for p in node.parts[::-1] if p.key not in seen and p.key not in known]
-            if len(stack) > size:
-                continue
+            if node.parts:
+                first = [p for p in node.parts[::-1] if p.key not in seen and p.key not in known]
+                if first:
+                    stack += first
+                    continue
             seen.add(key)
             yield node
         stack.pop()

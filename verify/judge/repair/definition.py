@@ -18,7 +18,7 @@ from gainproof.verify.judge.repair.catalogue import changes
 from gainproof.verify.judge.repair.chained import Chain, printed_bodies
 from gainproof.verify.judge.repair.definition_points import far_points, near_points
 from gainproof.verify.judge.repair.points import Point
-from gainproof.verify.judge.repair.printed import printed
+from gainproof.verify.judge.repair.printed import Printed, printed
 from gainproof.verify.judge.repair.proof import is_proved, reread, standing
 from gainproof.verify.judge.repair.senseless import is_more_senseless
 from gainproof.verify.judge.repair.suspects import Suspect, suspects_of
@@ -72,11 +72,12 @@ class DefinitionTask:
             points |= {c.id: near_points(c, convention) for c in users}
             chain = Chain(suspect.token, suspect.users, points, scope, bodies)
             far: Chain | None = None
-            for change in _changes(suspect, convention.setting):
+            for change, formula in _changes(suspect, convention.setting):
                 tried += 1
                 if tried > MOST_TRIED or time.perf_counter() > deadline:
                     break
-                if not chain.agrees(_body(change)):
+                # nearly all are left out by the first point
+                if not chain.agrees(_body(change)) or is_more_senseless(change.printed, formula):
                     continue
                 if far is None:
                     at = {c.id: far_points(c, suspect.token, convention) for c in suspect.users}
@@ -118,7 +119,8 @@ def _borne_out(suspect: Suspect, change: Change, convention: Convention) -> dict
     }
 
 
-def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
+def _changes(suspect: Suspect, setting: Setting) -> Iterator[tuple[Change, Printed]]:
+    """Changes of a definition that leave what is defined, each with the definition as printed."""
     definition = setting.symbols[suspect.token].definition
     assert definition is not None
     try:
@@ -130,12 +132,15 @@ def _changes(suspect: Suspect, setting: Setting) -> Iterator[Change]:
     for change in changes(formula, table, sample_numbers(setting)):
         if change.printed.sides[formula.links[0].left] != left:
             continue
-        circular = any(
-            node.kind in ("symbol", "call") and node.name == suspect.token
-            for node in walk(_body(change))
-        )
-        if not circular and not is_more_senseless(change.printed, formula):
-            yield change
+        if not _holds(_body(change), suspect.token):
+            yield change, formula
+
+
+def _holds(expr: Expr, token: str) -> bool:
+    """Whether a symbol or function of that name stands anywhere in a tree as printed."""
+    if expr.value == token and expr.kind in ("symbol", "call"):
+        return True
+    return any(_holds(part, token) for part in expr.parts)
 
 
 def _body(change: Change) -> Expr:
