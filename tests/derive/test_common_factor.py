@@ -1,5 +1,9 @@
 """Common factors by FLINT against SymPy's own gcd, which shares no code with it."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import pytest
 import sympy as sp
 from hypothesis import given
@@ -19,7 +23,7 @@ polynomials = st.dictionaries(powers, coefficients.filter(bool), min_size=1, max
 
 
 @given(polynomials, polynomials, polynomials)
-def test_fraction_is_as_short_as_sympy_writes_it(num, den, factor):
+def test_fraction_is_as_short_as_sympy_writes_it(num: Any, den: Any, factor: Any) -> None:
     found = without_common_factor(num * factor, den * factor)
     expected = (num * factor).cancel(den * factor)
     scale = expected[1].LC / found[1].LC
@@ -27,7 +31,7 @@ def test_fraction_is_as_short_as_sympy_writes_it(num, den, factor):
 
 
 @pytest.mark.parametrize("constant", [1, -3])
-def test_constant_has_no_common_factor(constant):
+def test_constant_has_no_common_factor(constant: int) -> None:
     x = RING.gens[0]
     whole = RING.ground_new(sp.QQ(constant, 2))
     assert without_common_factor(x, whole) == (x, whole)

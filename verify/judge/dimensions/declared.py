@@ -21,8 +21,8 @@ from gainproof.verify.judge.dimensions.formula import (
 )
 from gainproof.verify.judge.dimensions.names import Names
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 
 NOISES = ("process_noise", "measurement_noise")

@@ -29,8 +29,8 @@ from gainproof.verify.judge.dimensions.table import (
     transposed,
 )
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Malformed
+from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph, Reading, Relation
 
 OF_NUMBERS = frozenset(

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from gainproof.verify.judge.claim.record import Setting, SymbolEntry
 from gainproof.verify.judge.dimensions.dimension import ANY, Dimensions, Mismatch, agreed, times
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import read_tree
+from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Formula
 
 MOST_CALLS = 500

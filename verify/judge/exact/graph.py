@@ -70,14 +70,6 @@ def read_graph(graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS) -> Exp
     return value
 
 
-def read_tree(graph: Mapping[str, Any], limits: Limits = DEFAULT_LIMITS) -> Expr:
-    """The output "value" of a graph; matrices are nodes of it. Raises Malformed."""
-    value = read_values(graph, limits, as_tree=True).get("value")
-    if not isinstance(value, Expr):
-        raise Malformed("wanted a graph with an output 'value'")
-    return value
-
-
 def _node(
     node: Any,
     position: int,

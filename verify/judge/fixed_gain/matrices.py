@@ -12,8 +12,8 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbol, symbols_of
 from gainproof.verify.judge.exact.free_names import free_name
-from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.reach import Reach, names_in
 from gainproof.verify.judge.scope import Scope

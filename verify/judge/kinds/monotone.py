@@ -8,10 +8,10 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
-from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.exact.truth import NO_VALUE
 from gainproof.verify.judge.formula import Reading
 from gainproof.verify.judge.freed.monomials import monomials

@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.tree import read_tree
 
 
 class Reach:

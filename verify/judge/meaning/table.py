@@ -14,10 +14,10 @@ from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.free_names import free_name, is_free
-from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.exact.tidy import tidied
+from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.meaning.bindings import Bindings
 from gainproof.verify.judge.meaning.derivatives import (

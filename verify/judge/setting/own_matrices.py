@@ -18,9 +18,9 @@ from gainproof.verify.judge.exact.expression import (
     symbols_of,
 )
 from gainproof.verify.judge.exact.free_names import free_name, is_free, token_of
-from gainproof.verify.judge.exact.graph import read_tree
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.rational_root import integer_root
+from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph
 from gainproof.verify.judge.freed.monomials import UNIT, Monomial, monomials
 from gainproof.verify.judge.meaning.reach import Reach, names_in

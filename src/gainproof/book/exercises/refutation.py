@@ -18,10 +18,11 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr, add, number, symbols_of
-from gainproof.verify.judge.exact.graph import read_tree, read_values
+from gainproof.verify.judge.exact.graph import read_values
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.statement import Enclosure
+from gainproof.verify.judge.exact.tree import read_tree
 
 PRECISIONS = (128, 512)
 DIGITS, MOST_NAMES = 8, 6
