@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import sys
 from collections.abc import Iterator
 from functools import cache
 
@@ -26,6 +27,8 @@ much of it: after every 700, as is usual, looking took an eighth of the time.
 def pytest_configure(config: pytest.Config) -> None:
     """Thorough runs draw larger samples; the environment is what other processes have too."""
     gc.set_threshold(COLLECTED)
+    # four hundred test files are compiled by each process of each session otherwise: 7 s
+    sys.dont_write_bytecode = False
     if samples.thorough(config.getoption("-m") or ""):
         from hypothesis import settings
 

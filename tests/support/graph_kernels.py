@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from typing import Any, TypeVar
 
 import flint
@@ -103,8 +104,12 @@ def node_balls(graph: Graph, point: Point, bits: int = 400) -> list[flint.arb]:
             if node[:2] == ["call", "unknown"]:
                 values.append(_fixed_point(graph["nodes"], number, values, bits))
                 continue
-            x = point[str(node[1])] if isinstance(point, Mapping) and node[0] == "symbol" else point
-            values.append(_ball(node, values, Fraction(x) if isinstance(x, float) else Fraction(0)))
+            if node[0] == "symbol":
+                values.append(
+                    flint.arb(point[str(node[1])] if isinstance(point, Mapping) else point)
+                )
+            else:
+                values.append(_ball(node, values))
         return values
 
 
@@ -121,7 +126,7 @@ def _fixed_point(
     def greater(x: flint.arb) -> bool:
         known = [*values, x]
         for node in nodes[unknown + 1 : image + 1]:
-            known.append(_ball(node, known, Fraction(0)))
+            known.append(_ball(node, known))
         assert known[image] > x or known[image] < x, "too close for this precision"
         return bool(known[image] > x)
 
@@ -135,14 +140,19 @@ def _fixed_point(
     return low.union(high)
 
 
-def _ball(node: Sequence[str | int], values: list[flint.arb], x: Fraction) -> flint.arb:
+@cache
+def _rational(text: str) -> flint.fmpq:
+    """Not its ball, which depends on the precision."""
+    value = Fraction(text)
+    return flint.fmpq(value.numerator, value.denominator)
+
+
+def _ball(node: Sequence[str | int], values: list[flint.arb]) -> flint.arb:
+    """Of a node that is no symbol."""
     parts = [values[part] for part in node[1:] if isinstance(part, int)]
     match node[0]:
         case "number":
-            value = Fraction(str(node[1]))
-            return flint.arb(flint.fmpq(value.numerator, value.denominator))
-        case "symbol":
-            return flint.arb(flint.fmpq(x.numerator, x.denominator))
+            return flint.arb(_rational(str(node[1])))
         case "add":
             return sum(parts[1:], parts[0])
         case "mul":
