@@ -18,6 +18,7 @@ from gainproof import workers
 from gainproof.cache import FOLDER_VARIABLE
 from gainproof.verify.judge.claim import file
 
+AS_ASKED = sys.dont_write_bytecode
 COLLECTED = 20_000
 """New objects after which cycles are looked for. What tests derive is kept for others, and there is
 much of it: after every 700, as is usual, looking took an eighth of the time.
@@ -27,7 +28,7 @@ much of it: after every 700, as is usual, looking took an eighth of the time.
 def pytest_configure(config: pytest.Config) -> None:
     """Thorough runs draw larger samples; the environment is what other processes have too."""
     gc.set_threshold(COLLECTED)
-    # four hundred test files are compiled by each process of each session otherwise: 7 s
+    # each process of each session compiles four hundred test files otherwise: 7 s
     sys.dont_write_bytecode = False
     if samples.thorough(config.getoption("-m") or ""):
         from hypothesis import settings
@@ -47,8 +48,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_collection_finish() -> None:
-    """The tests themselves and what they import stay to the end: no cycles are looked for there."""
+    """The tests themselves and what they import stay to the end: no cycles are looked for there.
+    What tests write and import is compiled as it would be without us.
+    """
     gc.freeze()
+    sys.dont_write_bytecode = AS_ASKED
 
 
 @pytest.fixture(scope="session", autouse=True)
