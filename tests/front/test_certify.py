@@ -62,6 +62,7 @@ def small() -> Subject:
     ("name", "statement"),
     [
         ("alpha-beta", "optimum"),  # a divisor that occurs twice
+        ("interacting-gains", "none-at-two"),  # a factor of one that is not 0 by hypothesis
         ("alpha-beta-gamma", "transfer"),  # one that is not 0 by hypothesis, which `field` doubles
     ],
 )

@@ -31,7 +31,7 @@ Ltac sign := lazymatch goal with
   end.
 Ltac nonzero := apply Rgt_not_eq; unfold Rgt; first [sign | ring_simplify; sign].
 Ltac given := match goal with n : ?d <> 0 |- ?e <> 0 =>
-  let h := fresh in intro h; apply n; lra end.
+  let h := fresh in intro h; apply n; first [lra | rewrite h; ring] end.
 Ltac parts := repeat match goal with |- _ /\\ _ => split end.
 """
 
