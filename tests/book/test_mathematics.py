@@ -50,3 +50,9 @@ def test_every_printed_formula_is_set() -> None:
         for claim in tomllib.loads(judgements.read(file))["claims"]:
             if "latex" in claim:
                 assert str(displayed(claim["latex"])).startswith("<math"), claim["id"]
+
+
+def test_a_long_formula_in_a_sentence_scrolls_in_its_box() -> None:
+    assert inline(r"\alpha + \beta").startswith("<math")
+    long = inline(" + ".join(["a_1"] * 12))
+    assert long.startswith('<span class="long" tabindex="0"><math')

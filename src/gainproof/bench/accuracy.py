@@ -55,7 +55,9 @@ def _fixed_point(
     point: Mapping[str, float],
     precision: int,
 ) -> Ball:
-    """A ball that holds the fixed point, by repeating the map from 1, which contracts.
+    """A ball that holds the fixed point, found from 1 by Steffensen's steps: where the map contracts
+    little, repeating it alone takes more steps than there are bits, at any precision. Its ends hold
+    it for whatever the map's own coefficients, which are balls, may be.
 
     What the map makes greater lies below the only fixed point, what it makes smaller above; a ball
     without such ends holds no number.
@@ -73,13 +75,27 @@ def _fixed_point(
 
     x = arb(1)
     for _ in range(precision):
-        last, x = x, arb(mapped(x).mid())
+        last, x = x, _nearer(mapped, x)
         # nearer by far than the room below, which the two ends then hold against the map
         if abs(x - last) <= x * arb(2) ** (8 - precision):
             break
-    room = arb(2) ** (20 - precision)
+    # what the map is known to by what it is made of, itself perhaps a fixed point, is within it too
+    room = max(arb(2) ** (20 - precision), 64 * arb((mapped(x) / x).rad()))
     low, high = x * (1 - room), x * (1 + room)
     return low.union(high) if mapped(low) > low and mapped(high) < high else arb("nan")
+
+
+def _nearer(mapped: Callable[[Ball], Ball], x: Ball) -> Ball:
+    """Two repetitions of a map, and from them where a line through them meets the diagonal if that
+    is a positive number: a guess, as is all that is not held between two ends afterwards.
+    """
+    once = arb(mapped(x).mid())
+    twice = arb(mapped(once).mid())
+    bend = arb((twice - 2 * once + x).mid())
+    if bend == 0:
+        return twice
+    guess = arb((x - (once - x) ** 2 / bend).mid())
+    return guess if guess.is_finite() and guess > 0 else twice
 
 
 def _holding(nodes: Sequence[Sequence[Any]], unknown: int, image: int) -> list[int]:

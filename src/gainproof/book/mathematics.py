@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import functools
+import re
 import xml.etree.ElementTree as ET
 
 from latex2mathml.converter import convert
 from markupsafe import Markup
 
+LONG = 24
+"""Characters of a formula in a sentence from which on it may be wider than 320 pixels."""
+_TAG = re.compile(r"<[^>]*>")
 _SPACE = "http://www.w3.org/1998/Math/MathML"
 _ELEMENTS = frozenset(
     {
@@ -32,8 +36,12 @@ def displayed(latex: str) -> Markup:
 
 
 def inline(latex: str) -> Markup:
-    """A formula within a sentence."""
-    return Markup(_set(" ".join(latex.split()), "inline"))
+    """A formula within a sentence; one that may be wider than a phone scrolls in its own box, since
+    browsers break no line within it.
+    """
+    found = _set(" ".join(latex.split()), "inline")
+    shown = _TAG.sub("", found.partition("<annotation")[0])
+    return Markup(f'<span class="long" tabindex="0">{found}</span>' if len(shown) > LONG else found)
 
 
 @functools.lru_cache(maxsize=4096)

@@ -24,7 +24,8 @@ def sampled(module: str, kernel: Mapping[str, Any], graph: Mapping[str, Any]) ->
     """{"input", "inputs", "x", "values", "errors"}: the name of the first input and how many there
     are; its values in order; by output the kernel's values and their errors in units in the last
     place of what its bound is relative to. Points are random and the same each time; an output
-    whose true value is no normal number has None there.
+    whose true value is no normal number has None there. Raises ArithmeticError where the balls do
+    not tell the true value: a picture without those points would look as if all were well.
     """
     home = import_module(f"gainproof.generated.{module}")
     signature = getattr(home, f"_{kernel['name'].upper()}")
@@ -43,6 +44,8 @@ def sampled(module: str, kernel: Mapping[str, Any], graph: Mapping[str, Any]) ->
         sizes = terms(graph, at) if any(each["by_terms"] for each in kernel["outputs"]) else {}
         for each in kernel["outputs"]:
             name = each["name"]
+            if not exact[name].is_finite():
+                raise ArithmeticError(f"{module}.{kernel['name']}: {name} is not known at {at}")
             scale = sizes[name] if each["by_terms"] else exact[each["relative_to"] or name]
             errors[name].append(_units(values[name][place], exact[name], scale))
     return {

@@ -35,7 +35,8 @@ class JudgedClaim:
 
     def _repr_html_(self) -> str:
         """The formula is shown as it was typed: a claim file may come from anywhere, and what it
-        holds is not given to a notebook to be set.
+        holds is not given to a notebook to be set. For the same reason there is no `_repr_latex_`,
+        which a notebook would prefer.
         """
         why = reason(self.claim)
         return (
