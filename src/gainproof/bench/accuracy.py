@@ -55,9 +55,9 @@ def _fixed_point(
     point: Mapping[str, float],
     precision: int,
 ) -> Ball:
-    """A ball that holds the fixed point, found from 1 by Steffensen's steps: where the map contracts
-    little, repeating it alone takes more steps than there are bits, at any precision. Its ends hold
-    it for whatever the map's own coefficients, which are balls, may be.
+    """A ball that holds the fixed point, found from 1 by Steffensen's steps: where the map
+    contracts little, repeating it alone takes more steps than there are bits, at any precision. Its
+    ends hold it for whatever the map's own coefficients, which are balls, may be.
 
     What the map makes greater lies below the only fixed point, what it makes smaller above; a ball
     without such ends holds no number.
