@@ -30,12 +30,17 @@ def pytest_configure(config: pytest.Config) -> None:
     gc.set_threshold(COLLECTED)
     # each process of each session compiles four hundred test files otherwise: 7 s
     sys.dont_write_bytecode = False
-    if samples.thorough(config.getoption("-m") or ""):
-        from hypothesis import settings
+    from hypothesis import HealthCheck, settings
 
+    # how long drawing and an example take depends on what else the processor does
+    settings.register_profile("usual", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+    settings.load_profile("usual")
+    if samples.thorough(config.getoption("-m") or ""):
         os.environ.setdefault(samples.VARIABLE, str(samples.THOROUGH))
         # what names no size of its own
-        settings.register_profile("thorough", max_examples=samples.samples(100))
+        settings.register_profile(
+            "thorough", settings.get_profile("usual"), max_examples=samples.samples(100)
+        )
         settings.load_profile("thorough")
 
 
