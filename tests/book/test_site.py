@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from browser import needs_browser, opened
 
-from gainproof import derivations, judgements, places
+from gainproof import derivations, judgements
 from gainproof.bad_input import BadInputError
 from gainproof.book import making, site, site_links
 from gainproof.book.contents import Contents
@@ -15,14 +16,53 @@ from gainproof.book.sampled_kernel import sampled
 from gainproof.claim_words import claim_words
 from gainproof.workshop import open_workshop
 
+SOURCE = r"""
+format = "gainproof claims 1"
+
+[source]
+key = "notes"
+title = "Notes on a filter"
+authors = ["A. Reader"]
+publication = "unpublished"
+url = "https://example.org/notes"
+
+[symbols]
+'\alpha' = { quantity = "filter_gain.1", meaning = "position gain" }
+'\beta' = { quantity = "filter_gain.2", meaning = "velocity gain" }
+
+[settings.velocity]
+title = "random velocity"
+kind = "steady_state"
+model = "random-velocity"
+gain = "filter"
+
+[[claims]]
+id = "1"
+place = "equation (1)"
+kind = "identity"
+setting = "velocity"
+latex = '\beta = \frac{\alpha^2}{2 - \alpha}'
+
+[[claims]]
+id = "2"
+place = "equation (2)"
+kind = "identity"
+setting = "velocity"
+latex = '\beta = \frac{\alpha^2}{2 + \alpha}'
+"""
+"""True and false: a source of its own takes a tenth of the time that one of the repository does."""
+NARROW = 360
+"""Pixels of a telephone."""
+
 
 @pytest.fixture(scope="module")
-def files(all_derived: object) -> dict[str, bytes]:
+def files(all_derived: object, tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     """A site of one family and one source; the documentation is whole."""
     del all_derived
     shop = open_workshop(quiet=True)
     subject = derivations.known("random-velocity", shop)
-    (file,) = [path for path in places.claim_files() if path.stem == "suzuki"]
+    file = tmp_path_factory.mktemp("source") / "notes.toml"
+    file.write_text(SOURCE, encoding="utf-8")
     kernel = subject.kernels[0]
     contents = Contents(
         versions={"SymPy": "1"},
@@ -59,8 +99,8 @@ def test_every_step_has_the_checkers_word(files: dict[str, bytes]) -> None:
 
 
 def test_source_in_both_languages(files: dict[str, bytes]) -> None:
-    assert '<html lang="en">' in files["sources/suzuki.html"].decode()
-    japanese = files["sources/suzuki.ja.html"].decode()
+    assert '<html lang="en">' in files["sources/notes.html"].decode()
+    japanese = files["sources/notes.ja.html"].decode()
     assert '<html lang="ja">' in japanese
     assert "証明済み" in japanese
     assert "https://" not in japanese.split("<main")[0]
@@ -79,6 +119,27 @@ def test_nothing_is_loaded_from_elsewhere(files: dict[str, bytes]) -> None:
             assert b'src="http' not in content, path
             assert b"url(http" not in content, path
             assert b"@import" not in content, path
+
+
+@needs_browser
+def test_no_page_is_wider_than_a_telephone(files: dict[str, bytes], tmp_path: Path) -> None:
+    """A page of each kind; one that is made too wide is seen to be."""
+    site.write(files, tmp_path / "book")
+    kinds = {str(Path(path).parent): path for path in sorted(files) if path.endswith(".html")}
+    assert len(kinds) >= 5
+    told: list[str] = []
+    with opened() as browser:
+        tab = browser.new_page(viewport={"width": NARROW, "height": 740})
+        tab.on("console", lambda message: told.append(message.text))
+        tab.on("pageerror", lambda error: told.append(str(error)))
+        width = "document.documentElement.scrollWidth"
+        for path in [*kinds.values(), "derivations/random-velocity.html", "bibliography.html"]:
+            tab.goto((tmp_path / "book" / path).as_uri())
+            assert tab.evaluate(width) == NARROW, path
+        spoil = "document.querySelector('main').style.width = '500px'"
+        tab.evaluate(spoil)
+        assert tab.evaluate(width) > NARROW
+    assert told == []
 
 
 def test_written_twice_it_is_the_same(files: dict[str, bytes], tmp_path: Path) -> None:
