@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
-from browser import needs_browser, opened
+from browser import needs_browser, opened, serious_findings
+from page_faults import page_faults
 
 from gainproof import derivations, judgements
 from gainproof.bad_input import BadInputError
@@ -51,8 +53,6 @@ setting = "velocity"
 latex = '\beta = \frac{\alpha^2}{2 + \alpha}'
 """
 """True and false: a source of its own takes a tenth of the time that one of the repository does."""
-NARROW = 360
-"""Pixels of a telephone."""
 
 
 @pytest.fixture(scope="module")
@@ -111,6 +111,13 @@ def test_page_of_a_kernel(files: dict[str, bytes]) -> None:
     assert "accurate: bool = False" in text
     assert "Relative error at most" in text
     assert text.count('class="chart"') == 2
+    # formulas as mathematics with LaTeX to copy; the docstring once, not in the source again
+    assert r"\kappa = \sqrt{4/\Lambda^{2} + 1/4}, \rho = \sqrt{\kappa + 1/2}" in text
+    assert "<code>tracking_index</code>: " in text
+    assert "2<sup>-52</sup>" in text
+    assert text.count("Steady-state filter gain.") == 1
+    # a sentence that has a colon after a word at the start of a line is not cut there
+    assert "<p>number: it comes as 0" not in text
 
 
 def test_nothing_is_loaded_from_elsewhere(files: dict[str, bytes]) -> None:
@@ -122,24 +129,44 @@ def test_nothing_is_loaded_from_elsewhere(files: dict[str, bytes]) -> None:
 
 
 @needs_browser
-def test_no_page_is_wider_than_a_telephone(files: dict[str, bytes], tmp_path: Path) -> None:
-    """A page of each kind; one that is made too wide is seen to be."""
-    site.write(files, tmp_path / "book")
+@pytest.mark.parametrize(
+    "findings",
+    [
+        pytest.param(lambda _: (), id="console-and-width"),
+        pytest.param(serious_findings, id="axe", marks=pytest.mark.thorough),
+    ],
+)
+def test_a_page_of_each_kind_is_without_fault(
+    files: dict[str, bytes], tmp_path: Path, findings: Callable[[object], Sequence[str]]
+) -> None:
+    """A small `tests/campaigns/book_pages.py`."""
+    folder = tmp_path / "book"
+    site.write(files, folder)
     kinds = {str(Path(path).parent): path for path in sorted(files) if path.endswith(".html")}
     assert len(kinds) >= 5
-    told: list[str] = []
+    paths = [*kinds.values(), "derivations/random-velocity.html", "bibliography.html"]
     with opened() as browser:
-        tab = browser.new_page(viewport={"width": NARROW, "height": 740})
-        tab.on("console", lambda message: told.append(message.text))
-        tab.on("pageerror", lambda error: told.append(str(error)))
-        width = "document.documentElement.scrollWidth"
-        for path in [*kinds.values(), "derivations/random-velocity.html", "bibliography.html"]:
-            tab.goto((tmp_path / "book" / path).as_uri())
-            assert tab.evaluate(width) == NARROW, path
-        spoil = "document.querySelector('main').style.width = '500px'"
-        tab.evaluate(spoil)
-        assert tab.evaluate(width) > NARROW
-    assert told == []
+        seen = dict(page_faults(browser, [folder / path for path in paths], findings))
+    assert seen == {folder / path: [] for path in paths}
+
+
+@needs_browser
+def test_faults_of_a_page_are_found(files: dict[str, bytes], tmp_path: Path) -> None:
+    folder = tmp_path / "book"
+    site.write(files, folder)
+    page = folder / "bibliography.html"
+    spoiled = """<main id="content" style="width: 500px"><img src="none.png">
+        <p style="color: #ccc; background: #fff">faint where it is light</p>
+        <p style="color: #333; background: #12161c">faint where it is dark</p>
+        <script>console.error("planted")</script>"""
+    text = page.read_text(encoding="utf-8")
+    assert text.count('<main id="content" tabindex="-1">') == 1
+    page.write_text(text.replace('<main id="content" tabindex="-1">', spoiled), encoding="utf-8")
+    with opened() as browser:
+        ((_, faults),) = page_faults(browser, [page])
+    told = "\n".join(faults)
+    for wanted in ("light: image-alt", "dark: color-contrast", "console: planted", "pixels wide"):
+        assert wanted in told
 
 
 def test_written_twice_it_is_the_same(files: dict[str, bytes], tmp_path: Path) -> None:

@@ -15,8 +15,8 @@ NAMES = ("chromium", "chromium-browser", "google-chrome")
 CHROMIUM = next((found for name in NAMES if (found := shutil.which(name))), None)
 
 
-def _missing() -> str:
-    """What there is none of."""
+def missing() -> str:
+    """What there is none of, as words; empty where all is there."""
     if CHROMIUM is None:
         return f"there is no Chromium on the path ({', '.join(NAMES)})"
     wanted = ("playwright", "axe_playwright_python")
@@ -24,7 +24,7 @@ def _missing() -> str:
     return f"not installed, see the extra `browser`: {', '.join(absent)}" if absent else ""
 
 
-needs_browser = pytest.mark.skipif(bool(_missing()), reason=_missing() or "all is there")
+needs_browser = pytest.mark.skipif(bool(missing()), reason=missing() or "all is there")
 
 
 @contextmanager

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib
 import inspect
 import re
@@ -15,9 +16,16 @@ from markupsafe import Markup
 from gainproof.book.highlighted import highlighted
 from gainproof.book.kernel_pictures import pictures
 from gainproof.book.page import Finding, Page
+from gainproof.book.plain_formulas import coded, set_line
 from gainproof.derived import Derived
 
-_NAMED = re.compile(r"[`\w]+: ")
+_NAMED = re.compile(r"(?!Source: )[`\w]+: ")
+_WRITTEN = (
+    (re.compile(r"(?<=\d) \* (?=2\^)"), " \N{MULTIPLICATION SIGN} "),
+    (re.compile(r"\b2\^(-?\d+)"), r"2<sup>\1</sup>"),
+    (re.compile(r"&lt;="), "\N{LESS-THAN OR EQUAL TO}"),
+)
+"""What is shown for what docstrings write, in HTML."""
 
 
 @dataclass(frozen=True)
@@ -88,27 +96,55 @@ def _signature(function: Any) -> str:
     return str(inspect.signature(function)).replace("'", "")
 
 
-def _sections(told: str) -> list[tuple[tuple[str, ...], bool]]:
+def _sections(told: str) -> list[tuple[tuple[Markup, ...], bool]]:
     """Paragraphs of a docstring after its first, each as entries without line breaks; true for
-    those of formulas, which are set in and have one entry with its lines.
+    those of formulas, which are set in and have an entry a line.
     """
     return [
-        ((inspect.cleandoc(text),), True) if text.startswith("    ") else (_entries(text), False)
+        (tuple(map(set_line, inspect.cleandoc(text).splitlines())), True)
+        if text.startswith("    ")
+        else (tuple(map(_entry, _entries(text))), False)
         for text in told.split("\n\n")[1:]
     ]
 
 
 def _entries(text: str) -> tuple[str, ...]:
-    """`name: what it is`, each whole; a paragraph without names is one entry."""
+    """`name: what it is`, each whole; a paragraph that does not begin with a name is one entry."""
     found: list[str] = []
     for line in text.splitlines():
-        if found and not _NAMED.match(line):
+        if found and not (_NAMED.match(text) and _NAMED.match(line)):
             found[-1] = f"{found[-1]} {line.strip()}"
         else:
             found.append(line.strip())
     return tuple(found)
 
 
+def _entry(text: str) -> Markup:
+    """An entry with its name as code, and its numbers as they are written by hand."""
+    name = _NAMED.match(text)
+    if name is None:
+        return _numbers(coded(text))
+    bare = name[0].removesuffix(": ").strip("`")
+    return Markup("<code>{}</code>: ").format(bare) + _numbers(coded(text[name.end() :]))
+
+
+def _numbers(text: Markup) -> Markup:
+    """`1.69 * 2^-52` with its sign and its power, `<=` as one sign."""
+    # of plain text, since the parts of a Markup are escaped when they are put together again
+    html = str(text)
+    for plain, shown in _WRITTEN:
+        html = plain.sub(shown, html)
+    return Markup(html)
+
+
 def _source(function: Any) -> Markup:
     """The function without its docstring, which the page shows."""
-    return highlighted(inspect.getsource(function), "python")
+    text = inspect.getsource(function)
+    (defined,) = ast.parse(text).body
+    assert isinstance(defined, ast.FunctionDef)
+    if ast.get_docstring(defined) is not None:
+        told = defined.body[0]
+        assert told.end_lineno is not None
+        lines = text.splitlines(keepends=True)
+        text = "".join([*lines[: told.lineno - 1], *lines[told.end_lineno :]])
+    return highlighted(text, "python")
