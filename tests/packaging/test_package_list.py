@@ -13,6 +13,9 @@ FOLDERS = {
     "gainproof.verify": ROOT / "verify",
 }
 
+PAGES = {"gainproof.docs": ROOT / "docs"}
+"""Of these only the pages that lie in them are packed, and no code."""
+
 
 def python_folders(name: str, folder: Path) -> dict[str, Path]:
     """Every folder with Python files under `folder`, by its import name, links not followed."""
@@ -40,7 +43,7 @@ def settings() -> dict[str, object]:
 
 def test_list_is_complete() -> None:
     listed = settings()["packages"]
-    wanted = sorted(every_python_folder())
+    wanted = sorted([*every_python_folder(), *PAGES])
     assert listed == wanted, "write this list under [tool.setuptools] packages in pyproject.toml"
 
 
@@ -53,7 +56,9 @@ def test_every_package_has_an_init_file() -> None:
 
 def test_folders_of_the_build_are_those_of_the_tree() -> None:
     mapped = settings()["package-dir"]
-    assert mapped == {name: path.relative_to(ROOT).as_posix() for name, path in FOLDERS.items()}
+    assert mapped == {
+        name: path.relative_to(ROOT).as_posix() for name, path in {**FOLDERS, **PAGES}.items()
+    }
 
 
 def test_a_missing_package_is_noticed(tmp_path: Path) -> None:

@@ -17,6 +17,8 @@ FOLDERS = {
     "generated": "gainproof/generated",
     "verify": "gainproof/verify",
 }
+PAGES = ("docs", "gainproof/docs")
+"""Of this folder the pages that lie in it are packed, for `gainproof book`."""
 LINKS = ("derive", "generated", "verify")
 
 
@@ -33,6 +35,7 @@ def copy_without_links(target: Path) -> Path:
                 name for name in names if name == "__pycache__" or (Path(path) / name).is_symlink()
             },
         )
+    shutil.copytree(ROOT / PAGES[0], target / PAGES[0])
     for name in LINKS:
         (target / "src" / "gainproof" / name).write_text(f"../../{name}")
     return target
@@ -40,7 +43,9 @@ def copy_without_links(target: Path) -> Path:
 
 def expected_files(tree: Path) -> set[str]:
     """Path in the wheel of every file that has to be there: all but the stand-ins for links."""
-    found = set()
+    folder, package = PAGES
+    found = {f"{package}/{path.name}" for path in (tree / folder).glob("*.md")}
+    assert found
     for folder, package in FOLDERS.items():
         for path in (tree / folder).rglob("*"):
             inner = path.relative_to(tree / folder)

@@ -13,6 +13,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from markupsafe import Markup, escape
 
+from gainproof.book import reference_pages
 from gainproof.book.highlighted import highlighted
 from gainproof.book.page import Finding, Page
 
@@ -94,8 +95,15 @@ def _list(titles: Mapping[str, str]) -> Page:
                 )
                 for part in parts
             ]
+            + [("Python interface", _interface())]
         },
     )
+
+
+def _interface() -> list[tuple[str, str]]:
+    """Modules with their names, and the kernels."""
+    modules = [(name, reference_pages.address(name)) for name in reference_pages.MODULES]
+    return [*modules, ("gainproof.generated: all kernels", "kernels/index.html")]
 
 
 def rendered(text: str, names: set[str]) -> Markup:

@@ -17,6 +17,7 @@ from gainproof.book.highlighted import highlighted
 from gainproof.book.kernel_pictures import pictures
 from gainproof.book.page import Finding, Page
 from gainproof.book.plain_formulas import coded, set_line
+from gainproof.book.written_signature import written_signature
 from gainproof.derived import Derived
 
 _NAMED = re.compile(r"(?!Source: )[`\w]+: ")
@@ -80,7 +81,7 @@ def _page(
             "name": name,
             "module": kernel["module"],
             "summary": kernel["summary"],
-            "signature": f"{name}{_signature(function)}",
+            "signature": f"{name}{written_signature(function)}",
             "sections": _sections(told),
             "source": _source(function),
             "subject": derived.name,
@@ -89,11 +90,6 @@ def _page(
         },
         findings=(Finding(f"{kernel['module']}.{name}", f"{kernel['summary']} {derived.title}"),),
     )
-
-
-def _signature(function: Any) -> str:
-    """As it is written, its annotations being text."""
-    return str(inspect.signature(function)).replace("'", "")
 
 
 def _sections(told: str) -> list[tuple[tuple[Markup, ...], bool]]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import gainproof
-from gainproof.book import document_pages, kernel_pages, list_pages, play, site
+from gainproof.book import document_pages, kernel_pages, list_pages, play, reference_pages, site
 from gainproof.book.contents import Contents
 from gainproof.book.derivation_pages import derivation_page
 from gainproof.book.more import More
@@ -24,16 +24,15 @@ def pages(contents: Contents) -> list[Page]:
     judged = zip(contents.judgements, contents.words, contents.checked, strict=True)
     for judgement, words, checked in judged:
         found += source_pages(judgement, words, {name: said for name, (_, said) in checked.items()})
-    folder = documents()
-    if folder is not None:
-        found += document_pages.document_pages(folder)
-    return found
+    found += reference_pages.reference_pages()
+    return found + document_pages.document_pages(documents())
 
 
-def documents() -> Path | None:
-    """The folder of the documentation, in a checkout."""
-    folder = Path(gainproof.__file__).resolve().parents[2] / "docs"
-    return folder if folder.is_dir() else None
+def documents() -> Path:
+    """The folder of the documentation: in the package, or in the checkout that it is used from."""
+    package = Path(gainproof.__file__).resolve().parent
+    installed = package / "docs"
+    return installed if installed.is_dir() else package.parents[1] / "docs"
 
 
 def build(
