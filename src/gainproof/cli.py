@@ -110,7 +110,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if given and not given[0].startswith("-") and given[0] not in COMMANDS:
             raise unknown_name("command", given[0], COMMANDS)
-        options = make_parser().parse_args(given)
+        options = _options(given)
         status: int = options.run(options)
         sys.stdout.flush()
     except BadInputError as error:
@@ -126,6 +126,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:  # noqa: BLE001 (the last stop: every fault gets its own exit status)
         return _fault(error)
     return status
+
+
+def _options(given: list[str]) -> argparse.Namespace:
+    """What the words say. argparse gives a list of names that may be empty what stands before the
+    next option, and knows nothing to do with names after it: a command whose `more` says which list
+    it is has them there.
+    """
+    parser = make_parser()
+    options, beyond = parser.parse_known_args(given)
+    more = getattr(options, "more", None)
+    if beyond and (more is None or any(word.startswith("-") for word in beyond)):
+        parser.error(f"unrecognized arguments: {' '.join(beyond)}")
+    if more is not None:
+        setattr(options, more, [*getattr(options, more), *beyond])
+    return options
 
 
 def _interrupted(_number: int, _frame: FrameType | None) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from gainproof.derived import Derived
+from gainproof.sides import missing_sides
 from gainproof.verify.certificate import check
 
 
@@ -26,7 +27,7 @@ def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
     """{"subject", "accepted", "reason", "statements"}: the checker's report as plain data.
 
     A statement is {"id", "kind", "status", "reason", "seconds"}. Rejected too: a certificate that
-    says nothing of one of the kernels' outputs.
+    says nothing of one of the kernels' outputs, or speaks of one side of a choice only.
     """
     report = check(
         certificate,
@@ -48,7 +49,11 @@ def recheck(certificate: Any, expected: Mapping[str, Any]) -> dict[str, Any]:
     ]
     reason = report.reason
     if report.accepted:
-        reason = _unproved_outputs(expected) or _other_subject(report.subject, expected)
+        reason = (
+            _unproved_outputs(expected)
+            or missing_sides(certificate)
+            or _other_subject(report.subject, expected)
+        )
     return {
         "subject": expected["subject"],
         "accepted": report.accepted and not reason,

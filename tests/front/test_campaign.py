@@ -196,3 +196,20 @@ def test_the_command_lists_and_refuses(capsys: Capture) -> None:
     assert "no campaign is called 'float23'; nearest: float32" in capsys.readouterr().err
     assert cli.main(["campaign", "float32", "random_velocity.gain"]) == 2
     assert "nearest: random_velocity.gains" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words", ["float32 {0} --jobs 2 {1}", "--jobs 2 float32 --blocks 0-0 {0} {1}"]
+)
+def test_names_may_follow_options(words: str, capsys: Capture) -> None:
+    kernels = ("random_velocity.gains", "random_velocity.gain")  # the second is none
+    assert cli.main(["campaign", *words.format(*kernels).split()]) == 2
+    assert "nearest: random_velocity.gains" in capsys.readouterr().err
+
+
+def test_what_is_no_name_is_refused_after_options(capsys: Capture) -> None:
+    for words in ("campaign float32 --jobs 2 --job 3 --wrong", "list --cancellations wrong"):
+        with pytest.raises(SystemExit) as error:
+            cli.main(words.split())
+        assert error.value.code == 2
+        assert "unrecognized arguments: " in capsys.readouterr().err

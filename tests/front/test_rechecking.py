@@ -92,3 +92,14 @@ def test_each_part_of_what_is_expected_counts(part: str, pair: tuple[Plain, Plai
     report = recheck(certificate, {**expected, part: other[part]})
     assert not report["accepted"]
     assert report["reason"]
+
+
+@pytest.mark.usefixtures("easy_checker")
+@pytest.mark.parametrize("side", ["below", "above"])
+def test_one_side_of_a_choice_is_refused(side: str, pair: tuple[Plain, Plain]) -> None:
+    certificate, expected = pair
+    for part in (certificate["statements"], expected["claims"]):
+        part[:] = [entry for entry in part if entry["id"] != f"kernel-gains-{side}-switch"]
+    report = recheck(certificate, expected)
+    assert not report["accepted"]
+    assert "gains.alpha is proved only where its 'select', node 5, takes" in report["reason"]

@@ -37,6 +37,7 @@ Exit status: 1 where the report is not as it should be."""
 def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", metavar="NAME", nargs="?", help="which campaign")
     parser.add_argument("only", metavar="ONLY", nargs="*", help="a part of it, by names")
+    parser.set_defaults(more="only")
     add_options(parser)
 
 
