@@ -45,18 +45,14 @@
       const rest_scaled = cross_share * t41;
       const t43 = cross_share / sigma_scaled;
       const t44 = t43 * t2;
-      const t45 = t44 * 2.0;
-      const t46 = t3 / sigma_scaled;
-      const t47 = rest_scaled + t46;
-      const t48 = t47 / delta_scaled;
-      const t49 = t2 * t48;
-      const t50 = t45 + t49;
-      const t51 = t50 + t9;
-      const t52 = t51 / sigma_scaled;
-      const t53 = t2 * t52;
-      const t54 = rest_scaled + t53;
-      const t55 = t54 / delta_scaled;
-      return { gain_11: t55, gain_12: t43, gain_21: t44, gain_22: t48 };
+      const t45 = t3 / sigma_scaled;
+      const t46 = rest_scaled + t45;
+      const t47 = t46 / delta_scaled;
+      const t48 = rest_scaled / sigma_scaled;
+      const t49 = t44 * t43;
+      const t50 = t48 + t49;
+      const t51 = t50 / t47;
+      return { gain_11: t51, gain_12: t43, gain_21: t44, gain_22: t47 };
     },
     // Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
     closed_loop_poles(tracking_index, velocity_ratio) {

@@ -120,8 +120,8 @@ def gains(
     """Steady-state filter gain, position and velocity measured.
 
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
-        s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
@@ -133,14 +133,14 @@ def gains(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
-    gain_11: position's gain on the measured position. Relative error at most 22.10 * 2^-52
-        (float64), 15.56 * 2^-23 (float32), proved for every input.
-    gain_12: position's gain on the measured velocity over T. Relative error at most 7.75 * 2^-52
-        (float64), 7.55 * 2^-23 (float32), proved for every input.
-    gain_21: velocity's gain on the measured position times T. Relative error at most 8.75 * 2^-52
-        (float64), 8.55 * 2^-23 (float32), proved for every input.
-    gain_22: velocity's gain on the measured velocity. Relative error at most 13.45 * 2^-52
-        (float64), 9.25 * 2^-23 (float32), proved for every input.
+    gain_11: position's gain on the measured position. Relative error at most 9.32 * 2^-52
+        (float64), 9.10 * 2^-23 (float32), proved for every input.
+    gain_12: position's gain on the measured velocity over T. Relative error at most 7.04 * 2^-52
+        (float64), 6.96 * 2^-23 (float32), proved for every input.
+    gain_21: velocity's gain on the measured position times T. Relative error at most 8.04 * 2^-52
+        (float64), 7.95 * 2^-23 (float32), proved for every input.
+    gain_22: velocity's gain on the measured velocity. Relative error at most 8.04 * 2^-52
+        (float64), 7.86 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -159,61 +159,57 @@ def gains(
 def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     tracking_index, velocity_ratio = given
     gain_11, gain_12, gain_21, gain_22 = out
-    w0, w1, w2, w3, w4, w5 = work
+    w0, w1, w2, w3, w4 = work
     t2 = np.square(velocity_ratio, w0)
     t3 = np.square(tracking_index, w1)
     t5 = np.divide(t3, 12.0, gain_12)
     t6 = np.add(t2, t5, w2)
     level_scaled = np.sqrt(t6, gain_21)
-    t9 = np.divide(t3, 3.0, gain_11)
-    t11 = np.add(t9, 16.0, w2)
-    t13 = np.multiply(t2, 4.0, w3)
-    t14 = np.add(t13, t3, w4)
-    t15 = np.multiply(t14, 0.25, w4)
-    t16 = np.multiply(t11, t15, w2)
-    eta_scaled = np.sqrt(t16, gain_22)
-    t19 = np.multiply(t3, 0.041666666666666664, w2)
-    t21 = np.add(t19, 1.0, w2)
-    t22 = np.divide(t2, 3.0, w4)
-    t23 = np.add(t22, t21, w4)
-    t24 = np.multiply(t3, t23, w4)
-    t25 = np.multiply(tracking_index, level_scaled, w2)
-    t27 = np.multiply(eta_scaled, 0.5, w5)
-    t28 = np.multiply(t25, t27, w5)
-    t29 = np.add(t24, t28, w4)
-    delta_scaled = np.sqrt(t29, w4)
-    t31 = np.add(t25, eta_scaled, w2)
-    t32 = np.multiply(t31, 0.5, w2)
-    t33 = np.add(t32, delta_scaled, w2)
-    sigma_scaled = np.multiply(t33, 0.5, w2)
-    t35 = np.add(t3, t13, w3)
-    t36 = np.multiply(tracking_index, eta_scaled, gain_22)
-    coupling_scaled = np.divide(t36, t35, gain_22)
-    t38 = np.add(coupling_scaled, level_scaled, w3)
-    cross_share = np.divide(tracking_index, t38, w3)
+    t9 = np.divide(t3, 3.0, gain_22)
+    t11 = np.add(t9, 16.0, gain_22)
+    t13 = np.multiply(t2, 4.0, w2)
+    t14 = np.add(t13, t3, w3)
+    t15 = np.multiply(t14, 0.25, w3)
+    t16 = np.multiply(t11, t15, gain_22)
+    eta_scaled = np.sqrt(t16, gain_11)
+    t19 = np.multiply(t3, 0.041666666666666664, w3)
+    t21 = np.add(t19, 1.0, w3)
+    t22 = np.divide(t2, 3.0, gain_22)
+    t23 = np.add(t22, t21, gain_22)
+    t24 = np.multiply(t3, t23, gain_22)
+    t25 = np.multiply(tracking_index, level_scaled, w3)
+    t27 = np.multiply(eta_scaled, 0.5, w4)
+    t28 = np.multiply(t25, t27, w4)
+    t29 = np.add(t24, t28, gain_22)
+    delta_scaled = np.sqrt(t29, gain_22)
+    t31 = np.add(t25, eta_scaled, w3)
+    t32 = np.multiply(t31, 0.5, w3)
+    t33 = np.add(t32, delta_scaled, w3)
+    sigma_scaled = np.multiply(t33, 0.5, w3)
+    t35 = np.add(t3, t13, w2)
+    t36 = np.multiply(tracking_index, eta_scaled, gain_11)
+    coupling_scaled = np.divide(t36, t35, gain_11)
+    t38 = np.add(coupling_scaled, level_scaled, w2)
+    cross_share = np.divide(tracking_index, t38, w2)
     t40 = np.multiply(level_scaled, coupling_scaled, gain_21)
     t41 = np.add(t5, t40, gain_12)
-    rest_scaled = np.multiply(cross_share, t41, w5)
+    rest_scaled = np.multiply(cross_share, t41, w4)
     np.divide(cross_share, sigma_scaled, gain_12)
     np.multiply(gain_12, t2, gain_21)
-    t45 = np.multiply(gain_21, 2.0, w3)
-    t46 = np.divide(t3, sigma_scaled, w1)
-    t47 = np.add(rest_scaled, t46, w1)
-    np.divide(t47, delta_scaled, gain_22)
-    t49 = np.multiply(t2, gain_22, w1)
-    t50 = np.add(t45, t49, w3)
-    t51 = np.add(t50, t9, w3)
-    t52 = np.divide(t51, sigma_scaled, w3)
-    t53 = np.multiply(t2, t52, w0)
-    t54 = np.add(rest_scaled, t53, w5)
-    np.divide(t54, delta_scaled, gain_11)
+    t45 = np.divide(t3, sigma_scaled, w1)
+    t46 = np.add(rest_scaled, t45, w1)
+    np.divide(t46, delta_scaled, gain_22)
+    t48 = np.divide(rest_scaled, sigma_scaled, w4)
+    t49 = np.multiply(gain_21, gain_12, w0)
+    t50 = np.add(t48, t49, w4)
+    np.divide(t50, gain_22, gain_11)
 
 
 _GAINS = Signature(
     "gains",
     (_TRACKING_INDEX_DOMAIN, _VELOCITY_RATIO_DOMAIN),
     ("gain_11", "gain_12", "gain_21", "gain_22"),
-    6,
+    5,
     _gains_block,
 )
 
@@ -491,8 +487,8 @@ def gains_by_tracking_index(
         The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
-        s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);
@@ -696,8 +692,8 @@ def gains_by_velocity_ratio(
         The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
-        s = 2 U12 + U22 + Lambda^2/3,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w^2 = 1 + 1/12 t^2, eta^2 = (16 + Lambda^2/3) (1 + t^2/4);

@@ -34,21 +34,16 @@
       const cross_share = tracking_index / t26;
       const t28 = velocity_ratio * coupling_scaled;
       const rest_scaled = cross_share * t28;
-      const t30 = t2 * 0.25;
-      const t31 = cross_share / sigma_scaled;
-      const t32 = t31 * t3;
-      const t33 = t32 * 2.0;
-      const t34 = t2 / sigma_scaled;
-      const t35 = rest_scaled + t34;
-      const t36 = t35 / delta_scaled;
-      const t37 = t3 * t36;
-      const t38 = t33 + t37;
-      const t39 = t38 + t30;
-      const t40 = t39 / sigma_scaled;
-      const t41 = t3 * t40;
-      const t42 = rest_scaled + t41;
-      const t43 = t42 / delta_scaled;
-      return { gain_11: t43, gain_12: t31, gain_21: t32, gain_22: t36 };
+      const t30 = cross_share / sigma_scaled;
+      const t31 = t30 * t3;
+      const t32 = t2 / sigma_scaled;
+      const t33 = rest_scaled + t32;
+      const t34 = t33 / delta_scaled;
+      const t35 = rest_scaled / sigma_scaled;
+      const t36 = t31 * t30;
+      const t37 = t35 + t36;
+      const t38 = t37 / t34;
+      return { gain_11: t38, gain_12: t30, gain_21: t31, gain_22: t34 };
     },
     // Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
     closed_loop_poles(tracking_index, velocity_ratio) {

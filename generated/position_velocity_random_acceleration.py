@@ -120,8 +120,8 @@ def gains(
     """Steady-state filter gain, position and velocity measured.
 
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
-        s = 2 U12 + U22 + Lambda^2/4,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w = 1, eta^2 = 16 (1 + t^2/4);
@@ -133,14 +133,14 @@ def gains(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-8 and at most 1e8.
 
-    gain_11: position's gain on the measured position. Relative error at most 12.82 * 2^-52
-        (float64), 12.64 * 2^-23 (float32), proved for every input.
-    gain_12: position's gain on the measured velocity over T. Relative error at most 6.28 * 2^-52
-        (float64), 6.01 * 2^-23 (float32), proved for every input.
-    gain_21: velocity's gain on the measured position times T. Relative error at most 7.28 * 2^-52
-        (float64), 7.01 * 2^-23 (float32), proved for every input.
-    gain_22: velocity's gain on the measured velocity. Relative error at most 8.52 * 2^-52
-        (float64), 7.80 * 2^-23 (float32), proved for every input.
+    gain_11: position's gain on the measured position. Relative error at most 8.03 * 2^-52
+        (float64), 7.93 * 2^-23 (float32), proved for every input.
+    gain_12: position's gain on the measured velocity over T. Relative error at most 5.89 * 2^-52
+        (float64), 5.82 * 2^-23 (float32), proved for every input.
+    gain_21: velocity's gain on the measured position times T. Relative error at most 6.89 * 2^-52
+        (float64), 6.82 * 2^-23 (float32), proved for every input.
+    gain_22: velocity's gain on the measured velocity. Relative error at most 7.54 * 2^-52
+        (float64), 7.48 * 2^-23 (float32), proved for every input.
 
     Every true value that an error is relative to is a normal number. Numbers and arrays are taken,
     arrays of any shapes that broadcast. Where all inputs are float32 so are the results; otherwise
@@ -173,7 +173,7 @@ def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> Non
     t15 = np.multiply(eta_scaled, 0.5, w5)
     t16 = np.multiply(t13, t15, w5)
     t17 = np.add(t12, t16, w3)
-    delta_scaled = np.sqrt(t17, gain_11)
+    delta_scaled = np.sqrt(t17, gain_22)
     t19 = np.add(t13, eta_scaled, w4)
     t20 = np.multiply(t19, 0.5, w4)
     t21 = np.add(t20, delta_scaled, w4)
@@ -182,23 +182,18 @@ def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> Non
     t24 = np.multiply(tracking_index, eta_scaled, gain_12)
     coupling_scaled = np.divide(t24, t23, gain_21)
     t26 = np.add(coupling_scaled, velocity_ratio, w2)
-    cross_share = np.divide(tracking_index, t26, gain_22)
+    cross_share = np.divide(tracking_index, t26, gain_11)
     t28 = np.multiply(velocity_ratio, coupling_scaled, gain_21)
     rest_scaled = np.multiply(cross_share, t28, w2)
-    t30 = np.multiply(t2, 0.25, w3)
     np.divide(cross_share, sigma_scaled, gain_12)
     np.multiply(gain_12, t3, gain_21)
-    t33 = np.multiply(gain_21, 2.0, w5)
-    t34 = np.divide(t2, sigma_scaled, w0)
-    t35 = np.add(rest_scaled, t34, w0)
-    np.divide(t35, delta_scaled, gain_22)
-    t37 = np.multiply(t3, gain_22, w0)
-    t38 = np.add(t33, t37, w5)
-    t39 = np.add(t38, t30, w5)
-    t40 = np.divide(t39, sigma_scaled, w5)
-    t41 = np.multiply(t3, t40, w1)
-    t42 = np.add(rest_scaled, t41, w2)
-    np.divide(t42, delta_scaled, gain_11)
+    t32 = np.divide(t2, sigma_scaled, w0)
+    t33 = np.add(rest_scaled, t32, w0)
+    np.divide(t33, delta_scaled, gain_22)
+    t35 = np.divide(rest_scaled, sigma_scaled, w2)
+    t36 = np.multiply(gain_21, gain_12, w0)
+    t37 = np.add(t35, t36, w2)
+    np.divide(t37, gain_22, gain_11)
 
 
 _GAINS = Signature(
@@ -467,8 +462,8 @@ def gains_by_tracking_index(
         The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
-        s = 2 U12 + U22 + Lambda^2/4,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w = 1, eta^2 = 16 (1 + t^2/4);
@@ -629,8 +624,8 @@ def gains_by_velocity_ratio(
         The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
-        s = 2 U12 + U22 + Lambda^2/4,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = (S^2 g + Lambda^2/sigma)/delta,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t eta/(4 + t^2)/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w = 1, eta^2 = 16 (1 + t^2/4);

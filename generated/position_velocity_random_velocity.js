@@ -33,16 +33,14 @@
       const rest_scaled = cross_share * t25;
       const t27 = cross_share / sigma_scaled;
       const t28 = t27 * t3;
-      const t29 = t28 * 2.0;
-      const t30 = delta_scaled * cross_share;
-      const t31 = t29 + t30;
-      const t32 = t31 / sigma_scaled;
-      const t33 = t3 * t32;
-      const t34 = rest_scaled + t33;
-      const t36 = t30 / velocity_ratio;
-      const t35 = t34 / delta_scaled;
-      const t37 = t36 / velocity_ratio;
-      return { gain_11: t35, gain_12: t27, gain_21: t28, gain_22: t37 };
+      const t29 = delta_scaled * cross_share;
+      const t30 = t29 / velocity_ratio;
+      const t31 = t30 / velocity_ratio;
+      const t32 = rest_scaled / sigma_scaled;
+      const t33 = t28 * t27;
+      const t34 = t32 + t33;
+      const t35 = t34 / t31;
+      return { gain_11: t35, gain_12: t27, gain_21: t28, gain_22: t31 };
     },
     // Closed-loop poles: half their sum, their modulus, a quarter of the discriminant.
     closed_loop_poles(tracking_index, velocity_ratio) {

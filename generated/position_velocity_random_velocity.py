@@ -124,8 +124,8 @@ def gains(
     """Steady-state filter gain, position and velocity measured.
 
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
-        s = 2 U12 + U22,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = delta h,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
@@ -137,11 +137,11 @@ def gains(
     velocity_ratio: S = sampling_interval velocity_deviation/position_deviation; a number at least
         1e-12 and at most 1e12, in float32 at least 1e-6 and at most 1e8.
 
-    gain_11: position's gain on the measured position. Relative error at most 11.79 * 2^-52
-        (float64), 11.61 * 2^-23 (float32), proved for every input.
+    gain_11: position's gain on the measured position. Relative error at most 10.11 * 2^-52
+        (float64), 10.11 * 2^-23 (float32), proved for every input.
     gain_12: position's gain on the measured velocity over T. Relative error at most 8.00 * 2^-52
         (float64), 8.00 * 2^-23 (float32), proved for every input.
-    gain_21: velocity's gain on the measured position times T. Relative error at most 8.50 * 2^-52
+    gain_21: velocity's gain on the measured position times T. Relative error at most 8.40 * 2^-52
         (float64), 8.40 * 2^-23 (float32), proved for every input.
     gain_22: velocity's gain on the measured velocity. Relative error at most 7.57 * 2^-52
         (float64), 7.54 * 2^-23 (float32), proved for every input.
@@ -176,27 +176,25 @@ def _gains_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> Non
     t14 = np.multiply(t12, 0.5, gain_12)
     t15 = np.multiply(t11, t14, w2)
     t16 = np.add(t2, t15, w0)
-    delta_scaled = np.sqrt(t16, gain_11)
+    delta_scaled = np.sqrt(t16, gain_22)
     t18 = np.add(t14, delta_scaled, gain_12)
     sigma_scaled = np.multiply(t18, 0.5, w0)
     t20 = np.multiply(tracking_index, sigma_scaled, w2)
     t21 = np.divide(t20, velocity_ratio, gain_21)
-    coupling_scaled = np.divide(t21, velocity_ratio, gain_22)
+    coupling_scaled = np.divide(t21, velocity_ratio, gain_11)
     t23 = np.add(coupling_scaled, velocity_ratio, w2)
     cross_share = np.divide(tracking_index, t23, w2)
-    t25 = np.multiply(velocity_ratio, coupling_scaled, gain_22)
-    rest_scaled = np.multiply(cross_share, t25, gain_22)
+    t25 = np.multiply(velocity_ratio, coupling_scaled, gain_11)
+    rest_scaled = np.multiply(cross_share, t25, gain_11)
     np.divide(cross_share, sigma_scaled, gain_12)
     np.multiply(gain_12, t3, gain_21)
-    t29 = np.multiply(gain_21, 2.0, w3)
-    t30 = np.multiply(delta_scaled, cross_share, w2)
-    t31 = np.add(t29, t30, w3)
-    t32 = np.divide(t31, sigma_scaled, w3)
-    t33 = np.multiply(t3, t32, w1)
-    t34 = np.add(rest_scaled, t33, gain_22)
-    t36 = np.divide(t30, velocity_ratio, w2)
-    np.divide(t34, delta_scaled, gain_11)
-    np.divide(t36, velocity_ratio, gain_22)
+    t29 = np.multiply(delta_scaled, cross_share, gain_22)
+    t30 = np.divide(t29, velocity_ratio, gain_22)
+    np.divide(t30, velocity_ratio, gain_22)
+    t32 = np.divide(rest_scaled, sigma_scaled, gain_11)
+    t33 = np.multiply(gain_21, gain_12, w0)
+    t34 = np.add(t32, t33, gain_11)
+    np.divide(t34, gain_22, gain_11)
 
 
 _GAINS = Signature(
@@ -447,8 +445,8 @@ def gains_by_tracking_index(
         The output gain_21 is the difference of two positive terms, gain_21_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
-        s = 2 U12 + U22,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = delta h,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
@@ -599,8 +597,8 @@ def gains_by_velocity_ratio(
         The output gain_12 is the difference of two positive terms, gain_12_scale their sum.
         The entries themselves:
         gain_11 = U11, gain_12 = U12/S^2, gain_21 = U12, gain_22 = U22/S^2,
-        U11 = (g + s/sigma)/delta, U12 = h/sigma, U22 = delta h,
-        s = 2 U12 + U22,
+        U11 = (g/sigma + U12 U12/S^2)/(U22/S^2),
+        U12 = h/sigma, U22 = delta h,
         h = Lambda/(w + kappa), g = Lambda w - h, kappa = t sigma/S, t = Lambda/S,
         sigma = (m + delta)/2, m = sigma + 1/sigma = (Lambda w + eta)/2, delta = sigma - 1/sigma,
         w = 1, eta^2 = 16 + Lambda^2 + 4 t^2;
@@ -855,7 +853,7 @@ def _predicted_covariance_by_tracking_index_block(
 ) -> None:
     tracking_index, velocity_ratio = given
     predicted_11, predicted_12, predicted_22 = out
-    w0, w1, w2, w3, w4, w5, w6, w7, w8 = work
+    w0, w1, w2, w3, w4, w5, w6, w7, w8, w9 = work
     t2 = np.square(tracking_index, w0)
     t3 = np.square(velocity_ratio, w1)
     t5 = np.add(t2, 16.0, w2)
@@ -888,27 +886,27 @@ def _predicted_covariance_by_tracking_index_block(
     t34 = np.add(t31, t33, w5)
     t35 = np.divide(cross_share, sigma_scaled, w0)
     t36 = np.multiply(t35, t3, w0)
-    t37 = np.multiply(t36, 2.0, w6)
-    t38 = np.multiply(delta_scaled, cross_share, w7)
-    t39 = np.add(t37, t38, w6)
-    t40 = np.divide(t39, sigma_scaled, w7)
-    t41 = np.multiply(t3, t40, w1)
-    t42 = np.add(rest_scaled, t41, w1)
-    t43 = np.divide(t42, delta_scaled, w1)
-    t44 = np.divide(delta_scaled, velocity_ratio, w7)
-    t45 = np.divide(tracking_index, t44, w8)
-    t47 = np.multiply(sigma_scaled, t39, w3)
+    t37 = np.multiply(delta_scaled, cross_share, w6)
+    t38 = np.divide(delta_scaled, velocity_ratio, w7)
+    t39 = np.divide(tracking_index, t38, w8)
+    t41 = np.multiply(t36, 2.0, w9)
+    t42 = np.add(t41, t37, w9)
+    t43 = np.multiply(sigma_scaled, t42, w6)
+    t44 = np.add(rest_scaled, t43, w6)
+    t45 = np.divide(t44, delta_scaled, w6)
+    t46 = np.divide(t42, sigma_scaled, w9)
+    t47 = np.multiply(t3, t46, w1)
     t48 = np.add(rest_scaled, t47, predicted_22)
     t49 = np.divide(t48, delta_scaled, predicted_22)
-    t50 = np.add(t49, t43, predicted_22)
-    t51 = np.add(t50, t36, predicted_22)
+    t50 = np.add(t45, t49, w6)
+    t51 = np.add(t50, t36, w6)
     t52 = np.multiply(cross_share, velocity_ratio, w2)
     t53 = np.divide(t52, tracking_index, w2)
     t54 = np.multiply(t28, 2.0, w0)
     t55 = np.multiply(t54, t51, w0)
     t56 = np.multiply(t53, t55, w0)
-    t57 = np.multiply(t32, t44, w1)
-    t59 = np.multiply(t28, t44, w7)
+    t57 = np.multiply(t32, t38, w1)
+    t59 = np.multiply(t28, t38, w7)
     t60 = np.multiply(t59, t53, w7)
     t61 = np.divide(t60, t28, w2)
     t62 = np.add(t60, 2.0, w7)
@@ -918,9 +916,9 @@ def _predicted_covariance_by_tracking_index_block(
     t66 = np.divide(t64, tracking_index, w2)
     t67 = np.divide(t65, t32, w7)
     t68 = np.add(t66, t67, w2)
-    t69 = np.multiply(t45, t68, w2)
+    t69 = np.multiply(t39, t68, w2)
     t70 = np.multiply(tracking_index, 2.0, w3)
-    np.multiply(t45, t34, predicted_11)
+    np.multiply(t39, t34, predicted_11)
     np.divide(t56, t57, predicted_12)
     np.add(t69, t70, predicted_22)
 
@@ -929,7 +927,7 @@ _PREDICTED_COVARIANCE_BY_TRACKING_INDEX = Signature(
     "predicted_covariance_by_tracking_index",
     (_TRACKING_INDEX_DOMAIN_3, _VELOCITY_RATIO_DOMAIN_3),
     ("predicted_11", "predicted_12", "predicted_22"),
-    9,
+    10,
     _predicted_covariance_by_tracking_index_block,
 )
 

@@ -120,7 +120,8 @@ class Kernel:
     `requirements`: what the inputs must fulfil together, of kernels with signed inputs.
     `accurate`: the domain in which its one input is taken with `accurate=True`, in double-words;
     `accurate_graph`: what is computed then, if it is another graph of the same outputs;
-    `refinement`: how it comes to a root.
+    `refinement`: how it comes to a root. `search`: times as many boxes as kernels of several inputs
+    have for their bounds.
     """
 
     name: str
@@ -136,6 +137,7 @@ class Kernel:
     accurate: Input | None = None
     accurate_graph: Graph | None = None
     refinement: Refinement | None = None
+    search: int = 1
 
     @cached_property
     def program(self) -> Program:

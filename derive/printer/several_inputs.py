@@ -60,7 +60,10 @@ class SeveralInputs(Proof):
         return boxes.grid(ends, ends)
 
     def _refine(self, forward: Forward) -> Settled:
-        count, budget = len(self.ends), frontier.WORK // len(self.program.steps)
+        count, budget = (
+            len(self.ends),
+            self.kernel.search * frontier.WORK // len(self.program.steps),
+        )
         if len(self.inputs) > MANY:
             budget //= FEWER
         others = count * len(self.kernel.cancellations)

@@ -52,7 +52,7 @@ def _predicted_11_by_index(r: Rates) -> Any:
 def _predicted_12_by_index(r: Rates) -> Any:
     x = r.x
     if not x.noise.interval:
-        both = total(r.predicted["predicted_11"], r.gain["gain_11"], r.gain["gain_21"])
+        both = total(r.predicted["predicted_11"], r.updated["updated_11"], r.updated["updated_12"])
         return (x.cross / x.index) * (r.sigma * 2 * both) / (x.eta * x.delta)
     own = x.one_end
     one = (x.cross / x.index) * ((own + r.updated["updated_22"] / own) / x.index)

@@ -18,12 +18,15 @@ from gainproof.derive.vector_measurement.names import (
     SIGMA,
     UPDATED,
     Z,
+    gain_matrix,
 )
 from gainproof.derive.vector_measurement.spectrum import V
 from gainproof.derive.vector_measurement.steps_entries import P11, P12, P22, U11, U12, U22
 from gainproof.derive.vector_measurement.steps_spectrum import one_end_text
 from gainproof.derive.vector_measurement.steps_ties import riccati_step, square, stable_step
 from gainproof.derive.vector_measurement.towers import rational
+
+K11, K12, K21, K22 = gain_matrix()
 
 
 def proof_steps(c: Context) -> list[Step]:
@@ -134,5 +137,13 @@ def form_steps(c: Context) -> list[Step]:
             f"Collected from steps @cross, {velocity} and @position. The gains follow by step "
             "@gain.",
             heading="The steady state",
-        )
+        ),
+        Step(
+            "first-from-determinant",
+            "The position's own gain follows from the other three too, again without a "
+            "subtraction. With these fewer operations it is computed.",
+            equal(K11, (REST / SIGMA + K21 * K12) / K22),
+            "Written with `K = U R^-1`, `det K` is `det U/S^2`, which is `g/sigma` (step @rest): "
+            "solve `det K = K11 K22 - K12 K21` for `K11`.",
+        ),
     ]
