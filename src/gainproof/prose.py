@@ -81,6 +81,9 @@ def latex_math(text: str, symbols: Mapping[str, str]) -> str:
             return rf"^{{{exponent}}}"
         if arrow is not None:
             return r"\to"
+        if word[0] == "d" and word[1:] in named:
+            # a differential: `d/dLambda`
+            return f"d{named[word[1:]]}"
         return _WORDS.get(word) or (word if len(word) == 1 else rf"\mathrm{{{word}}}")
 
     return _ROOT.sub(r"\\sqrt{\1}", token.sub(written, text))

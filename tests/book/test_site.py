@@ -169,6 +169,26 @@ def test_faults_of_a_page_are_found(files: dict[str, bytes], tmp_path: Path) -> 
         assert wanted in told
 
 
+@needs_browser
+def test_the_search_finds(files: dict[str, bytes], tmp_path: Path) -> None:
+    """From the field of any page: the form leads to the page that searches."""
+    folder = tmp_path / "book"
+    site.write(files, folder)
+    with opened() as browser:
+        tab = browser.new_page()
+        tab.goto((folder / "derivations/random-velocity.html").as_uri())
+        tab.fill(".search input", "gains_with_derivatives")
+        tab.press(".search input", "Enter")
+        tab.wait_for_selector("#results a")
+        assert tab.input_value(".search input") == "gains_with_derivatives"
+        found = tab.locator("#results a").first
+        assert found.text_content() == "random_velocity.gains_with_derivatives"
+        found.click()
+        tab.wait_for_selector("article.kernel")
+        tab.goto(f"{(folder / 'search.html').as_uri()}?q=no-such-word-anywhere")
+        assert tab.text_content("#found") == "0 found"
+
+
 def test_written_twice_it_is_the_same(files: dict[str, bytes], tmp_path: Path) -> None:
     folder = tmp_path / "book"
     site.write(files, folder)

@@ -44,6 +44,7 @@ def test_a_short_formula_is_not_broken() -> None:
         ("Lambda^2 Q0", r"\Lambda^{2} Q_0"),
         ("noise(4)", r"\mathrm{noise}(4)"),
         ("(FK)1", "(FK)_1"),
+        ("(d/dLambda) f", r"(d/d\Lambda) f"),
     ],
 )
 def test_formulas_of_sentences_in_latex(plain: str, latex: str) -> None:
