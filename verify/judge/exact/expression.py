@@ -6,10 +6,10 @@ product with zero is still found.
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from hashlib import blake2b
 
 Value = Fraction | str | None
 
@@ -31,10 +31,10 @@ class Expr:
 
     def __post_init__(self) -> None:
         # lengths are written, so that no name can imitate another node
-        value = str(self.value)
-        text = f"{self.kind}|{len(value)}|{value}|{len(self.parts)}|".encode()
-        whole = b"".join([text, *[part.key for part in self.parts]])
-        object.__setattr__(self, "key", hashlib.blake2b(whole, digest_size=32).digest())
+        value, parts = str(self.value), self.parts
+        text = f"{self.kind}|{len(value)}|{value}|{len(parts)}|".encode()
+        whole = b"".join([text, *[part.key for part in parts]]) if parts else text
+        object.__setattr__(self, "key", blake2b(whole, digest_size=32).digest())
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Expr) and self.key == other.key
