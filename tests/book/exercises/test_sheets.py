@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from catalogue_subjects import certificate, derived
+from one_of_each import cases
 
 from gainproof.bad_input import BadInputError
 from gainproof.book import site
@@ -28,7 +29,7 @@ from gainproof.verify.judge.derivations.relation import judge_statement
 from gainproof.verify.judge.derivations.surroundings import surroundings
 
 SUBJECTS = ("random-velocity", "least-squares-line", "filter-step")
-SEEDS = (1, 2, 3)
+SEEDS = cases([1, 2, 3], lambda seed: seed == 1)
 
 
 @pytest.fixture(scope="module")
@@ -36,10 +37,10 @@ def subjects() -> list[Derived]:
     return [derived(name) for name in SUBJECTS]
 
 
-@pytest.fixture(scope="module")
-def sheets(subjects: Sequence[Derived]) -> list[Planted]:
-    """Three sheets of each of three seeds."""
-    return [sheet for seed in SEEDS for sheet in plant(subjects, 3, seed)]
+@pytest.fixture(scope="module", params=SEEDS)
+def sheets(request: pytest.FixtureRequest, subjects: Sequence[Derived]) -> list[Planted]:
+    """Three sheets of one seed."""
+    return plant(subjects, 3, request.param)
 
 
 @pytest.fixture(scope="module")
