@@ -61,7 +61,7 @@ def test_refused_by_code_point(character: str, code: str, meant: str | None) -> 
             assert character not in str(error)
 
 
-SIGNS_END = 0x3000  # letters of Europe, signs and arrows lie below; above, mostly characters of Asia
+SIGNS_END = 0x3000  # letters of Europe, signs and arrows lie below; above, mostly those of Asia
 SPARSE = 17  # shares no factor with the sizes of Unicode's blocks, multiples of 16
 IN_PARTS = {
     "signs": (*range(0x80, SIGNS_END), *range(0x1D400, 0x1D800), sys.maxunicode),
