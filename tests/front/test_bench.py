@@ -273,3 +273,21 @@ def test_every_kernel_is_measured(
     for item in measured_kernels([name]):
         found = measure.figures(item, tmp_path, measure.Options())
         assert not found.outside, item.kernel.name
+
+
+def test_where_the_truth_is_0_nothing_else_is_within_the_bound(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Target and station level with each other: no share of 0 is an error, and any number is."""
+    monkeypatch.setattr(errors, "POINTS", 20)
+    name = "range_jacobian_in_plane"
+    (made,) = [each for each in measured_kernels(["range-doppler"]) if each.kernel.name == name]
+    met = errors.worst_errors(made)
+    assert all(each.worst <= each.proved and not each.outside for each in met)
+    function: Any = made.function
+
+    def spoiled(*xs: Any) -> list[Any]:
+        return [np.where(y == 0, 1e-300, y) for y in function(*xs)]
+
+    found = errors.worst_errors(replace(made, function=spoiled))
+    assert any(each.outside and each.worst == np.inf for each in found)

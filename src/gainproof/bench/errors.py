@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from flint import arb
 
 from gainproof.bench.accuracy import Ball, ball_outputs, error, log_uniform, signed_points, terms
 from gainproof.bench.arguments import fitting
@@ -46,11 +47,16 @@ def worst_errors(item: Measured) -> tuple[OutputError, ...]:
         for point, values, exact in drawn[bound.domain]:
             scale = _scale(item, output, point, exact)
             size = float(abs(scale).mid())
-            met = error(values[number], exact[output.name], scale, EPSILON)
-            if math.isnan(met):
-                met = math.inf
-            # an underflow on the way may add what is stated beside the bound
-            allowed = float(bound.bound) + bound.beside / (size * EPSILON) if size else math.inf
+            if scale == 0:
+                # no share of nothing: what is stated beside the bound is all that is allowed
+                apart = float(abs(arb(values[number]) - exact[output.name]).abs_upper())
+                met, allowed = (0.0 if apart <= bound.beside else math.inf), 0.0
+            else:
+                met = error(values[number], exact[output.name], scale, EPSILON)
+                met = math.inf if math.isnan(met) else met
+                # an underflow on the way may add what is stated beside the bound
+                room = bound.beside / (size * EPSILON) if size else math.inf
+                allowed = float(bound.bound) + room
             outside += met > allowed
             worst = max(worst, met)
             if 0 < size < math.inf:
