@@ -42,8 +42,9 @@ GAP = Fraction(1, 10**6)
 
 def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     """Whether both sides agree to the order stated; without an order, whether their ratio tends to
-    1 and, with an approximation of several terms, whether what is left is smaller than each of
-    them: of 1 + x for a root of 1 + x the second is no term of it.
+    1 and, with an approximation, whether what is left is smaller than each of its terms: of 1 + x
+    for a root of 1 + x the second is no term of it, nor of (1 + x)(1 - x). Undecided with one by a
+    function that has another second term, such as 1/(1 + x): to which order is not said.
     """
     arrow, others = arrow_of(reading)
     relation = reading.relations[0]
@@ -65,15 +66,15 @@ def judge_asymptotics(claim: Claim, reading: Reading, scope: Scope) -> Finding:
     parts = constant_parts(approach.name, left, right, *smaller, *errors)
     values = around.decide(with_values(parts))
     oracle = Coefficients(around, parts)
-    terms = _terms(second) if relation.operator == "approx" else [second]
+    approximated = relation.operator == "approx" and not errors
     finding: Finding | None = None
     for side in open_sides(approach, frame, around):
         if errors:
             finding = _agree(rest, smaller, errors, approach, side, oracle)
         else:
             finding = _equivalent(left, right, approach, side, oracle)
-        if finding.verdict == "proved" and not errors and len(terms) > 1:
-            finding = _beyond(rest, terms, approach, side, oracle)
+        if finding.verdict == "proved" and approximated:
+            finding = _beyond(rest, _terms(second), finding, approach, side, oracle)
         if finding.verdict != "proved":
             if dropped:
                 raise Undecided("asymptotics under conditions on the variable: false without them")
@@ -139,10 +140,29 @@ def _terms(expr: Expr) -> list[Expr]:
 
 
 def _beyond(
-    rest: Expr, terms: list[Expr], approach: Approach, side: int, oracle: Coefficients
+    rest: Expr,
+    terms: list[Expr],
+    first: Finding,
+    approach: Approach,
+    side: int,
+    oracle: Coefficients,
 ) -> Finding:
-    """Whether what is left is of higher order than the smallest term that is printed."""
-    last = max(_exponent(approach.moved(term, side), oracle) for term in terms)
+    """Whether what is left is of higher order than the smallest term that is printed; `first` says
+    that the first ones agree.
+    """
+    last = max(_last_exponent(approach.moved(term, side), oracle) for term in terms)
+    if len(terms) == 1:
+        following = _second_exponent(approach.moved(terms[0], side), oracle)
+        if following is None and last == _exponent(approach.moved(terms[0], side), oracle):
+            return first  # one power: it has no other term
+        if following is not None:
+            found = _zero_below(rest, following + GAP, "", approach, side, oracle)
+            if found is None:
+                return first
+            raise Undecided(
+                r"\approx with a function whose own second term, of order "
+                rf"{following}, is another: write \sim, O(...) or an order"
+            )
     words = f"not beyond that of the terms printed, {last}"
     finding = _zero_below(rest, last + GAP, words, approach, side, oracle)
     if finding is not None:
@@ -150,6 +170,30 @@ def _beyond(
     certificate = {"order of the last term": str(last), "terms up to it": "all zero"}
     reason = f"the difference is of higher order than {last}, that of the last term"
     return Finding("proved", reason, None, METHOD, None, certificate)
+
+
+def _last_exponent(term: Expr, oracle: Coefficients) -> Fraction:
+    """The order of the last of a printed term's own, if these end when it is multiplied out; else
+    that of the first.
+    """
+    series = expanded(term, SMALL, oracle, DEPTHS[-1])
+    if series.order >= EXACT and series.terms:
+        return max(series.terms)
+    return _exponent(term, oracle)
+
+
+def _second_exponent(term: Expr, oracle: Coefficients) -> Fraction | None:
+    """The order of a function's second term; None if its expansion ends."""
+    for depth in DEPTHS:
+        series = expanded(term, SMALL, oracle, depth)
+        if series.order >= EXACT:
+            return None
+        first = leading(series, oracle)
+        later = [e for e in series.exponents() if first is not None and e > first[0]]
+        for exponent in later:
+            if not oracle.is_zero(series.terms[exponent]):
+                return exponent
+    raise Undecided("an approximation by a function whose second term was not found")
 
 
 def _zero_below(
