@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from itertools import islice
 from typing import Any
 
 from gainproof.verify.judge.matrices.conditions import possible_conditions
@@ -26,6 +27,10 @@ MORE_TRIED = 12
 METHOD = "words"
 SHAPES = "the shapes of the letters give this one"
 TOO_DEEP = "definitions stand too deep inside one another"
+EMPTY_ONLY = (
+    "no exact instance of the hypotheses was found but of matrices without entries, "
+    "of which everything is true"
+)
 
 
 @dataclass(frozen=True)
@@ -148,7 +153,7 @@ def _decided(case: Case, setting: MatrixSetting, proofs: Proofs) -> Finding:
     if not found:
         return Finding("undecided", _why_none(case, setting))
     if failed is None:
-        finding = _proved(case, setting, proofs)
+        finding = _proved(case, setting, proofs, found)
         if finding.verdict == "proved":
             return finding
         failed = _tried(case, setting, MORE_TRIED, 2)[1]
@@ -160,7 +165,7 @@ def _decided(case: Case, setting: MatrixSetting, proofs: Proofs) -> Finding:
         more = replace(case, question=question)
         found, again = _tried(more, setting)
         if found and again is None:
-            finding = _proved(more, setting, proofs, budget)
+            finding = _proved(more, setting, proofs, found, budget)
             if finding.verdict == "proved":
                 reason = f"not true as stated; true where {said}"
                 witness = witness_of(case.question, setting, instance)
@@ -193,7 +198,7 @@ def _why_none(case: Case, setting: MatrixSetting) -> str:
     """What is not evaluated in the claim, if it is that."""
     question = case.question
     tried = instances(setting, question.given, question.invertible, case.bounds)
-    for instance in islice(tried, 1):
+    for instance in itertools.islice(tried, 1):
         try:
             all(holds(chain, instance) for chain in question.chains)
         except (Unsupported, NoValueError) as reason:
@@ -208,7 +213,7 @@ def _tried(
     question, found = case.question, list[Instance]()
     wanted = (*question.chains, *(Chain((n,), (REGULAR,)) for n in question.existing))
     missing = None
-    for instance in islice(
+    for instance in itertools.islice(
         instances(setting, question.given, question.invertible, case.bounds, seed), most
     ):
         found.append(instance)
@@ -222,9 +227,28 @@ def _tried(
     return found, missing
 
 
+def _is_met(case: Case, setting: MatrixSetting, found: Iterable[Instance]) -> bool:
+    """Whether there is an instance in which every hypothesis speaks of entries: `P = 0` of a
+    definite P of no rows contradicts nothing, of any other size it does. `found` are tried first.
+    """
+    question = case.question
+    sides = [*(side for chain in question.given for side in chain.sides), *question.invertible]
+    others = instances(setting, question.given, question.invertible, case.bounds)
+    return not sides or any(
+        all(value.nrows() and value.ncols() for value in map(instance.of, sides))
+        for instance in itertools.chain(found, others)
+    )
+
+
 def _proved(
-    case: Case, setting: MatrixSetting, proofs: Proofs, budget: Budget | None = None
+    case: Case,
+    setting: MatrixSetting,
+    proofs: Proofs,
+    found: Iterable[Instance],
+    budget: Budget | None = None,
 ) -> Finding:
+    if not _is_met(case, setting, found):
+        return Finding("undecided", EMPTY_ONLY)
     try:
         parts = proof_in(setting, case.question, proofs, budget).certificates
     except UnprovedError as reason:

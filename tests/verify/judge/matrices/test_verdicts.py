@@ -170,3 +170,13 @@ def test_a_counterexample_lists_no_values_of_what_means_are_taken_of() -> None:
     found = judged_matrices("v^T R v = 2 v^T v")
     assert found.witness is not None
     assert "v" in found.witness["point"]
+
+
+@pytest.mark.parametrize(
+    "more", ["given = ['R = 0']", "given = ['R < 0']", "invertible = ['R - R']"]
+)
+def test_of_hypotheses_that_contradict_each_other_nothing_follows(more: str) -> None:
+    """They hold of matrices without rows, of which everything is true."""
+    found = judged_matrices("A = 5 A", more=more)
+    assert found.verdict == "undecided"
+    assert "without entries" in found.reason
