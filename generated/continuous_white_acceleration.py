@@ -310,6 +310,8 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
+        alpha = 2 r/(p + h + r), beta = 4 p/(p + h + r), p = sqrt(Lambda),
+        h = sqrt(16/Lambda + 1/3 Lambda), r = 2 rho p,
         kappa = sqrt(4/Lambda^2 + 1/12), rho = sqrt(kappa + 1/3) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
@@ -317,18 +319,18 @@ def gains_with_derivatives(
         acceleration_density*sampling_interval**3/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 1.95 * 2^-52 (float64), 1.95 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 2.67 * 2^-52 (float64),
-        2.67 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.01 * 2^-52 (float64),
+        3.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 12.59 * 2^-52 (float64), 12.59
+    d_alpha: derivative of the position gain. Relative error at most 12.35 * 2^-52 (float64), 12.35
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 5.247628584236248e102 (float64)
         and 1e-45 <= tracking_index <= 6.49139e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        12.61 * 2^-52 (float64), 12.61 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        13.06 * 2^-52 (float64), 13.06 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         9.352083952218625e102 (float64) and 1e-45 <= tracking_index <= 1.1568659e13 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -350,55 +352,34 @@ def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _sin
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3, w4 = work
-    t2 = np.multiply(tracking_index, 1.8014398509481984e16, w0)
-    index_or_switch = np.minimum(t2, 1.3510798882111488e16, out=w0)
-    t7 = np.divide(5.404319552844595e16, tracking_index, alpha)
-    four_or_less = np.minimum(7.205759403792794e16, t7, out=alpha)
-    t10 = np.square(four_or_less, alpha)
-    t11 = np.square(index_or_switch, w1)
-    t13 = np.divide(t11, 3.0, beta)
-    t14 = np.add(t10, t13, alpha)
-    eta_scaled = np.sqrt(t14, d_alpha)
-    t17 = np.multiply(eta_scaled, 2.0, w1)
-    t19 = np.multiply(index_or_switch, 1.3333333333333333, alpha)
-    t20 = np.add(t17, t19, alpha)
-    t21 = np.multiply(index_or_switch, t20, alpha)
-    ratio_scaled = np.sqrt(t21, d_beta)
-    t24 = np.multiply(index_or_switch, 6.666666666666667, alpha)
-    t26 = np.divide(index_or_switch, 6.0, beta)
-    t27 = np.divide(t26, ratio_scaled, beta)
-    t29 = np.multiply(index_or_switch, 16.0, w2)
-    t31 = np.add(t27, 1.0, w3)
-    t32 = np.multiply(t27, t31, beta)
-    t33 = np.multiply(t29, t32, w2)
-    t34 = np.add(t24, t33, alpha)
-    t36 = np.multiply(index_or_switch, 1.152921504606847e18, w2)
-    t38 = np.multiply(ratio_scaled, 4.0, w3)
-    t39 = np.add(t38, t34, w3)
-    t40 = np.add(t17, t39, w1)
-    t41 = np.divide(t36, t40, w2)
-    alpha_raised = np.sqrt(t41, w2)
-    t45 = np.multiply(index_or_switch, 4.0, w1)
-    t46 = np.add(index_or_switch, ratio_scaled, w3)
-    t47 = np.add(eta_scaled, t46, w3)
-    t50 = np.multiply(eta_scaled, 1.1102230246251565e-16, d_alpha)
-    kappa = np.divide(t50, index_or_switch, d_alpha)
-    t52 = np.multiply(ratio_scaled, 1.1102230246251565e-16, d_beta)
-    rho = np.divide(t52, index_or_switch, d_beta)
-    half_eta = np.multiply(tracking_index, kappa, w0)
-    t55 = np.add(rho, 1.1102230246251565e-16, w4)
-    t56 = np.add(kappa, t55, alpha)
-    t57 = np.multiply(tracking_index, t56, alpha)
-    t59 = np.divide(6.617444900424222e-24, t57, alpha)
-    t60 = np.divide(t59, half_eta, w0)
-    t61 = np.multiply(t60, t59, w0)
-    t62 = np.divide(t61, rho, w0)
-    t64 = np.add(kappa, 3.700743415417188e-17, d_alpha)
-    t66 = np.multiply(t62, 2.0, d_beta)
-    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
-    np.divide(t45, t47, beta)
-    np.multiply(t62, t64, d_alpha)
-    np.multiply(t66, t55, d_beta)
+    p = np.sqrt(tracking_index, d_alpha)
+    t3 = np.multiply(p, 9.094947017729282e-13, w0)
+    t5 = np.multiply(p, 1.8189894035458565e-12, w1)
+    t7 = np.divide(1.3234889800848443e-23, tracking_index, alpha)
+    t9 = np.multiply(tracking_index, 2.757268708510092e-25, w2)
+    t10 = np.add(t7, t9, alpha)
+    h_at_once = np.sqrt(t10, beta)
+    t12 = np.add(t3, h_at_once, w2)
+    t14 = np.multiply(t3, 0.6666666666666666, alpha)
+    t15 = np.add(t14, h_at_once, alpha)
+    t16 = np.multiply(t5, t15, alpha)
+    twice_ratio = np.sqrt(t16, d_beta)
+    t18 = np.add(t12, twice_ratio, w2)
+    t20 = np.multiply(t18, 0.5, w2)
+    t21 = np.multiply(p, t20, alpha)
+    t22 = np.square(t21, alpha)
+    t23 = np.multiply(p, h_at_once, d_alpha)
+    t24 = np.multiply(t22, t23, alpha)
+    t26 = np.divide(6.018531076210112e-36, t24, w3)
+    t27 = np.divide(t5, twice_ratio, alpha)
+    t29 = np.divide(t3, 3.0, w0)
+    t30 = np.add(t29, h_at_once, w0)
+    t31 = np.divide(t30, twice_ratio, w0)
+    t35 = np.add(t27, 2.0, w4)
+    np.multiply(t26, t31, d_alpha)
+    np.divide(twice_ratio, t20, alpha)
+    np.divide(t5, t20, beta)
+    np.multiply(t26, t35, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(

@@ -281,6 +281,8 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
+        alpha = 2 r/(p + h + r), beta = 4 p/(p + h + r), p = sqrt(Lambda),
+        h = 4/p, r = 2 rho p,
         kappa = 2/Lambda, rho = sqrt(kappa + 1/4) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
@@ -288,18 +290,18 @@ def gains_with_derivatives(
         acceleration_deviation**2*sampling_interval**4/measurement_deviation**2; a number above 0
         and finite.
 
-    alpha: position gain. Relative error at most 1.69 * 2^-52 (float64), 1.69 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 3.26 * 2^-52 (float64), 3.26 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 1.95 * 2^-52 (float64),
-        1.95 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.01 * 2^-52 (float64),
+        3.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 11.01 * 2^-52 (float64), 11.01
-        * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
+    d_alpha: derivative of the position gain. Relative error at most 8.01 * 2^-52 (float64), 8.01 *
+        2^-23 (float32), proved for 5e-324 <= tracking_index <= 7.11074631974658e102 (float64) and
         1e-45 <= tracking_index <= 8.7960925e12 (float32).
-    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        10.01 * 2^-52 (float64), 10.01 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+    d_beta: derivative of the velocity gain times the sampling interval. Relative error at most 8.13
+        * 2^-52 (float64), 8.13 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.8961503816218352e154 (float64) and 1e-45 <= tracking_index <= 2.6087635e19 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -320,39 +322,33 @@ def gains_with_derivatives(
 def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _single: bool) -> None:
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
-    w0, w1, w2 = work
-    kappa = np.divide(1.1102230246251565e-16, tracking_index, d_alpha)
-    t4 = np.add(kappa, 1.3877787807814457e-17, w0)
-    rho_scaled = np.sqrt(t4, alpha)
-    twice_rho = np.multiply(rho_scaled, 1.4901161193847656e-08, alpha)
-    t9 = np.divide(2.7755575615628914e-17, twice_rho, beta)
-    t11 = np.add(t9, 2.0, w1)
-    t12 = np.multiply(t9, t11, beta)
-    t14 = np.add(t12, 1.5, beta)
-    t16 = np.multiply(t14, 5.551115123125783e-17, beta)
-    t17 = np.add(twice_rho, t16, beta)
-    t18 = np.add(t4, t17, w0)
-    t20 = np.divide(16.0, t18, d_beta)
-    alpha_raised = np.sqrt(t20, d_beta)
-    t24 = np.multiply(kappa, 2.0, w0)
-    t25 = np.add(twice_rho, 5.551115123125783e-17, w1)
-    t26 = np.add(t24, t25, w0)
-    t29 = np.square(t25, beta)
-    t30 = np.multiply(tracking_index, t29, beta)
-    t32 = np.divide(2.465190328815662e-32, t30, beta)
-    t33 = np.square(t32, beta)
-    t34 = np.divide(t33, twice_rho, w2)
-    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
-    np.divide(2.220446049250313e-16, t26, beta)
-    np.multiply(t34, kappa, d_alpha)
-    np.multiply(t34, t25, d_beta)
+    w0, w1 = work
+    p = np.sqrt(tracking_index, beta)
+    t3 = np.multiply(p, 0.5, w0)
+    t5 = np.multiply(tracking_index, 0.25, w1)
+    t7 = np.add(t5, 2.0, w1)
+    twice_ratio = np.sqrt(t7, alpha)
+    t9 = np.divide(2.0, p, d_alpha)
+    t10 = np.add(t3, t9, d_alpha)
+    t11 = np.add(t10, twice_ratio, d_alpha)
+    t12 = np.multiply(t11, 0.5, w1)
+    t13 = np.multiply(p, t12, d_alpha)
+    t14 = np.square(t13, d_alpha)
+    t16 = np.divide(1.0, t14, d_beta)
+    t17 = np.multiply(p, twice_ratio, d_alpha)
+    t19 = np.divide(t3, twice_ratio, w0)
+    t20 = np.add(t19, 1.0, w0)
+    np.divide(t16, t17, d_alpha)
+    np.multiply(t16, t20, d_beta)
+    np.divide(twice_ratio, t12, alpha)
+    np.divide(p, t12, beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
     "gains_with_derivatives",
     (_TRACKING_INDEX_DOMAIN,),
     ("alpha", "beta", "d_alpha", "d_beta"),
-    3,
+    2,
     _gains_with_derivatives_block,
 )
 

@@ -242,7 +242,7 @@ def gain_derivatives(
         2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64) and
         1e-45 <= tracking_index <= 5.541191e12 (float32).
     beta: derivative of the velocity gain times the sampling interval. Relative error at most 10.31
-        * 2^-52 (float64), 10.34 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -300,6 +300,8 @@ def gains_with_derivatives(
 ) -> GainsWithDerivatives:
     """Filter gain and its first derivatives in one pass.
 
+        alpha = 2 r/(p + h + r), beta = 4 p/(p + h + r), p = sqrt(Lambda),
+        h = sqrt(16/Lambda + Lambda), r = 2 rho p,
         kappa = sqrt(4/Lambda^2 + 1/4), rho = sqrt(kappa + 1/2) = alpha/beta,
         sigma = Lambda/beta = Lambda (1/2 + kappa + rho)/2
 
@@ -307,18 +309,18 @@ def gains_with_derivatives(
         sampling_interval**2*velocity_deviation**2/measurement_deviation**2; a number above 0 and
         finite.
 
-    alpha: position gain. Relative error at most 1.85 * 2^-52 (float64), 1.85 * 2^-23 (float32),
+    alpha: position gain. Relative error at most 2.76 * 2^-52 (float64), 2.76 * 2^-23 (float32),
         proved for 5e-324 <= tracking_index <= 1.7976931348623157e308 (float64) and 1e-45 <=
         tracking_index <= 3.4028235e38 (float32).
-    beta: velocity gain times the sampling interval. Relative error at most 2.63 * 2^-52 (float64),
-        2.63 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
+    beta: velocity gain times the sampling interval. Relative error at most 3.01 * 2^-52 (float64),
+        3.01 * 2^-23 (float32), proved for 2.2250738585072014e-308 <= tracking_index <=
         1.7976931348623157e308 (float64) and 1.1754944e-38 <= tracking_index <= 3.4028235e38
         (float32).
-    d_alpha: derivative of the position gain. Relative error at most 10.51 * 2^-52 (float64), 10.51
+    d_alpha: derivative of the position gain. Relative error at most 10.76 * 2^-52 (float64), 10.76
         * 2^-23 (float32), proved for 5e-324 <= tracking_index <= 4.4794894843556084e102 (float64)
         and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     d_beta: derivative of the velocity gain times the sampling interval. Relative error at most
-        12.24 * 2^-52 (float64), 12.24 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        11.97 * 2^-52 (float64), 11.97 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12 (float32).
 
     Outside an output's range, a few numbers next to its ends apart, its true value is no normal
@@ -340,46 +342,29 @@ def _gains_with_derivatives_block(given: Arrays, out: Arrays, work: Arrays, _sin
     (tracking_index,) = given
     alpha, beta, d_alpha, d_beta = out
     w0, w1, w2, w3 = work
-    t2 = np.multiply(tracking_index, 1.8014398509481984e16, w0)
-    index_or_switch = np.minimum(t2, 1.3510798882111488e16, out=w0)
-    t7 = np.divide(5.404319552844595e16, tracking_index, alpha)
-    four_or_less = np.minimum(7.205759403792794e16, t7, out=alpha)
-    t10 = np.square(four_or_less, alpha)
-    t11 = np.square(index_or_switch, w1)
-    t12 = np.add(t10, t11, alpha)
-    eta_scaled = np.sqrt(t12, beta)
-    t15 = np.multiply(eta_scaled, 2.0, w1)
-    t16 = np.multiply(index_or_switch, 2.0, alpha)
-    t17 = np.add(t15, t16, alpha)
-    t18 = np.multiply(index_or_switch, t17, alpha)
-    ratio_scaled = np.sqrt(t18, d_alpha)
-    t21 = np.multiply(index_or_switch, 6.0, alpha)
-    t23 = np.multiply(index_or_switch, 1.152921504606847e18, w2)
-    t25 = np.multiply(ratio_scaled, 4.0, w3)
-    t26 = np.add(t25, t21, w3)
-    t27 = np.add(t15, t26, w1)
-    t28 = np.divide(t23, t27, d_beta)
-    alpha_raised = np.sqrt(t28, d_beta)
-    t32 = np.multiply(index_or_switch, 4.0, w1)
-    t33 = np.add(index_or_switch, ratio_scaled, w2)
-    t34 = np.add(eta_scaled, t33, w2)
-    t37 = np.multiply(eta_scaled, 1.1102230246251565e-16, beta)
-    kappa = np.divide(t37, index_or_switch, beta)
-    t39 = np.multiply(ratio_scaled, 1.1102230246251565e-16, d_alpha)
-    rho = np.divide(t39, index_or_switch, d_alpha)
-    half_eta = np.multiply(tracking_index, kappa, w0)
-    t42 = np.add(rho, 1.1102230246251565e-16, w3)
-    t43 = np.add(kappa, t42, beta)
-    t44 = np.multiply(tracking_index, t43, beta)
-    t46 = np.divide(4.440892098500626e-16, t44, beta)
-    t47 = np.square(t46, beta)
-    t48 = np.divide(t47, half_eta, w0)
-    t51 = np.divide(4.930380657631324e-32, rho, w3)
-    t52 = np.add(t51, 4.440892098500626e-16, w3)
-    np.multiply(alpha_raised, 3.725290298461914e-09, alpha)
-    np.divide(t32, t34, beta)
-    np.multiply(t48, rho, d_alpha)
-    np.multiply(t48, t52, d_beta)
+    p = np.sqrt(tracking_index, d_alpha)
+    t3 = np.multiply(p, 9.094947017729282e-13, w0)
+    t5 = np.multiply(p, 1.8189894035458565e-12, w1)
+    t7 = np.divide(1.3234889800848443e-23, tracking_index, alpha)
+    t9 = np.multiply(tracking_index, 8.271806125530277e-25, w2)
+    t10 = np.add(t7, t9, alpha)
+    h_at_once = np.sqrt(t10, beta)
+    t12 = np.add(t3, h_at_once, w0)
+    t13 = np.multiply(t5, t12, w2)
+    twice_ratio = np.sqrt(t13, d_beta)
+    t15 = np.add(t12, twice_ratio, w0)
+    t17 = np.multiply(t15, 0.5, w0)
+    t18 = np.multiply(p, t17, w2)
+    t19 = np.square(t18, w2)
+    t20 = np.multiply(p, h_at_once, d_alpha)
+    t21 = np.multiply(t19, t20, w2)
+    t23 = np.divide(6.018531076210112e-36, t21, w2)
+    t24 = np.divide(t5, twice_ratio, alpha)
+    t28 = np.add(t24, 2.0, w3)
+    np.divide(t23, t24, d_alpha)
+    np.divide(twice_ratio, t17, alpha)
+    np.divide(t5, t17, beta)
+    np.multiply(t23, t28, d_beta)
 
 
 _GAINS_WITH_DERIVATIVES = Signature(
@@ -478,7 +463,7 @@ def predictor_gain_derivatives(
         2^-52 (float64), 10.32 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         7.11074631974658e102 (float64) and 1e-45 <= tracking_index <= 8.796093e12 (float32).
     velocity: derivative of the velocity entry of F K times the sampling interval, beta. Relative
-        error at most 10.31 * 2^-52 (float64), 10.34 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 10.31 * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <= 7.9917807e12
         (float32).
 
@@ -555,7 +540,7 @@ def predicted_covariance(
         2^-52 (float64), 5.78 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         1.34078079299425e154 (float64) and 1e-45 <= tracking_index <= 1.8446673e19 (float32).
     predicted_12: covariance of predicted position and velocity times T/sigma_v^2. Relative error at
-        most 3.53 * 2^-52 (float64), 3.54 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
+        most 3.53 * 2^-52 (float64), 3.53 * 2^-23 (float32), proved for 2.2250738585072014e-308 <=
         tracking_index <= 1.34078079299425e154 (float64) and 1.1754944e-38 <= tracking_index <=
         1.8446673e19 (float32).
     predicted_22: variance of the predicted velocity times T^2/sigma_v^2. Relative error at most
@@ -791,7 +776,7 @@ def updated_covariance_derivatives(
         most 9.26 * 2^-52 (float64), 9.26 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.4794894843556084e102 (float64) and 1e-45 <= tracking_index <= 5.541191e12 (float32).
     updated_12: derivative of the covariance of updated position and velocity times T/sigma_v^2.
-        Relative error at most 10.31 * 2^-52 (float64), 10.34 * 2^-23 (float32), proved for 5e-324
+        Relative error at most 10.31 * 2^-52 (float64), 10.31 * 2^-23 (float32), proved for 5e-324
         <= tracking_index <= 6.46054178400843e102 (float64) and 1e-45 <= tracking_index <=
         7.9917807e12 (float32).
     updated_22: derivative of the variance of the updated velocity times T^2/sigma_v^2. Relative
@@ -876,11 +861,11 @@ def gain_second_derivatives(
         finite.
 
     alpha: second derivative by Lambda of the position gain. Relative error at most 13.31 * 2^-52
-        (float64), 13.31 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
+        (float64), 13.29 * 2^-23 (float32), proved for 1.5697348409117316e-206 <= tracking_index <=
         1.2814501160326402e77 (float64) and 1.0258395e-26 <= tracking_index <= 4.753162e09
         (float32).
     beta: second derivative by Lambda of the velocity gain times the sampling interval. Relative
-        error at most 12.83 * 2^-52 (float64), 12.83 * 2^-23 (float32), proved for 5e-324 <=
+        error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for 5e-324 <=
         tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <= 6.2555136e09
         (float32).
 
@@ -976,11 +961,11 @@ def predictor_gain_second_derivatives(
         finite.
 
     position: second derivative by Lambda of the position entry of F K, alpha + beta. Relative error
-        at most 13.79 * 2^-52 (float64), 13.79 * 2^-23 (float32), proved for 1.569734840911732e-206
+        at most 13.79 * 2^-52 (float64), 13.80 * 2^-23 (float32), proved for 1.569734840911732e-206
         <= tracking_index <= 1.8122441335979363e77 (float64) and 1.0258396e-26 <= tracking_index <=
         6.721987e09 (float32).
     velocity: second derivative by Lambda of the velocity entry of F K times the sampling interval,
-        beta. Relative error at most 12.83 * 2^-52 (float64), 12.83 * 2^-23 (float32), proved for
+        beta. Relative error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved for
         5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index <=
         6.2555136e09 (float32).
 
@@ -1204,11 +1189,11 @@ def updated_covariance_second_derivatives(
         finite.
 
     updated_11: second derivative by Lambda of the variance of the updated position over sigma_v^2.
-        Relative error at most 13.31 * 2^-52 (float64), 13.31 * 2^-23 (float32), proved for
+        Relative error at most 13.31 * 2^-52 (float64), 13.29 * 2^-23 (float32), proved for
         1.5697348409117316e-206 <= tracking_index <= 1.2814501160326402e77 (float64) and
         1.0258395e-26 <= tracking_index <= 4.753162e09 (float32).
     updated_12: second derivative by Lambda of the covariance of updated position and velocity times
-        T/sigma_v^2. Relative error at most 12.83 * 2^-52 (float64), 12.83 * 2^-23 (float32), proved
+        T/sigma_v^2. Relative error at most 12.83 * 2^-52 (float64), 12.76 * 2^-23 (float32), proved
         for 5e-324 <= tracking_index <= 1.686483196605514e77 (float64) and 1e-45 <= tracking_index
         <= 6.2555136e09 (float32).
     updated_22: second derivative by Lambda of the variance of the updated velocity times
@@ -1325,13 +1310,13 @@ def closed_loop_poles(
         finite.
 
     first_real: real part of the first pole. Error over first_modulus at most 7.02 * 2^-52
-        (float64), 7.02 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        (float64), 7.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     first_imaginary: imaginary part of the first pole, not negative. Error over first_modulus at
         most 5.10 * 2^-52 (float64), 5.10 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_real: real part of the second pole. Error over second_modulus at most 7.02 * 2^-52
-        (float64), 7.02 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
+        (float64), 7.03 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=
         4.49423283715579e307 (float64) and 1e-45 <= tracking_index <= 8.507059e37 (float32).
     second_imaginary: imaginary part of the second pole, not positive. Error over second_modulus at
         most 5.10 * 2^-52 (float64), 5.10 * 2^-23 (float32), proved for 5e-324 <= tracking_index <=

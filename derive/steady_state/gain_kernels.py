@@ -7,10 +7,10 @@ from fractions import Fraction
 from typing import Any
 
 from gainproof.derive.printer.graph import GraphBuilder, Node
-from gainproof.derive.steady_state import forms, gain_forms
-from gainproof.derive.steady_state.forms import Basis, times
+from gainproof.derive.steady_state import gain_forms
+from gainproof.derive.steady_state.forms import times
 from gainproof.derive.steady_state.gain_forms import RAISED, SWITCH, UNIT, Pair
-from gainproof.derive.steady_state.kernels import Names, NodesOf, graph_basis, unit_root
+from gainproof.derive.steady_state.kernels import Names, NodesOf, graph_basis
 
 CHOICES = ("index_or_switch", "four_or_less")
 LAST = Fraction(4, RAISED)
@@ -37,31 +37,7 @@ def predictor_gains(
     return {"position": both["alpha"] + both["beta"], "velocity": both["beta"]}, names
 
 
-def gains_with_derivatives(
-    builder: GraphBuilder, e: Fraction, n: Fraction
-) -> tuple[Mapping[str, Any], Names]:
-    """Filter gain and its derivatives, whose names begin with d_: what the gain needs serves them.
-
-    kappa and rho are half of eta and of the ratio over a.
-    """
-    both, names = gains(builder, e, n)
-    if e == 0:
-        basis, more = graph_basis(builder, e, n)
-    else:
-        pair, more = _pair(builder, e)
-        index, root = builder.symbol("tracking_index"), unit_root(e)
-        unit = root * root
-        more["kappa"] = (pair.eta * (unit / 2)) / pair.a
-        more["rho"] = (pair.ratio * (unit / 2)) / pair.a
-        more["half_eta"] = index * more["kappa"]
-        twice = more["rho"] * 2
-        basis = Basis(index, more["kappa"], more["rho"], twice, more["half_eta"], e, n, unit, root)
-    derivatives = forms.gain_derivatives(basis)
-    return {**both, **{f"d_{name}": value for name, value in derivatives.items()}}, names | more
-
-
 GAINS, PREDICTOR_GAINS = NodesOf(gains), NodesOf(predictor_gains)
-GAINS_WITH_DERIVATIVES = NodesOf(gains_with_derivatives)
 
 
 def _undamped(builder: GraphBuilder, n: Fraction) -> tuple[Mapping[str, Any], Names]:

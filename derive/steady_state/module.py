@@ -10,11 +10,8 @@ from gainproof.derive.printer.graph import Graph
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.steady_state import covariance_forms, curvature_module, forms
 from gainproof.derive.steady_state.context import Context
-from gainproof.derive.steady_state.gain_kernels import (
-    GAINS,
-    GAINS_WITH_DERIVATIVES,
-    PREDICTOR_GAINS,
-)
+from gainproof.derive.steady_state.gain_kernels import GAINS, PREDICTOR_GAINS
+from gainproof.derive.steady_state.gains_at_once import GAINS_WITH_DERIVATIVES
 from gainproof.derive.steady_state.kernels import Part, largest_beta
 from gainproof.derive.subject import in_double_words
 
@@ -102,6 +99,13 @@ def _kernel(c: Context, name: str, graphs: Mapping[str, Graph]) -> Kernel:
     )
 
 
+def _root_text(e: Fraction) -> str:
+    """h of `gains_at_once` in words."""
+    if e == 0:
+        return "4/p"
+    return f"sqrt(16/Lambda + {'' if e == 1 else f'{e} '}Lambda)"
+
+
 def _input(c: Context, name: str) -> Input:
     if name.endswith("from_alpha"):
         return Input("alpha", "position gain", "0", "1")
@@ -137,6 +141,10 @@ def _equations(c: Context, name: str) -> tuple[str, ...]:
         return (f"{c.spectrum.relation} = 0, Lambda^2 = beta^2/(1 - alpha)",)
     own = {
         "gains": ("beta = 2/(1/2 + kappa + rho), alpha = rho beta",),
+        "gains_with_derivatives": (
+            "alpha = 2 r/(p + h + r), beta = 4 p/(p + h + r), p = sqrt(Lambda),",
+            f"h = {_root_text(e)}, r = 2 rho p,",
+        ),
         "closed_loop_poles": (
             "z^2 - (2 - alpha - beta) z + (1 - alpha) = 0",
             "all poles lie inside the unit circle; rounded, a real part may come as 1 + 2^-52",

@@ -12,6 +12,7 @@ from gainproof.derive.expression import real
 from gainproof.derive.steady_state.covariance_forms import updated_covariance
 from gainproof.derive.steady_state.curvature import Curvature
 from gainproof.derive.steady_state.forms import Basis
+from gainproof.derive.steady_state.gains_at_once import scale_of
 from gainproof.derive.steady_state.kernels import unit_root
 from gainproof.derive.steady_state.names import ALPHA, BETA, DEVIATION, INDEX, ROOT
 
@@ -85,6 +86,16 @@ def graph_roots(e: Fraction) -> dict[str, sp.Expr]:
         "p": ROOT,
         "h_scaled": root**2 * root_of_16(e) / (2 * ROOT),
         "rho_scaled": root * RHO,
+    }
+
+
+def at_once_roots(e: Fraction) -> dict[str, sp.Expr]:
+    """Tower values of the roots in `gains_at_once`."""
+    scale = rational(scale_of(e))
+    return {
+        "p": ROOT,
+        "h_at_once": scale * root_of_16(e) / ROOT,
+        "twice_ratio": scale * 2 * ROOT_S,
     }
 
 

@@ -47,10 +47,10 @@ from gainproof.derive.steady_state.steps_use import (
     inverse_tower,
 )
 from gainproof.derive.steady_state.textbook import textbook_forms
-from gainproof.derive.steady_state.towers import graph_roots
+from gainproof.derive.steady_state.towers import at_once_roots, graph_roots
 from gainproof.derive.subject import Program, Subject
 
-ON_TWO_SIDES = ("gains", "gains_with_derivatives", "predictor_gains")
+ON_TWO_SIDES = ("gains", "predictor_gains")
 OPENING = (
     "A position is measured at a fixed interval; the state holds the position and its rate. "
     "How much of each innovation should a Kalman filter in its steady state believe?"
@@ -121,6 +121,7 @@ def _program_steps(
     """Every kernel but the poles computes what its outputs are called."""
     roots = {
         **graph_roots(c.e),
+        **at_once_roots(c.e),
         **inverse_roots(c),
         **last_roots(),
         "root_of_3": ROOT_3,
