@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -12,41 +13,54 @@ import pytest
 
 from gainproof import cli
 from gainproof.campaign import float32
+from gainproof.campaign.campaign import Campaign
 from gainproof.campaign.float32.fault import count_of
 from gainproof.campaign.float32.kernels import Swept, swept_kernels
 from gainproof.campaign.float32.sweep import block
 
 KERNELS = {kernel.id: kernel for kernel in swept_kernels()}
 NAME = "least_squares_mean.predicted_covariance"
-CAMPAIGN = float32.campaign([NAME])
-BLOCK = CAMPAIGN.blocks[-1]
+KERNEL = KERNELS[NAME]
+FIRST = range(KERNEL.start, KERNEL.stop, float32.BLOCK)[-1]
+PIECE = (FIRST, KERNEL.stop - FIRST)
+"""Of the last block the first input, as bits, and how many there are."""
 NAN = float("nan")
+
+
+@cache
+def campaign() -> Campaign:
+    """Of the one kernel. Not made when the file is imported: digests of all kernels take long."""
+    return float32.campaign([NAME])
 
 
 def result(**changed: Any) -> dict[str, Any]:
     """A result of the last block, with other entries of its one output."""
-    inputs = count_of(KERNELS[NAME], *BLOCK[2:])
-    at = float(np.int32(BLOCK[2]).view(np.float32))
+    inputs = count_of(KERNEL, *PIECE)
+    at = float(np.int32(FIRST).view(np.float32))
     tally = {"worst": 0.5, "at": at, "ulp": 0.75, "outside": 0, "undocumented": 0}
     return {"inputs": inputs, "outputs": {"predicted_11": {**tally, **changed}}}
 
 
+def test_the_piece_is_that_of_the_last_block() -> None:
+    assert campaign().blocks[-1][2:] == PIECE
+
+
 def fault(found: Any) -> str | None:
-    return CAMPAIGN.fault(BLOCK, found)
+    return campaign().fault(campaign().blocks[-1], found)
 
 
 def test_what_blocks_give_is_taken() -> None:
     assert fault(result()) is None
-    everything = count_of(KERNELS[NAME], *BLOCK[2:])
+    everything = count_of(KERNEL, *PIECE)
     assert fault(result(worst=0.0, ulp=0.0, at=None, outside=everything)) is None
     assert fault(result(worst=float("inf"), ulp=float("inf"))) is None
     for name in (NAME, "random_velocity.closed_loop_poles", "alpha_beta.minimum_variance_by_gain"):
         kernel = KERNELS[name]
-        campaign = float32.campaign([name])
+        one = float32.campaign([name])
         for first in (kernel.start, kernel.stop - 3000):
             arguments = (name, kernel.digest(), first, 3000)
             found = json.loads(json.dumps(block(*arguments)))
-            assert campaign.fault(arguments, found) is None
+            assert one.fault(arguments, found) is None
 
 
 @pytest.mark.parametrize(
@@ -75,7 +89,7 @@ def test_what_blocks_give_is_taken() -> None:
         (result(at=-1.0), "no input of the block is -1.0"),
         (result(at=NAN), "no input of the block is nan"),
         (result(at=1e300), "no input of the block is 1e"),
-        (result(outside=count_of(KERNELS[NAME], *BLOCK[2:])), "of no input"),
+        (result(outside=count_of(KERNEL, *PIECE)), "of no input"),
     ],
 )
 def test_what_no_block_gives_is_refused(found: Any, message: str) -> None:
@@ -86,10 +100,10 @@ def test_the_command_names_file_and_line(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "state"
-    line = {"campaign": "float32", "block": BLOCK, "result": {}, "seconds": 1.0}
+    line = {"campaign": "float32", "block": campaign().blocks[-1], "result": {}, "seconds": 1.0}
     file.write_text("\n" + json.dumps(line) + "\n", encoding="utf-8")
     assert cli.main(["campaign", "float32", NAME, "--state", str(file)]) == 2
-    number = len(CAMPAIGN.blocks) - 1
+    number = len(campaign().blocks) - 1
     assert f"state, line 2: block {number} of float32: a result is" in capsys.readouterr().err
 
 

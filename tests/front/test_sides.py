@@ -15,11 +15,11 @@ from gainproof.sides import missing_sides
 GENERATED = Path(gainproof.generated.__file__).parent
 CERTIFICATES = sorted(path.stem for path in GENERATED.glob("*.json"))
 WITH_SIDES = {
-    "continuous_white_acceleration": 8,
+    "continuous_white_acceleration": 6,
     "position_velocity": 2,
     "position_velocity_random_acceleration": 2,
     "random_acceleration": 2,
-    "random_velocity": 6,
+    "random_velocity": 4,
     "range_doppler": 22,
 }
 """How many statements are one of several sides, read from the statements' towers by hand."""
