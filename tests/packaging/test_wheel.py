@@ -97,6 +97,7 @@ def test_wheel_from_a_tree_without_links_is_complete(wheel: Path) -> None:
     assert any(name.startswith("gainproof/derive/") for name in names)
 
 
+@pytest.mark.thorough
 def test_wheel_by_way_of_the_sdist_is_the_same(tree: Path, wheel: Path, tmp_path: Path) -> None:
     assert wheel_files(build(tree, tmp_path)) == wheel_files(wheel)
 

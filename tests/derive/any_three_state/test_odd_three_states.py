@@ -50,7 +50,7 @@ MODELS: dict[str, Model] = {
 }
 
 
-LIKE_OTHERS = {"full noise", "all states remember all"}
+LIKE_OTHERS = {"full noise", "all states remember all", "leaving", "position noise too"}
 
 
 @pytest.fixture(autouse=True, scope="module")

@@ -57,7 +57,12 @@ def certificate(name: str) -> tuple[Any, dict[str, Any]]:
     return json.loads(json.dumps(derived.certificate)), expected_of(derived)
 
 
-LIKE_OTHERS = {"second state leaves", "pulling each other", "second remembers the first"}
+LIKE_OTHERS = {
+    "second state leaves",
+    "pulling each other",
+    "second remembers the first",
+    "decay and ratio",
+}
 
 
 @pytest.mark.parametrize("name", cases(MODELS, lambda name: name not in LIKE_OTHERS))

@@ -9,6 +9,7 @@ import pytest
 from catalogue_subjects import certificate, derived
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from one_of_each import cases
 from samples import samples
 
 from gainproof.verify.certificate import check
@@ -44,14 +45,17 @@ def test_its_inner_border_too(alpha: float, part: float, share: float) -> None:
 
 @pytest.mark.parametrize(
     ("step", "old", "new"),
-    [
-        ("stable", "gamma", "beta"),
-        ("entries", "predicted_12", "predicted_22"),
-        ("implicit", "alpha", "beta"),
-        ("order-at-equal-lag", "bound_variance", "bound_lag"),
-        ("implicit-second", "alpha", "gamma"),
-        ("minimum-variance-value", "predicted_11", "alpha"),
-    ],
+    cases(
+        [
+            ("stable", "gamma", "beta"),
+            ("entries", "predicted_12", "predicted_22"),
+            ("implicit", "alpha", "beta"),
+            ("order-at-equal-lag", "bound_variance", "bound_lag"),
+            ("implicit-second", "alpha", "gamma"),
+            ("minimum-variance-value", "predicted_11", "alpha"),
+        ],
+        lambda case: case[0] in ("stable", "implicit", "order-at-equal-lag"),
+    ),
 )
 def test_a_false_statement_with_the_same_evidence_is_refused(step: str, old: str, new: str) -> None:
     data = json.loads(json.dumps(certificate(NAME)))

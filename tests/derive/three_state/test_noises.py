@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 from catalogue_subjects import subject
+from one_of_each import cases
 
 from gainproof.derive.families.kinematic_acceleration import position_velocity_acceleration_model
 from gainproof.derive.model import Model, ModelError
@@ -51,12 +52,15 @@ def test_numbers_of_the_spectrum_come_out_of_the_model() -> None:
 
 @pytest.mark.parametrize(
     ("name", "noise"),
-    [
-        ("acceleration-increments", (4 - V) / 4),
-        ("wiener-acceleration", (4 - V) / 4),
-        ("random-jerk", (6 - V) ** 2 / 36),
-        ("continuous-white-jerk", (V**2 - 30 * V + 120) / 120),
-    ],
+    cases(
+        [
+            ("acceleration-increments", (4 - V) / 4),
+            ("wiener-acceleration", (4 - V) / 4),
+            ("random-jerk", (6 - V) ** 2 / 36),
+            ("continuous-white-jerk", (V**2 - 30 * V + 120) / 120),
+        ],
+        lambda case: case[0] in ("wiener-acceleration", "random-jerk"),
+    ),
 )
 def test_noise_polynomial_is_that_of_the_literature(name: str, noise: sp.Expr) -> None:
     found = subject(name).model

@@ -16,9 +16,8 @@ from one_of_each import cases
 
 from gainproof.derive.three_state.names import INDEX
 
-LONG = {"random_jerk", "continuous_white_jerk"}
-"""Roots of cubics with all coefficients: a value takes seconds."""
-LONG_CASE = ("continuous_white_jerk", 3.0)
+KEPT = {("acceleration_increments", 0.5), ("wiener_acceleration", 17.0)}
+"""Of the others cubics have all coefficients, and a value of their roots takes seconds."""
 
 
 @cache
@@ -30,7 +29,7 @@ def textbook(family: str) -> Mapping[str, Mapping[str, sp.Expr]]:
     ("family", "index"),
     cases(
         product(sorted(THREE_STATES), [1e-3, 0.5, 3.0, 17.0]),
-        lambda case: case[1] in (0.5, 17.0) if case[0] not in LONG else case == LONG_CASE,
+        KEPT.__contains__,
     ),
 )
 def test_forms_at_forty_digits(family: str, index: float) -> None:
