@@ -80,5 +80,8 @@ class _Intervals(StrPrinter):  # type: ignore[misc]
     def _print_Function(self, value: sp.Function) -> str:
         return f"iv.{super()._print_Function(value)}"
 
+    def _print_atan(self, value: sp.Function) -> str:
+        return f"iv.atan2({self._print(value.args[0])}, iv.mpf(1))"  # intervals have no atan
+
     def _print_ExpBase(self, value: sp.Expr) -> str:
         return f"iv.exp({self._print(value.args[0])})"

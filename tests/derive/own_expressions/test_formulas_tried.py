@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
+from gainproof.derive.formulas import _Intervals
 from gainproof.derive.formulas_tried import require_values
 
+ATAN = _Intervals().doprint(sp.atan(sp.Symbol("x")))  # intervals have atan2 only
 VALUES = {"k": {"points": {"float64": [{"at": [0.75]}, {"at": [3.5]}]}}}
 
 
@@ -13,7 +16,7 @@ def source(formula: str) -> str:
     return f"from mpmath import iv\n\ndef k(x):\n    return {{'y': iv.convert({formula})}}\n"
 
 
-@pytest.mark.parametrize("formula", ["iv.log(x)", "iv.sqrt(x - 2)", "x", "1/(x - 3.5)"])
+@pytest.mark.parametrize("formula", ["iv.log(x)", ATAN, "iv.sqrt(x - 2)", "x", "1/(x - 3.5)"])
 def test_one_point_with_a_value_is_enough(formula: str) -> None:
     require_values(source(formula), VALUES)
 

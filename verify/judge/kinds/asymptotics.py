@@ -150,26 +150,46 @@ def _beyond(
     """Whether what is left is of higher order than the smallest term that is printed; `first` says
     that the first ones agree.
     """
-    last = max(_last_exponent(approach.moved(term, side), oracle) for term in terms)
+    moved = [approach.moved(term, side) for term in terms]
+    last = max(_last_exponent(term, oracle) for term in moved)
     if len(terms) == 1:
-        following = _second_exponent(approach.moved(terms[0], side), oracle)
-        if following is None and last == _exponent(approach.moved(terms[0], side), oracle):
+        following = _second_exponent(moved[0], oracle)
+        if following is None and last == _exponent(moved[0], oracle):
             return first  # one power: it has no other term
         if following is not None:
-            found = _zero_below(rest, following + GAP, "", approach, side, oracle)
-            if found is None:
+            if _zero_below(rest, following + GAP, "", approach, side, oracle) is None:
                 return first
-            raise Undecided(
-                r"\approx with a function whose own second term, of order "
-                rf"{following}, is another: write \sim, O(...) or an order"
-            )
+            raise _another_second(following)
     words = f"not beyond that of the terms printed, {last}"
     finding = _zero_below(rest, last + GAP, words, approach, side, oracle)
     if finding is not None:
         return finding
+    # a sum may hide that a function is wrong from its second term on: 1 + e^{3x} - 1 for e^{2x}
+    for term in moved:
+        following = None if _is_power(term) else _second_exponent(term, oracle)
+        if following is None or following <= last:
+            continue
+        if _zero_below(rest, following + GAP, "", approach, side, oracle) is not None:
+            raise _another_second(following)
     certificate = {"order of the last term": str(last), "terms up to it": "all zero"}
     reason = f"the difference is of higher order than {last}, that of the last term"
     return Finding("proved", reason, None, METHOD, None, certificate)
+
+
+def _another_second(order: Fraction) -> Undecided:
+    return Undecided(
+        r"\approx with a function whose own second term, of order "
+        rf"{order}, is another: write \sim, O(...) or an order"
+    )
+
+
+def _is_power(term: Expr) -> bool:
+    """Whether products, quotients and powers are all that it is made of, at a glance."""
+    zero = number(0)
+    return not any(
+        n.kind == "call" or (n.kind == "add" and sum(part != zero for part in n.parts) > 1)
+        for n in walk(term)
+    )
 
 
 def _last_exponent(term: Expr, oracle: Coefficients) -> Fraction:

@@ -41,6 +41,7 @@ from gainproof.verify.judge.meaning.value import (
     multiplied,
     put_in,
 )
+from gainproof.verify.judge.setting.environment import SAMPLE
 
 MOST_CALLS = 500
 """Functions put in, all together: calls inside calls double with every definition."""
@@ -200,6 +201,10 @@ class Table(Symbols):
         derivatives.
         """
         target = number_of(self.symbol(token, bindings), "the variable of a derivative")
+        entry = self.setting.symbols.get(token)
+        if entry is not None and (entry.integer or entry.quantity == SAMPLE):
+            # what is said of whole numbers alone, such as a sum of n terms, has no one slope
+            raise Undecided(f"a derivative with respect to {token}, which is a whole number")
         self._refuse_noise(target)
         self.refuse_own_terms(value, token)
         environment, own = self.environment, self.environment.parameter or ""

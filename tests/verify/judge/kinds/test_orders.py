@@ -58,6 +58,11 @@ FALLING = r"\frac{4 n - 2}{n (n+1)}"
         (r"\sqrt{1 + x} \approx \frac{1}{1 - x/2} \quad (x \to 0)", "proved"),
         (r"\sqrt{1 + x} \approx \frac{1}{1 + x} \quad (x \to 0)", "undecided"),
         (r"\sqrt{1 + x} \sim \frac{1}{1 + x} \quad (x \to 0)", "proved"),
+        # nor in a sum that hides it
+        (r"e^{2x} \approx 1 + e^{3x} - 1 \quad (x \to 0)", "undecided"),
+        (r"1 + x + 9 x^2 \approx 1 + \frac{x}{1 - x} \quad (x \to 0)", "undecided"),
+        (r"1 + 3 x \approx 2 x + e^x \quad (x \to 0)", "proved"),
+        (r"\frac{1}{x} + 1 \approx \frac{1}{x} + e^x - x \quad (x \to 0)", "proved"),
         (r"\frac{x}{1 + x} \approx x \quad (x \to 0)", "proved"),
         (r"\sqrt{a^2 x^2 + x^3} \approx \sqrt{a^2 x^2} \quad (x \to 0+)", "undecided"),
         (FALLING + r"= \frac{4}{n} + O(\frac{1}{n^2}) \quad (n \to \infty)", "proved"),

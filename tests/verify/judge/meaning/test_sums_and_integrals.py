@@ -46,6 +46,7 @@ LEFT_OPEN = [
     (r"latex = '\sum_{i=0}^{\infty} a (1-a)^i = 1'" + "\ndomain = '0 < a < 3'", "without a value"),
     (r"\sum_{i=0}^{x} i = \frac{x(x+1)}{2}", "no whole number"),
     (r"\int_0^t \frac{1}{x + 1} \, dx = t", "integral of anything but polynomials"),
+    (r"\frac{d}{dn} \sum_{i=1}^{n} i = n + \frac{1}{2}", "with respect to n, which is a whole"),
     (
         r"latex = '\sum_{i=3}^{n} i = \frac{n(n+1)}{2} - 3'" + "\ndomain = 'n \\geq 0'",
         "turned round",
