@@ -153,7 +153,7 @@ def _fill(call: Call, kept: Sequence[int], starts: range) -> None:
 
 def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
     """The inputs as arrays of one type, float64 unless all are float32."""
-    arrays = [np.asarray(x) for x in given]
+    arrays = [_as_array(kernel, place, x) for place, x in enumerate(given)]
     for domain, x in zip(kernel.inputs, arrays, strict=True):
         if x.dtype.kind not in "iu" and x.dtype.type not in (np.float64, np.float32):
             raise TypeError(
@@ -163,6 +163,16 @@ def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
     single = all(x.dtype.type is np.float32 for x in arrays)
     kind: np.dtype[Any] = np.dtype(np.float32 if single else np.float64)
     return [x if x.dtype == kind else x.astype(kind) for x in arrays]
+
+
+def _as_array(kernel: Signature, place: int, given: ArrayLike) -> Array:
+    try:
+        return np.asarray(given)
+    except ValueError:
+        raise ValueError(
+            f"{kernel.name}: {kernel.inputs[place].name} must be a number or an array of numbers "
+            f"with rows of one length, got a {type(given).__name__} that is none"
+        ) from None
 
 
 def _common_shape(kernel: Signature, inputs: Sequence[Array]) -> tuple[int, ...]:
