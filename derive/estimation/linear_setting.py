@@ -16,7 +16,6 @@ U, FEWER, FEWER_M = symbols("kept_columns fewer_design fewer_information")
 FEWER_N, FEWER_COVARIANCE = symbols("fewer_chosen fewer_covariance")
 LEFT_OUT, LEFT_VALUES, X = symbols("left_out left_values null_vector")
 ROW, UNIT, ONE, PART = symbols("row unit_unknown unit_one unit_chosen")
-FEWER_UNIT = symbols("unit_fewer")[0]
 
 LINEAR = Setting(
     NAME,

@@ -22,19 +22,16 @@ from gainproof.derive.estimation.location_setting import (
     N_FULL,
     REST,
     UNIT_K,
-    V_LD,
     L,
     P,
 )
 from gainproof.derive.estimation.location_solvable_steps import full_information
 from gainproof.derive.estimation.spoken import known_inverse
-from gainproof.derive.words.expression import ZERO, Expression
-from gainproof.derive.words.hypotheses import equation
+from gainproof.derive.words.expression import Expression
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import Statement, prove_equal
 
 UNIT, COURSE = Expression("unit", "n"), Expression("unit", "k")
-UNCORRELATED = equation(V_LD, ZERO)
 
 
 def rest_inverse(found: Found) -> list[Statement]:

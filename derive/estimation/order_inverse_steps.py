@@ -6,18 +6,13 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.estimation.order_setting import (
     D1,
     D2,
-    EIGENVALUE,
     ORDER,
-    D,
-    U,
-    X,
 )
 from gainproof.derive.estimation.spoken import together
 from gainproof.derive.words.expression import ZERO, symbol, unit
 from gainproof.derive.words.hypotheses import (
     Hypothesis,
     definite,
-    equation,
     semidefinite,
 )
 from gainproof.derive.words.search import Search
@@ -29,11 +24,7 @@ from gainproof.derive.words.statement import (
     prove_order,
 )
 
-ONE = symbol("one")
 WHOLE = unit("n")
-UNIT_VECTOR = equation(X.T @ X, ONE)
-EIGEN = equation(D @ U, EIGENVALUE * U)
-LENGTH = equation(U.T @ U, ONE)
 
 
 def inverse_facts(letter: str, known: Hypothesis) -> list[Statement]:

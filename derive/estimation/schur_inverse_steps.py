@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.derive.derivation import Step
-from gainproof.derive.estimation.order_setting import BLOCKS, BOTH, E1, E2, LOWER, UPPER, WHOLE
+from gainproof.derive.estimation.order_setting import BLOCKS, BOTH, E1, E2, WHOLE
 from gainproof.derive.estimation.schur_steps import (
     FIRST,
     REGULAR,
@@ -14,7 +14,7 @@ from gainproof.derive.estimation.schur_steps import (
     positive,
 )
 from gainproof.derive.estimation.spoken import by_columns, known_inverse, together
-from gainproof.derive.words.expression import ZERO, Expression, symbol
+from gainproof.derive.words.expression import ZERO, symbol
 from gainproof.derive.words.hypotheses import invertible
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.statement import (
@@ -24,9 +24,6 @@ from gainproof.derive.words.statement import (
     prove_invertible,
     prove_order,
 )
-
-UNITS = {"D11": UPPER, "D22": LOWER}
-WHOLE_UNIT = Expression("unit", "t")
 
 
 def inverse_steps() -> list[Step]:

@@ -42,10 +42,6 @@ BY_LOWER = UPPER_CORNER @ H1.inverse @ UPPER_CORNER.T + E2 @ B22.inverse @ E2.T
 BY_UPPER = LOWER_CORNER @ H2.inverse @ LOWER_CORNER.T + E1 @ B11.inverse @ E1.T
 
 
-REGULAR_LOWER = [invertible("D22"), invertible("H1")]
-REGULAR_UPPER = [invertible("D11"), invertible("H2")]
-
-
 @dataclass(frozen=True)
 class Corner:
     """One of the two blocks on the diagonal, with the Schur complement of the other."""

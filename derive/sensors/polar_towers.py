@@ -39,7 +39,6 @@ from gainproof.derive.sensors.polar_names import (
 
 Elements = dict[str, sp.Expr]
 DIRECTION = Direction(COS_E, SIN_E, COS_B, SIN_B)
-LEVEL = Direction(sp.Integer(1), sp.Integer(0), COS_B, SIN_B)
 DEVIATIONS = tuple(str(each) for each in (SIGMA_R, SIGMA_E, SIGMA_B))
 LEFT, RIGHT = ({place: f"{side}_{place}" for place in "xyz"} for side in ("less", "more"))
 """A velocity of either sign is the difference of two numbers from 0 on."""

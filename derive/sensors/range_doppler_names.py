@@ -11,11 +11,6 @@ LIGHT = 299_792_458
 """The speed of light in vacuum, m/s, by definition."""
 
 
-def axes(kernel: str) -> tuple[str, ...]:
-    """The coordinates of a kernel."""
-    return PLANE_AXES if kernel.endswith(PLANE) else SPACE_AXES
-
-
 def places(who: str, along: tuple[str, ...]) -> tuple[str, ...]:
     """The entries of a position."""
     return tuple(f"{who}_{axis}" for axis in along)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from gainproof.derive.expression import real
 
 INDEX = real("tracking_index")
@@ -50,9 +48,3 @@ LATEX = {
     "k": "k",
     "j": "j",
 }
-
-
-def symmetric(names: tuple[str, str, str]) -> sp.ImmutableDenseMatrix:
-    """The symmetric 2 x 2 matrix of three named entries 11, 12, 22."""
-    first, cross, second = map(real, names)
-    return sp.ImmutableDenseMatrix([[first, cross], [cross, second]])

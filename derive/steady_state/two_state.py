@@ -180,8 +180,3 @@ def _meant(kernel: str, output: str) -> sp.Expr:
         if kernel.endswith("_derivatives") and (kernel != "gains_with_derivatives")
         else value
     )
-
-
-def model_data(subject: Subject) -> dict[str, Any] | None:
-    """The scaled model of a subject as plain data."""
-    return subject.model.data() if subject.model else None

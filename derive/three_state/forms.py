@@ -15,7 +15,6 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from gainproof.derive.expression import real
 from gainproof.derive.model import ScaledModel
 from gainproof.derive.steady_state.towers import rational
 from gainproof.derive.three_state.names import (
@@ -121,8 +120,3 @@ def predictor_derivatives(n: Numbers) -> Forms:
         "predictor_position": gains["alpha"] + gains["beta"] + gains["gamma"] / 2,
         "predictor_velocity": gains["beta"] + gains["gamma"],
     }
-
-
-def named(names: tuple[str, ...]) -> tuple[sp.Symbol, ...]:
-    """The symbols of several names."""
-    return tuple(real(name) for name in names)

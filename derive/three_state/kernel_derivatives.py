@@ -89,11 +89,6 @@ def _deviation_rate(k: KernelBasis, found: Rates) -> Any:
     return (found.phi / k.p) * k.total
 
 
-def innovation_derivative(k: KernelBasis, _: Noise) -> Forms:
-    """Of the deviation of an innovation."""
-    return {"innovation_deviation": _deviation_rate(k, rates(k))}
-
-
 def predicted_covariance_derivatives(k: KernelBasis, noise: Noise) -> Forms:
     """Of the predicted covariance."""
     s, found, sigma = k.spectrum, rates(k), k.deviation

@@ -89,11 +89,6 @@ class Basis:
         return ((self.index * self.sigma_scaled) / self.ratio) / self.ratio
 
     @property
-    def coupling(self) -> Any:
-        """kappa with h (w + kappa) = Lambda."""
-        return self.coupling_scaled / self.ratio
-
-    @property
     def cross_share(self) -> Any:
         """h/S."""
         return self.index / (self.coupling_scaled + self.width)

@@ -82,7 +82,9 @@ class Search:
         return ["statement", known.id]
 
     def definite(self, known: Any) -> tuple[list[Any], Polynomial]:
-        """The reference and the matrix of what is known to be positive (semi)definite."""
+        """The reference and the matrix of what is known to be positive (semi)definite: a
+        hypothesis, a `Statement`, or ("unit", size).
+        """
         if isinstance(known, tuple):
             return list(known), self.setting.unit(known[1])
         if isinstance(known, Mapping):

@@ -14,9 +14,6 @@ from gainproof.derive.words.polynomial import Polynomial
 from gainproof.derive.words.search import Search
 from gainproof.derive.words.setting import Setting
 
-Reference = tuple[Any, ...]
-"""A hypothesis (itself), a `Statement`, or ("unit", size): what is known to be definite."""
-
 
 @dataclass(frozen=True)
 class Statement:

@@ -7,14 +7,13 @@ assumed about the numbers but the four operations, ``abs`` and comparison.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
 # Numbers of several libraries pass through (mpmath ships no types): Any is honest here.
 Number = Any
 Vector = tuple[Number, ...]
 Matrix = tuple[Vector, ...]
-Rows = Sequence[Sequence[Number]]
 T = TypeVar("T")
 
 

@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-KINDS = ("derivation", "source", "kernel", "document", "exercise", "list")
-
 
 @dataclass(frozen=True)
 class Finding:

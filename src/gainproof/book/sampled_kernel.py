@@ -17,7 +17,6 @@ from gainproof.bench.accuracy import ball_outputs, terms
 from gainproof.bench.arguments import sample
 
 POINTS = 72
-SMALLEST = math.ulp(0.0)
 
 
 def sampled(module: str, kernel: Mapping[str, Any], graph: Mapping[str, Any]) -> dict[str, Any]:

@@ -18,7 +18,6 @@ NOT_TOLD = (
     "largest modulus and settling cannot be told: they are too near the border of stability for "
     "gains in float64"
 )
-KINDS = ("lag", "tracking index", "alpha", "gains")
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,6 @@ from fractions import Fraction
 from gainproof.bad_input import BadInputError
 from gainproof.design.sheet import Row, Sheet
 
-FACTORS = ("acceleration", "jerk")
-
 
 @dataclass(frozen=True)
 class Units:

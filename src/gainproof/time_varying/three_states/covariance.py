@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from gainproof.generated import recursion_three_states
 from gainproof.time_varying.covariance import Real
 
-Entries = tuple[Fraction, ...]
-
 
 class Factors(NamedTuple):
     """Covariances P = U diag(d1, d2, d3) U' with U = [1, a + c, a b; 0, 1, b; 0, 0, 1].
