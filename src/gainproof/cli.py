@@ -7,6 +7,7 @@ program, 130 interrupted.
 from __future__ import annotations
 
 import argparse
+import errno
 import gc
 import io
 import os
@@ -15,6 +16,7 @@ import sys
 import threading
 from collections.abc import Mapping, Sequence
 from types import FrameType, ModuleType
+from typing import NoReturn
 
 from gainproof.bad_input import BadInputError, unknown_name
 from gainproof.commands import (
@@ -61,6 +63,10 @@ Steady-state gains of tracking filters: derived step by step, proved by certific
 NumPy kernels with proved error bounds; and a judge that says whether a printed formula is right."""
 
 
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+"""What is wrong with an output that takes no more."""
+
+
 class _Paragraphs(argparse.HelpFormatter):
     """Help whose descriptions are filled to the terminal, paragraph by paragraph."""
 
@@ -70,9 +76,14 @@ class _Paragraphs(argparse.HelpFormatter):
         return "\n\n".join(filled)
 
 
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        super().error(harmless(message))
+
+
 def make_parser() -> argparse.ArgumentParser:
     """The parser of the whole command line."""
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="gainproof",
         description=DESCRIPTION,
         formatter_class=_Paragraphs,
@@ -114,18 +125,36 @@ def main(arguments: Sequence[str] | None = None) -> int:
         status: int = options.run(options)
         sys.stdout.flush()
     except BadInputError as error:
-        print(f"gainproof: {error}", file=sys.stderr)
+        print(f"gainproof: {harmless(str(error))}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("gainproof: interrupted", file=sys.stderr)
         return 130
     except BrokenPipeError:
-        # whoever read our output has stopped; keep Python from complaining at exit
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # whoever read our output has stopped
+        _leave_output()
         return 0
+    except OSError as error:
+        if error.errno not in FULL or error.filename is not None:
+            return _fault(error)
+        _leave_output()
+        print(f"gainproof: the output cannot be written: {error.strerror}", file=sys.stderr)
+        return 2
     except Exception as error:  # noqa: BLE001 (the last stop: every fault gets its own exit status)
         return _fault(error)
     return status
+
+
+def harmless(text: str) -> str:
+    """A message without signs that move a terminal's cursor or change its colours: names of files
+    and options are quoted in it as they came.
+    """
+    return "".join(c if c.isprintable() or c in "\n\t" else ascii(c)[1:-1] for c in text)
+
+
+def _leave_output() -> None:
+    """Python writes what is left when it ends: it goes nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _options(given: list[str]) -> argparse.Namespace:

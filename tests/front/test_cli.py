@@ -179,6 +179,30 @@ def test_a_module_in_the_working_folder_does_no_harm(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no device that is full")
+def test_an_output_that_takes_no_more_is_named() -> None:
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "gainproof", "list"],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+        )
+    assert done.returncode == 2
+    assert done.stderr.startswith("gainproof: the output cannot be written: ")
+    assert done.stderr.count("\n") == 1
+
+
+def test_messages_do_not_steer_the_terminal(capsys: Capture) -> None:
+    """Names are quoted as they came, but for signs that are commands to a terminal."""
+    assert cli.main(["check", "no\x1b[31m\u79d2.toml"]) == 2
+    assert capsys.readouterr().err.startswith("gainproof: no\\x1b[31m\u79d2.toml: cannot be read")
+    with pytest.raises(SystemExit):
+        cli.main(["check", "--xx\x1b[31m"])
+    assert "--xx\\x1b[31m" in capsys.readouterr().err
+
+
 def test_a_reader_that_stops_early_is_no_error() -> None:
     command = f"{sys.executable} -m gainproof derive random-velocity --steps | head -1"
     done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
