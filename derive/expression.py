@@ -22,6 +22,11 @@ def real(name: str) -> sp.Symbol:
     return sp.Symbol(name, real=True)
 
 
+def column(*entries: sp.Expr | int) -> sp.ImmutableDenseMatrix:
+    """A column vector."""
+    return sp.ImmutableDenseMatrix([[entry] for entry in entries])
+
+
 class ExpressionError(ValueError):
     """An expression that the graph format cannot hold."""
 

@@ -27,6 +27,16 @@ class Parameter:
     start: str | None = None
 
 
+def above_zero(*names: str) -> tuple[Parameter, ...]:
+    """Parameters that are positive."""
+    return tuple(Parameter(name) for name in names)
+
+
+def from_zero(*names: str) -> tuple[Parameter, ...]:
+    """Parameters that are not negative."""
+    return tuple(Parameter(name, above=None, start="0") for name in names)
+
+
 @dataclass(frozen=True)
 class Generator:
     """The positive `power`-th root of `radicand`, an expression in earlier variables.

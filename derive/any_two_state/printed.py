@@ -11,6 +11,7 @@ from gainproof.derive.catalogue_module import catalogue_module
 from gainproof.derive.model import Model, ModelError, ScaledModel
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT32, FLOAT64
+from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.printer.value import PrintingError
 
@@ -112,7 +113,7 @@ def _inputs(
     original: Model, scaled: ScaledModel, found: Made, single: tuple[str, str]
 ) -> tuple[Input, ...]:
     index = f"Lambda, with Lambda^2 = {scaled.noise_ratio}"
-    used = {str(node[1]) for node in found.graph["nodes"] if node[0] == "symbol"}
+    used = set(symbols_of(found.graph))
     parameters = tuple(
         closed(entry.quantity.name, entry.quantity.meaning, *entry.kernel_range)
         for entry in original.parameters

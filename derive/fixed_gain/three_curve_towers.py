@@ -5,12 +5,12 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.loop import row
 from gainproof.derive.fixed_gain.three_steps_optimum import P11, lecture_variance
 from gainproof.derive.fixed_gain.three_steps_stability import ALPHA, BETA, GAMMA
-from gainproof.derive.fixed_gain.three_towers import positive
 from gainproof.derive.relation import equal
 
 F = real("f")
@@ -48,8 +48,8 @@ def curve_towers() -> tuple[Tower, ...]:
     within = (2 * beyond * (1 + KALMAN) ** 2 + 2 * KALMAN + 1) / (3 * (1 + 2 * KALMAN))
     root = Generator("root_three", sp.Integer(3))
     return (
-        Tower(BY_LAG, positive("f"), (cube,), _elements(WIDE, d)),
-        Tower(BY_GAIN, positive("f"), (root,), _elements(KALMAN, within)),
+        Tower(BY_LAG, above_zero("f"), (cube,), _elements(WIDE, d)),
+        Tower(BY_GAIN, above_zero("f"), (root,), _elements(KALMAN, within)),
     )
 
 

@@ -27,7 +27,7 @@ from gainproof.derive.fixed_gain.three_steps_stability import (
     MARGIN,
 )
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.relation import Relation
 
@@ -72,7 +72,7 @@ def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
 
 
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
-    symbols = [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
+    symbols = symbols_of(graph)
     named = graph.get("names", {})
     meanings, scales, reason = {**MEANINGS, **OWN_MEANINGS}, SCALES, REASON
     if TOWERS.get(kernel) == NOISE_TOWER:

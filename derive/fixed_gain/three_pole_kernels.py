@@ -11,10 +11,11 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.loop import row
-from gainproof.derive.fixed_gain.three_towers import LOOP, positive
+from gainproof.derive.fixed_gain.three_towers import LOOP
 from gainproof.derive.fixed_gain.two_kernels import SCALE, difference
 from gainproof.derive.printer.graph import Graph, GraphBuilder
 from gainproof.derive.printer.kernel import Input, closed
@@ -81,7 +82,7 @@ def poles() -> Graph:
 
 def pole_tower() -> Tower:
     """Any gains above 0."""
-    return Tower(TOWER, positive("alpha", "beta", "gamma"), (), {})
+    return Tower(TOWER, above_zero("alpha", "beta", "gamma"), (), {})
 
 
 def pole_steps() -> list[Step]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain import three_noise_forms as forms
 from gainproof.derive.fixed_gain.loop import pairs, product, row, shift, symmetric, total
 from gainproof.derive.fixed_gain.three_noise_forms import ONE, After, Place
 from gainproof.derive.fixed_gain.three_noise_kernels import NOISES, kernel_of
-from gainproof.derive.fixed_gain.three_towers import LOOP, D, M, X, gain_elements, positive
+from gainproof.derive.fixed_gain.three_towers import LOOP, D, M, X, gain_elements
 from gainproof.derive.fixed_gain.two_kernels import SCALE
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import equal
@@ -36,7 +37,7 @@ def noise_tower() -> Tower:
         for ij, value in forms.predicted(noise, HERE).items()
     }
     gains = {**gain_elements(X, Y, D), "share": (D + X) / (D + X + M)}
-    return Tower(TOWER, positive("x", "d", "m"), (), {**gains, **added})
+    return Tower(TOWER, above_zero("x", "d", "m"), (), {**gains, **added})
 
 
 def covariance(name: str) -> sp.ImmutableDenseMatrix:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.loop import Loop, listed, pairs
 from gainproof.derive.fixed_gain.steps_filter import EQUATIONS
@@ -16,11 +17,6 @@ from gainproof.derive.fixed_gain.steps_filter import EQUATIONS
 X, Y, D, M, A, B, E, P, T = map(real, ("x", "y", "d", "m", "a", "b", "e", "p", "t"))
 LOOP = Loop(3)
 Elements = dict[str, sp.Expr]
-
-
-def positive(*names: str) -> tuple[Parameter, ...]:
-    """Parameters above zero."""
-    return tuple(Parameter(name) for name in names)
 
 
 def gain_elements(x: sp.Expr, y: sp.Expr, d: sp.Expr) -> Elements:
@@ -31,7 +27,7 @@ def gain_elements(x: sp.Expr, y: sp.Expr, d: sp.Expr) -> Elements:
 
 def equations_tower() -> Tower:
     """Any interval; state, observations and gains stand for anything."""
-    return Tower(EQUATIONS, positive("t"), (), {})
+    return Tower(EQUATIONS, above_zero("t"), (), {})
 
 
 def main_tower() -> Tower:
@@ -61,7 +57,7 @@ def main_tower() -> Tower:
         "innovation_variance": (1 + X + y + D) * (X * (1 + X) + M) / (D * M),
         "share": (D + X) / (D + X + M),
     }
-    return Tower("main", positive("x", "d", "m"), (), elements)
+    return Tower("main", above_zero("x", "d", "m"), (), elements)
 
 
 def real_roots_tower() -> Tower:
@@ -74,7 +70,7 @@ def real_roots_tower() -> Tower:
         "third_root": (1 - E) / (1 + E),
         **gain_elements(x, y, 1 / (A * B * E)),
     }
-    return Tower("real_roots", positive("a", "b", "e"), (), elements)
+    return Tower("real_roots", above_zero("a", "b", "e"), (), elements)
 
 
 def complex_roots_tower() -> Tower:
@@ -86,17 +82,17 @@ def complex_roots_tower() -> Tower:
         "root_imaginary": 2 * E / below,
         **gain_elements((2 * A * B + size) / (A * size), (A + 2 * B) / (A * size), 1 / (A * size)),
     }
-    return Tower("complex_roots", positive("a", "b", "e"), (), elements)
+    return Tower("complex_roots", above_zero("a", "b", "e"), (), elements)
 
 
 def optimum_tower() -> Tower:
     """All filters of the lag (1 + p)^3/8, from their x = p t^2."""
-    return Tower("optimum", positive("p", "t"), (), {})
+    return Tower("optimum", above_zero("p", "t"), (), {})
 
 
 def equal_minors_tower() -> Tower:
     """The stable filters with d = m, which is x y = 2 d."""
-    return Tower("equal_minors", positive("x", "y"), (), gain_elements(X, Y, X * Y / 2))
+    return Tower("equal_minors", above_zero("x", "y"), (), gain_elements(X, Y, X * Y / 2))
 
 
 def minimum_variance_tower() -> Tower:
@@ -109,7 +105,7 @@ def minimum_variance_tower() -> Tower:
         "predicted_11": (3 * X**2 + 3 * X + 1) / X**3,
         "cube": (1 + X) / 2,
     }
-    return Tower("minimum_variance", positive("x"), (), elements)
+    return Tower("minimum_variance", above_zero("x"), (), elements)
 
 
 def random_acceleration_tower() -> Tower:
@@ -119,7 +115,7 @@ def random_acceleration_tower() -> Tower:
         "beta": 32 / (X + 2) ** 2,
         "gamma": 64 / (X * (X + 2) ** 2),
     }
-    return Tower("random_acceleration", positive("x"), (), elements)
+    return Tower("random_acceleration", above_zero("x"), (), elements)
 
 
 def stable_acceleration_tower() -> Tower:
@@ -132,7 +128,7 @@ def stable_acceleration_tower() -> Tower:
         "lag": x * (x + 2) ** 2 / 64,
         "predicted_11": (20 * x**2 + 24 * x) / ((x - 2) * (3 * x**2 - 4)),
     }
-    return Tower("stable_acceleration", positive("e"), (), elements)
+    return Tower("stable_acceleration", above_zero("e"), (), elements)
 
 
 def random_jerk_tower() -> Tower:
@@ -145,7 +141,7 @@ def random_jerk_tower() -> Tower:
         "beta": 96 * x**2 / below,
         "gamma": 192 * x / below,
     }
-    return Tower("random_jerk", positive("e"), (), elements)
+    return Tower("random_jerk", above_zero("e"), (), elements)
 
 
 def same_lag_tower() -> Tower:

@@ -9,8 +9,9 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.expression import real
-from gainproof.derive.fixed_gain.two_towers import E, X, gain_elements, positive, variance_of
+from gainproof.derive.fixed_gain.two_towers import E, X, gain_elements, variance_of
 
 N = real("n")
 
@@ -23,7 +24,7 @@ def updated_of(x: sp.Expr, y: sp.Expr) -> sp.Expr:
 def smoothed_any_tower() -> Tower:
     """x = n (n + 1)/(n + 2), stable or not."""
     elements = {"alpha": 2 * (N + 1) / (N * (N + 2)), "beta": 4 / N**2}
-    return Tower("smoothed_any", positive("n"), (), elements)
+    return Tower("smoothed_any", above_zero("n"), (), elements)
 
 
 def smoothed_slow_tower() -> Tower:
@@ -40,7 +41,7 @@ def smoothed_slow_tower() -> Tower:
         "rest": (n**2 + 2 * n + 2) / (n * (n + 2)),
     }
     roots = (Generator("root_two", sp.Integer(2)),)
-    return Tower("smoothed_slow", positive("e"), roots, elements)
+    return Tower("smoothed_slow", above_zero("e"), roots, elements)
 
 
 def smoothed_fast_tower() -> Tower:
@@ -52,14 +53,14 @@ def smoothed_fast_tower() -> Tower:
         "beta": 4 / n**2,
         "updated_11": (3 - 2 * n) / (n - 1) ** 2,
     }
-    return Tower("smoothed_fast", positive("e"), (), elements)
+    return Tower("smoothed_fast", above_zero("e"), (), elements)
 
 
 def smoothed_border_tower() -> Tower:
     """All stable filters with beta = 2."""
     x, y = 1 / (1 + E), E / (1 + E)
     elements = {**gain_elements(x, y), "updated_11": updated_of(x, y)}
-    return Tower("smoothed_border", positive("e"), (), elements)
+    return Tower("smoothed_border", above_zero("e"), (), elements)
 
 
 def fitting_smoothed_tower() -> Tower:
@@ -71,14 +72,16 @@ def fitting_smoothed_tower() -> Tower:
         "predicted_11": variance_of(x, y),
         "updated_11": updated_of(x, y),
     }
-    return Tower("fitting_smoothed", positive("e"), (Generator("n", x * (x + 1)),), elements)
+    return Tower("fitting_smoothed", above_zero("e"), (Generator("n", x * (x + 1)),), elements)
 
 
 def fitting_predicted_tower() -> Tower:
     """y = (x + 1)^2: alpha + beta fits the covariance; n is the root of (x + 1) (x + 2)."""
     y = (X + 1) ** 2
     elements = {**gain_elements(X, y), "predicted_11": variance_of(X, y)}
-    return Tower("fitting_predicted", positive("x"), (Generator("n", (X + 1) * (X + 2)),), elements)
+    return Tower(
+        "fitting_predicted", above_zero("x"), (Generator("n", (X + 1) * (X + 2)),), elements
+    )
 
 
 def held_gain_towers() -> tuple[Tower, ...]:

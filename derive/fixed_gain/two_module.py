@@ -14,7 +14,7 @@ from gainproof.derive.fixed_gain.two_kernels import (
     difference,
 )
 from gainproof.derive.fixed_gain.two_noise_kernels import TURNING
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 
 SCALES = {
@@ -48,7 +48,7 @@ def kernel_module(name: str, title: str, made: Mapping[str, Graph]) -> Module:
 
 
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
-    symbols = [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
+    symbols = symbols_of(graph)
     named = graph.get("names", {})
     return Kernel(
         name=kernel,

@@ -5,8 +5,9 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.expression import real
-from gainproof.derive.fixed_gain.two_towers import E, X, Y, gain_elements, positive, variance_of
+from gainproof.derive.fixed_gain.two_towers import E, X, Y, gain_elements, variance_of
 
 
 def optimum_tower() -> Tower:
@@ -14,7 +15,7 @@ def optimum_tower() -> Tower:
     root = Generator("n", 1 + X + Y)
     return Tower(
         "optimum",
-        positive("x", "y"),
+        above_zero("x", "y"),
         (root,),
         {
             **gain_elements(X, Y),
@@ -33,20 +34,20 @@ def minimum_variance_tower() -> Tower:
         "lag": (1 + X) ** 2 / 4,
         "slow_root": (1 - X) / (1 + X),
     }
-    return Tower("minimum_variance", positive("x"), (), elements)
+    return Tower("minimum_variance", above_zero("x"), (), elements)
 
 
 def random_acceleration_tower() -> Tower:
     """y = (x^2 - 1)/2, stable or not."""
     elements = {"alpha": 4 * X / (1 + X) ** 2, "beta": 8 / (1 + X) ** 2}
-    return Tower("random_acceleration", positive("x"), (), elements)
+    return Tower("random_acceleration", above_zero("x"), (), elements)
 
 
 def random_velocity_tower() -> Tower:
     """y = (x^2 - 2)/2, stable or not; the root of 2 says where."""
     root = Generator("root_two", sp.Integer(2))
     elements = {"alpha": 4 / (X + 2), "beta": 8 / (X * (X + 2))}
-    return Tower("random_velocity", positive("x"), (root,), elements)
+    return Tower("random_velocity", above_zero("x"), (root,), elements)
 
 
 def stable_acceleration_tower() -> Tower:
@@ -57,7 +58,7 @@ def stable_acceleration_tower() -> Tower:
         "lag": (2 + E) ** 2 / 8,
         "predicted_11": ((2 + E) ** 2 - (1 + E) * E) / ((1 + E) * E),
     }
-    return Tower("stable_acceleration", positive("e"), (), elements)
+    return Tower("stable_acceleration", above_zero("e"), (), elements)
 
 
 def stable_velocity_tower() -> Tower:
@@ -71,7 +72,7 @@ def stable_velocity_tower() -> Tower:
     }
     # the root of 2 is for the kernel, which takes y apart
     roots = (Generator("root_two", sp.Integer(2)), Generator("g", 2 + 2 * Y))
-    return Tower("stable_velocity", positive("y"), roots, elements)
+    return Tower("stable_velocity", above_zero("y"), roots, elements)
 
 
 def same_lag_tower() -> Tower:
@@ -97,7 +98,7 @@ def same_lag_tower() -> Tower:
         "acceleration_variance": variance_of(second, rest),
         "minimum_variance": ((n / third) ** 2) - 1,
     }
-    return Tower("same_lag", positive("y"), generators, elements)
+    return Tower("same_lag", above_zero("y"), generators, elements)
 
 
 def same_gain_tower() -> Tower:
@@ -115,7 +116,7 @@ def same_gain_tower() -> Tower:
         * (3 + 5 * X + 3 * X**2)
         / (2 + 4 * X + 5 * X**2 + 4 * X**3 + 2 * X**4),
     }
-    return Tower("same_gain", positive("x"), (Generator("v", 1 + X**2),), elements)
+    return Tower("same_gain", above_zero("x"), (Generator("v", 1 + X**2),), elements)
 
 
 def same_larger_gain_tower() -> Tower:
@@ -127,7 +128,7 @@ def same_larger_gain_tower() -> Tower:
         "acceleration_beta": 8 / (1 + x) ** 2,
         "velocity_beta": 8 / (other * (other + 2)),
     }
-    return Tower("same_larger_gain", positive("e"), (), elements)
+    return Tower("same_larger_gain", above_zero("e"), (), elements)
 
 
 def two_minima_tower() -> Tower:
@@ -140,7 +141,7 @@ def two_minima_tower() -> Tower:
         "slow_variance": (1 + 2 * x) / x**2,
         "fast_variance": x**2 + 2 * x,
     }
-    return Tower("two_minima", positive("e"), (), elements)
+    return Tower("two_minima", above_zero("e"), (), elements)
 
 
 def named_towers() -> tuple[Tower, ...]:

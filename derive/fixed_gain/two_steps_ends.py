@@ -6,12 +6,13 @@ import sympy as sp
 
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.derivation import Step, joined
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.loop import row
 from gainproof.derive.fixed_gain.two_steps_order import lecture_variance
 from gainproof.derive.fixed_gain.two_steps_stability import ALPHA, BETA
-from gainproof.derive.fixed_gain.two_towers import E, gain_elements, positive, variance_of
+from gainproof.derive.fixed_gain.two_towers import E, gain_elements, variance_of
 from gainproof.derive.relation import equal, limit
 
 P11, M = real("predicted_11"), real("m")
@@ -27,8 +28,8 @@ def end_towers() -> tuple[Tower, ...]:
     x, y = 2 + E, (E**2 + 4 * E + 2) / 2
     velocity = {"alpha": 4 / (x + 2), "beta": 8 / (x * (x + 2)), "predicted_11": variance_of(x, y)}
     return (
-        Tower(HELD, positive("m", "e"), (), held),
-        Tower(KALMAN, positive("e"), (), velocity),
+        Tower(HELD, above_zero("m", "e"), (), held),
+        Tower(KALMAN, above_zero("e"), (), velocity),
     )
 
 

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.expression import real
 from gainproof.derive.fixed_gain.loop import Loop, listed, lyapunov, pairs
 from gainproof.derive.fixed_gain.steps_filter import EQUATIONS
@@ -15,11 +16,6 @@ from gainproof.derive.fixed_gain.steps_filter import EQUATIONS
 X, Y, A, B, E = map(real, ("x", "y", "a", "b", "e"))
 LOOP = Loop(2)
 Elements = dict[str, sp.Expr]
-
-
-def positive(*names: str) -> tuple[Parameter, ...]:
-    """Parameters above zero."""
-    return tuple(Parameter(name) for name in names)
 
 
 def gains_of(x: sp.Expr, y: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
@@ -39,7 +35,7 @@ def gain_elements(x: sp.Expr, y: sp.Expr) -> Elements:
 
 def equations_tower() -> Tower:
     """Any interval; state, observations and gains stand for anything."""
-    return Tower(EQUATIONS, positive("t"), (), {})
+    return Tower(EQUATIONS, above_zero("t"), (), {})
 
 
 def main_tower() -> Tower:
@@ -56,7 +52,7 @@ def main_tower() -> Tower:
         **dict(zip((f"updated_{ij}" for ij in pairs(2)), listed(updated), strict=True)),
         "innovation_variance": (1 + X) * (1 + X + Y) / (X * Y),
     }
-    return Tower("main", positive("x", "y"), (), elements)
+    return Tower("main", above_zero("x", "y"), (), elements)
 
 
 def real_roots_tower() -> Tower:
@@ -66,7 +62,7 @@ def real_roots_tower() -> Tower:
         "second_root": (1 - B) / (1 + B),
         **gain_elements((A + B) / (A * B), 1 / (A * B)),
     }
-    return Tower("real_roots", positive("a", "b"), (), elements)
+    return Tower("real_roots", above_zero("a", "b"), (), elements)
 
 
 def complex_roots_tower() -> Tower:
@@ -78,12 +74,12 @@ def complex_roots_tower() -> Tower:
         "root_imaginary": 2 * B / below,
         **gain_elements(2 * A / size, 1 / size),
     }
-    return Tower("complex_roots", positive("a", "b"), (), elements)
+    return Tower("complex_roots", above_zero("a", "b"), (), elements)
 
 
 def double_tower() -> Tower:
     """A double root: y = x^2/4."""
-    return Tower("double_root", positive("x"), (), gain_elements(X, X**2 / 4))
+    return Tower("double_root", above_zero("x"), (), gain_elements(X, X**2 / 4))
 
 
 def poles_tower() -> Tower:
@@ -94,7 +90,7 @@ def poles_tower() -> Tower:
         "beta": 2 / (1 + X),
         "modulus": modulus,
     }
-    return Tower("poles", positive("e", "x"), (), elements)
+    return Tower("poles", above_zero("e", "x"), (), elements)
 
 
 def towers() -> tuple[Tower, ...]:

@@ -14,6 +14,7 @@ from gainproof.derive.own_expressions.graphs import graph_of_outputs
 from gainproof.derive.own_expressions.held import arguments_of, held
 from gainproof.derive.own_expressions.kernels import kernel_of
 from gainproof.derive.own_expressions.parts import Parts
+from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.relation import Relation
 from gainproof.derive.subject import Program
 
@@ -30,7 +31,7 @@ def as_written(given: ExpressionKernel) -> Formed:
     meant = {each.quantity.name: parts.read(each.expression) for each in given.outputs}
     graph = graph_of_outputs(meant, parts)
     kept = held(graph)
-    symbols = [str(node[1]) for node in kept["nodes"] if node[0] == "symbol"]
+    symbols = symbols_of(kept)
     tower = Tower(f"kernel_{given.name}", tuple(map(Parameter, symbols)), (), {})
     arguments = {
         name: argument

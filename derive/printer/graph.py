@@ -36,6 +36,11 @@ class Graph(TypedDict):
     names: NotRequired[dict[str, int]]
 
 
+def symbols_of(graph: Graph) -> list[str]:
+    """The names of its symbols, in order."""
+    return [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
+
+
 def exact_fraction(value: Number) -> Fraction:
     """The exact value of an integer, a fraction, or their text; TypeError for floats and others."""
     if isinstance(value, bool) or not isinstance(value, int | Fraction | str):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.recursion.noise import Noise
 
@@ -47,7 +47,7 @@ def kernel_module(
 
 def _kernel(name: str, kernel: str, graph: Graph, noises: tuple[Noise, ...]) -> Kernel:
     noise = next((each for each in noises if kernel.endswith(each.name)), None)
-    symbols = [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
+    symbols = symbols_of(graph)
     return Kernel(
         name=kernel,
         result=RESULTS.get(kernel, "".join(word.capitalize() for word in kernel.split("_"))),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.recursion.triple_kernels import graphs
 from gainproof.derive.recursion.triple_module import kernel_module
 from gainproof.derive.recursion.triple_names import (
@@ -71,7 +71,7 @@ def build() -> Subject:
         derivation=Derivation(OPENING, steps, (SPECTRAL.key, GAUSS_MARKOV.key), latex(known)),
         towers={tower.name: tower for tower in towers},
         programs={
-            name: Program({entry: PARAMETERS[entry] for entry in _symbols(graph)}, graph)
+            name: Program({entry: PARAMETERS[entry] for entry in symbols_of(graph)}, graph)
             for name, graph in made.items()
         },
         module=kernel_module(NAME, TITLE, known, made),
@@ -98,7 +98,3 @@ def _program(name: str, graph: Graph, known: tuple[TripleNoise, ...]) -> Step:
         hint={"graph": graph},
         shown=False,
     )
-
-
-def _symbols(graph: Graph) -> list[str]:
-    return [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]

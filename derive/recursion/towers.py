@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.recursion import forms
 from gainproof.derive.recursion.names import (
     B1,
@@ -26,14 +27,6 @@ from gainproof.derive.recursion.noise import Noise
 Elements = dict[str, sp.Expr]
 
 
-def _positive(*names: str) -> tuple[Parameter, ...]:
-    return tuple(Parameter(name) for name in names)
-
-
-def _from_zero(*names: str) -> tuple[Parameter, ...]:
-    return tuple(Parameter(name, above=None, start="0") for name in names)
-
-
 def main_tower(noises: tuple[Noise, ...]) -> Tower:
     """d1, d2 and r positive; u, t and q from 0 on: an uncorrelated start, two measurements at one
     time, no process noise.
@@ -42,7 +35,7 @@ def main_tower(noises: tuple[Noise, ...]) -> Tower:
     elements = {**_entries("covariance", given), **_update("", given)}
     for noise in noises:
         elements |= _predicted(noise, given)
-    parameters = (*_positive("d1", "d2", "r"), *_from_zero("u", "t", "q"))
+    parameters = (*above_zero("d1", "d2", "r"), *from_zero("u", "t", "q"))
     return Tower("main", parameters, (), elements)
 
 
@@ -99,7 +92,7 @@ def pair_tower() -> Tower:
         **_entries("other", other),
         **_update("other_", other),
     }
-    parameters = (*_positive("d1", "d2", "b1", "b2", "r"), *_from_zero("u", "y", "t"))
+    parameters = (*above_zero("d1", "d2", "b1", "b2", "r"), *from_zero("u", "y", "t"))
     return Tower("pair", parameters, (), elements)
 
 
@@ -108,7 +101,7 @@ def start_tower(noises: tuple[Noise, ...]) -> Tower:
     elements: Elements = {}
     for noise in noises:
         elements |= _noise(noise) | _started(noise)
-    return Tower("start", (*_positive("t", "r"), *_from_zero("q")), (), elements)
+    return Tower("start", (*above_zero("t", "r"), *from_zero("q")), (), elements)
 
 
 def _noise(noise: Noise) -> Elements:
@@ -121,14 +114,14 @@ def _noise(noise: Noise) -> Elements:
 
 def intervals_tower() -> Tower:
     """Two intervals, one after the other."""
-    return Tower("intervals", _from_zero("s", "t", "q"), (), {})
+    return Tower("intervals", from_zero("s", "t", "q"), (), {})
 
 
 def entries_tower() -> Tower:
     """A covariance from the velocity's variance, the cross covariance and the determinant."""
     velocity, cross, determinant = (sp.Symbol(n, real=True) for n in ("c22", "c12", "det"))
     elements = {"c11": (determinant + cross**2) / velocity}
-    return Tower("entries", (*_positive("c22", "det"), *_from_zero("c12")), (), elements)
+    return Tower("entries", (*above_zero("c22", "det"), *from_zero("c12")), (), elements)
 
 
 def samples_tower() -> Tower:

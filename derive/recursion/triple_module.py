@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed
 from gainproof.derive.recursion.triple_names import PARAMETERS
 from gainproof.derive.recursion.triple_noise import TripleNoise
@@ -72,7 +72,7 @@ def kernel_module(
 
 def _kernel(name: str, kernel: str, graph: Graph, noises: tuple[TripleNoise, ...]) -> Kernel:
     noise = next((each for each in noises if kernel.endswith(each.name)), None)
-    symbols = [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
+    symbols = symbols_of(graph)
     if noise is None:
         summary, equations = SUMMARIES[kernel], EQUATIONS[kernel]
     else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
 from gainproof.derive.recursion import triple_forms as forms
 from gainproof.derive.recursion.triple_names import (
@@ -37,16 +38,6 @@ def values_of(f: forms.Triple) -> tuple[sp.Expr, ...]:
     return f.first, f.second, f.third, f.a, f.b, f.c
 
 
-def positive(*names: str) -> tuple[Parameter, ...]:
-    """Parameters above zero."""
-    return tuple(Parameter(name) for name in names)
-
-
-def from_zero(*names: str) -> tuple[Parameter, ...]:
-    """Parameters from zero on."""
-    return tuple(Parameter(name, above=None, start="0") for name in names)
-
-
 def entries_of(prefix: str, f: forms.Triple) -> Elements:
     """The covariance of factors."""
     return {f"{prefix}_{ij}": entry for ij, entry in zip(ENTRIES, forms.covariance(f), strict=True)}
@@ -64,7 +55,7 @@ def update_tower() -> Tower:
         **dict(zip(names, values_of(new.factors), strict=True)),
         **entries_of("updated", new.factors),
     }
-    parameters = (*positive("d1", "d2", "d3", "r"), *from_zero("a", "b", "c"))
+    parameters = (*above_zero("d1", "d2", "d3", "r"), *from_zero("a", "b", "c"))
     return Tower("main", parameters, (), elements)
 
 
@@ -80,7 +71,7 @@ def predict_tower(noise: TripleNoise) -> Tower:
         **noisy,
         **dict(zip(predicted_names(noise), values_of(after), strict=True)),
     }
-    parameters = (*positive("d1", "d2", "d3", "t"), *from_zero("a", "b", "c", "q"))
+    parameters = (*above_zero("d1", "d2", "d3", "t"), *from_zero("a", "b", "c", "q"))
     return Tower(noise.name, parameters, (), elements)
 
 
@@ -91,7 +82,7 @@ def intervals_tower() -> Tower:
 
 def pair_tower() -> Tower:
     """Any two covariances, whose entries are free, under the same measurement."""
-    return Tower("pair", (*positive("r"), *from_zero("t")), (), {})
+    return Tower("pair", (*above_zero("r"), *from_zero("t")), (), {})
 
 
 def entries_tower() -> Tower:
@@ -102,7 +93,7 @@ def entries_tower() -> Tower:
     middle = (minor + near**2) / last
     cross = (mixed + far * middle) / near
     first = (determinant + cross * (cross * last - far * near) - far * mixed) / minor
-    parameters = (*positive("c33", "c23", "minor", "det"), *from_zero("c13", "mixed"))
+    parameters = (*above_zero("c33", "c23", "minor", "det"), *from_zero("c13", "mixed"))
     return Tower("entries", parameters, (), {"c22": middle, "c12": cross, "c11": first})
 
 
@@ -114,7 +105,7 @@ def start_tower(noises: tuple[TripleNoise, ...]) -> Tower:
         elements |= entry_names(prefix)
     for noise in noises:
         elements |= dict(zip(start_names(noise), values_of(started(noise, at)), strict=True))
-    return Tower("start", (*positive("s", "t", "r"), *from_zero("q")), (), elements)
+    return Tower("start", (*above_zero("s", "t", "r"), *from_zero("q")), (), elements)
 
 
 def samples_tower() -> Tower:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.expression import real
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.recursion.kernels import graphs
 from gainproof.derive.recursion.module import kernel_module
 from gainproof.derive.recursion.names import (
@@ -72,7 +72,9 @@ def build() -> Subject:
         derivation=Derivation(OPENING, steps, (SPECTRAL.key, GAUSS_MARKOV.key), latex(known)),
         towers={tower.name: tower for tower in towers},
         programs={
-            name: Program({entry: PARAMETERS.get(entry, entry) for entry in _symbols(graph)}, graph)
+            name: Program(
+                {entry: PARAMETERS.get(entry, entry) for entry in symbols_of(graph)}, graph
+            )
             for name, graph in made.items()
         },
         module=kernel_module(NAME, TITLE, known, made),
@@ -105,7 +107,3 @@ def _meant(name: str, graph: Graph, known: tuple[Noise, ...]) -> dict[str, objec
     elif name == "update":
         names = {output: f"updated_{output}" for output in FACTORS}
     return {output: real(meant) for output, meant in names.items()}
-
-
-def _symbols(graph: Graph) -> list[str]:
-    return [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]

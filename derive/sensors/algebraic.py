@@ -10,7 +10,14 @@ an atan2 goes: its two arguments remain, opposite and adjacent side of the angle
 
 from __future__ import annotations
 
-from gainproof.derive.printer.graph import Graph, GraphBuilder, GraphNode, Node, operands
+from gainproof.derive.printer.graph import (
+    Graph,
+    GraphBuilder,
+    GraphNode,
+    Node,
+    operands,
+    symbols_of,
+)
 from gainproof.derive.printer.program import FUNCTIONS
 
 EXPONENTIALS = {"exp": "kept_", "expm1": "change_"}
@@ -26,7 +33,7 @@ def algebraic(graph: Graph) -> Graph:
     if not any(_is_call(node) for node in graph["nodes"]):
         return graph
     labels = {number: name for name, number in graph.get("names", {}).items()}
-    inputs = {str(node[1]) for node in graph["nodes"] if node[0] == "symbol"}
+    inputs = set(symbols_of(graph))
     builder, made = GraphBuilder(), list[Node]()
     outputs: dict[str, Node] = {}
     angles: dict[int, str] = {}

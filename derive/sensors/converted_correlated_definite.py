@@ -5,9 +5,10 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step
+from gainproof.derive.expression import column
 from gainproof.derive.relation import cited, equal
 from gainproof.derive.sensors.converted_correlated_tower import SPREAD
-from gainproof.derive.sensors.converted_names import KEPT, SIGMA_R, L, column
+from gainproof.derive.sensors.converted_names import KEPT, SIGMA_R, L
 from gainproof.derive.sensors.converted_space_correlated import PRODUCT
 from gainproof.derive.sensors.converted_space_names import LA, LE, squares
 from gainproof.derive.source import PROBABILITY

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gainproof.derive.derivation import Step
-from gainproof.derive.expression import real
+from gainproof.derive.expression import column, real
 from gainproof.derive.printer.graph import Graph, Node
 from gainproof.derive.relation import Relation, equal
 from gainproof.derive.sensors import converted_graphs
@@ -20,7 +20,6 @@ from gainproof.derive.sensors.converted_names import (
     K,
     L,
     R,
-    column,
 )
 
 UNBIASED = "correlated_unbiased_conversion_in_plane"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import column
 from gainproof.derive.relation import cited, described, equal
 from gainproof.derive.sensors.converted_correlated_tower import (
     GROWN,
@@ -21,7 +22,7 @@ from gainproof.derive.sensors.converted_correlated_tower import (
     bias,
     spread,
 )
-from gainproof.derive.sensors.converted_names import KEPT, SIGMA_A, SIGMA_R, TRUE, L, R, column
+from gainproof.derive.sensors.converted_names import KEPT, SIGMA_A, SIGMA_R, TRUE, L, R
 from gainproof.derive.source import PROBABILITY
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
 from gainproof.derive.sensors.converted_names import KEPT, SIGMA_A, SIGMA_R, TRUE, L, R
-from gainproof.derive.sensors.converted_towers import positive
 from gainproof.derive.sensors.polar_towers import bearing_circle
 
 C, MORE, LESS = map(real, ("noise_covariance", "covariance_more", "covariance_less"))
@@ -58,10 +58,10 @@ def correlated_tower() -> Tower:
         "correlated_unbiased_mixed": mixed + level * beside,
     }
     free = ("covariance_more", "covariance_less", "scale", "turns")
-    own = positive(
+    own = above_zero(
         "true_range", "slant_range", "range_deviation", "azimuth_deviation", "kept_azimuth"
     )
-    closed = tuple(Parameter(name, above=None, start="0") for name in free)
+    closed = from_zero(*free)
     return Tower("correlated", (*own, *closed), (), elements)
 
 
@@ -88,7 +88,7 @@ def turned_correlated_tower() -> Tower:
         "change_azimuth": KEPT**2 - 1,
         "correlation": MORE - LESS,
     }
-    own = positive("slant_range", "range_deviation", "azimuth_deviation", "kept_azimuth")
+    own = above_zero("slant_range", "range_deviation", "azimuth_deviation", "kept_azimuth")
     names = ("covariance_more", "covariance_less", "g", "k")
-    closed = tuple(Parameter(name, above=None, start="0") for name in names)
+    closed = from_zero(*names)
     return Tower("correlated_plane", (*own, *closed), (), elements)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import Input, Kernel, Module, Output, closed, signed
 from gainproof.derive.sensors.converted_words import EQUATIONS, MEANINGS, SUMMARIES
 
@@ -43,7 +43,7 @@ def kernel_module(name: str, title: str, graphs: Mapping[str, Graph]) -> Module:
 
 
 def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
-    used = {str(node[1]) for node in graph["nodes"] if node[0] == "symbol"}
+    used = set(symbols_of(graph))
     return Kernel(
         name=kernel,
         result="".join(word.capitalize() for word in kernel.split("_")),

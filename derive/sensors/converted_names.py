@@ -7,8 +7,6 @@ independent noises is diagonal.
 
 from __future__ import annotations
 
-import sympy as sp
-
 from gainproof.derive.expression import real
 
 TRUE, R = real("true_range"), real("slant_range")
@@ -58,8 +56,3 @@ LATEX = {
         for axis, greek in (("radial", "rho"), ("cross", "kappa"))
     },
 }
-
-
-def column(*entries: sp.Expr | int) -> sp.ImmutableDenseMatrix:
-    """A column vector."""
-    return sp.ImmutableDenseMatrix([[entry] for entry in entries])

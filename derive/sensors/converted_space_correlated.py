@@ -5,10 +5,11 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.derivation import Step, joined
-from gainproof.derive.expression import real
+from gainproof.derive.expression import column, real
 from gainproof.derive.relation import described, equal
-from gainproof.derive.sensors.converted_names import KEPT, R, column
+from gainproof.derive.sensors.converted_names import KEPT, R
 from gainproof.derive.sensors.converted_space_names import (
     BOTH,
     COS_E,
@@ -19,7 +20,6 @@ from gainproof.derive.sensors.converted_space_names import (
     WHOLE,
     A,
 )
-from gainproof.derive.sensors.converted_towers import positive
 from gainproof.derive.sensors.polar_towers import elevation_circle
 
 Pair = tuple[sp.Expr, sp.Expr]
@@ -49,7 +49,7 @@ def space_correlated_tower() -> Tower:
     elements |= {name: more - less for name, (more, less) in SIGNED.items()}
     elements |= {str(s): value for s, value in zip(MEAN, means(), strict=True)}
     elements |= {str(s): value for s, value in zip(PRODUCT, products(), strict=True)}
-    own = positive("slant_range", "range_deviation", "kept_azimuth", "kept_elevation", "a")
+    own = above_zero("slant_range", "range_deviation", "kept_azimuth", "kept_elevation", "a")
     closed = tuple(
         Parameter(str(each), above=None, start="0") for pair in SIGNED.values() for each in pair
     )

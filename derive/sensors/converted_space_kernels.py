@@ -7,21 +7,11 @@ from collections.abc import Mapping
 import sympy as sp
 
 from gainproof.derive.derivation import Step
-from gainproof.derive.expression import real
+from gainproof.derive.expression import column, real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, equal
 from gainproof.derive.sensors.converted_graphs import KERNELS
-from gainproof.derive.sensors.converted_names import (
-    COS_A,
-    KEPT,
-    SIGMA_A,
-    SIGMA_R,
-    SIN_A,
-    G,
-    K,
-    R,
-    column,
-)
+from gainproof.derive.sensors.converted_names import COS_A, KEPT, SIGMA_A, SIGMA_R, SIN_A, G, K, R
 from gainproof.derive.sensors.converted_space_names import (
     BOTH,
     COS_E,

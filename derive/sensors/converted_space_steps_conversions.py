@@ -5,8 +5,9 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step
+from gainproof.derive.expression import column
 from gainproof.derive.relation import equal
-from gainproof.derive.sensors.converted_names import COS2, KEPT, SIGMA_A, SIGMA_R, SIN2, R, column
+from gainproof.derive.sensors.converted_names import COS2, KEPT, SIGMA_A, SIGMA_R, SIN2, R
 from gainproof.derive.sensors.converted_space_names import (
     BOTH,
     COS_E,

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import column
 from gainproof.derive.relation import Relation, equal, positive
-from gainproof.derive.sensors.converted_names import COS2, KEPT, LOSS, SIN2, column
+from gainproof.derive.sensors.converted_names import COS2, KEPT, LOSS, SIN2
 from gainproof.derive.sensors.converted_space_names import (
     COS_E,
     ENTRY,

@@ -10,6 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.sensors import converted_space_forms as forms
 from gainproof.derive.sensors.converted_forms import Noise
 from gainproof.derive.sensors.converted_forms import spread as flat_spread
@@ -32,7 +33,6 @@ from gainproof.derive.sensors.converted_space_names import (
     UPWARDS,
     squares,
 )
-from gainproof.derive.sensors.converted_towers import positive
 from gainproof.derive.sensors.polar_towers import bearing_circle, elevation_circle
 
 DEVIATIONS = ("range_deviation", "elevation_deviation", "azimuth_deviation")
@@ -65,7 +65,7 @@ def space_tower() -> Tower:
     for symbols, values in zip((LEVEL, UPWARDS), factors, strict=True):
         for symbol, value in zip(symbols.values(), values, strict=True):
             elements[str(symbol)] = sp.sympify(value)
-    own = positive("slant_range", *DEVIATIONS, "kept_azimuth", "kept_elevation", "a")
+    own = above_zero("slant_range", *DEVIATIONS, "kept_azimuth", "kept_elevation", "a")
     return Tower("space", own, (), elements)
 
 
@@ -74,7 +74,7 @@ def signs_tower() -> Tower:
     elements: dict[str, sp.Expr] = {**elevation_circle()}
     elements |= {"kept_azimuth": 1 / (1 + LOSS), "kept_elevation": 1 / (1 + LOSS_E)}
     elements |= _squares() | _upright() | _entries("space_unbiased") | _entries("space_modified")
-    own = positive("slant_range", "range_deviation", "azimuth_loss", "elevation_loss")
+    own = above_zero("slant_range", "range_deviation", "azimuth_loss", "elevation_loss")
     return Tower("signs", (*own, Parameter("a", above=None, start="1")), (), elements)
 
 
@@ -107,6 +107,6 @@ def turned_tower() -> Tower:
         "change_azimuth": LA - 1,
         "change_elevation": LE - 1,
     }
-    own = positive("slant_range", *DEVIATIONS, "kept_azimuth", "kept_elevation", "a")
-    turned = tuple(Parameter(name, above=None, start="0") for name in ("g", "k"))
+    own = above_zero("slant_range", *DEVIATIONS, "kept_azimuth", "kept_elevation", "a")
+    turned = from_zero("g", "k")
     return Tower("turned", (*own, *turned), (), elements)

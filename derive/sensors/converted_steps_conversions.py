@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import column
 from gainproof.derive.relation import Relation, equal
 from gainproof.derive.sensors.converted_names import (
     COS2,
@@ -16,7 +17,6 @@ from gainproof.derive.sensors.converted_names import (
     TRUE,
     L,
     R,
-    column,
 )
 
 WHOLE, WIDER = R**2 + SIGMA_R**2, R**2 + 2 * SIGMA_R**2

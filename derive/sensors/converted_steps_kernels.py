@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from gainproof.derive.derivation import Step
+from gainproof.derive.expression import column
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, equal
 from gainproof.derive.sensors.converted_graphs import KERNELS, PLANE
@@ -21,7 +22,6 @@ from gainproof.derive.sensors.converted_names import (
     K,
     L,
     R,
-    column,
 )
 
 WHOLE = R**2 + SIGMA_R**2

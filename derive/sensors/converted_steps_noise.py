@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import column
 from gainproof.derive.relation import cited, described, equal, positive
 from gainproof.derive.sensors.converted_names import (
     COS2,
@@ -17,7 +18,6 @@ from gainproof.derive.sensors.converted_names import (
     TRUE_SPREAD,
     L,
     R,
-    column,
 )
 from gainproof.derive.source import ELEMENTARY, PROBABILITY
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
+from gainproof.derive.expression import column
 from gainproof.derive.relation import equal, positive, same_sign
 from gainproof.derive.sensors.converted_names import (
     COS2,
@@ -19,7 +20,6 @@ from gainproof.derive.sensors.converted_names import (
     TRUE_SPREAD,
     L,
     R,
-    column,
 )
 
 ORDER = ("classical", "debiased", "unbiased", "modified")

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.sensors import converted_forms as forms
 from gainproof.derive.sensors.converted_forms import Noise
 from gainproof.derive.sensors.converted_names import (
@@ -51,7 +52,7 @@ def main_tower() -> Tower:
         "factor_unbiased": 1 / KEPT,
         "factor_modified": KEPT,
     }
-    return Tower("main", positive("true_range", "slant_range", *DEVIATIONS), (), elements)
+    return Tower("main", above_zero("true_range", "slant_range", *DEVIATIONS), (), elements)
 
 
 def _average() -> tuple[sp.Expr, sp.Expr]:
@@ -70,10 +71,5 @@ def plane_tower() -> Tower:
         "kept_azimuth": 1 / (1 + LOSS),
         "change_azimuth": KEPT**2 - 1,
     }
-    turned = tuple(Parameter(name, above=None, start="0") for name in ("g", "k"))
-    return Tower("plane", (*positive("slant_range", *DEVIATIONS), *turned), (), elements)
-
-
-def positive(*names: str) -> tuple[Parameter, ...]:
-    """Parameters above 0."""
-    return tuple(Parameter(name) for name in names)
+    turned = from_zero("g", "k")
+    return Tower("plane", (*above_zero("slant_range", *DEVIATIONS), *turned), (), elements)

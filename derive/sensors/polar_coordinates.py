@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.derive.derivation import Derivation
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.sensors.algebraic import algebraic
 from gainproof.derive.sensors.polar_graphs import graphs
 from gainproof.derive.sensors.polar_module import kernel_module
@@ -51,13 +51,9 @@ def build() -> Subject:
         ),
         towers={tower.name: tower for tower in (main_tower(), course_tower(), plane_tower())},
         programs={
-            name: Program({entry: entry for entry in _symbols(graph)}, graph)
+            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in plain.items()
         },
         module=kernel_module(NAME, TITLE, made),
         textbook=dict,
     )
-
-
-def _symbols(graph: Graph) -> list[str]:
-    return [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]

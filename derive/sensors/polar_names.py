@@ -84,11 +84,6 @@ LATEX = {
 }
 
 
-def column(*entries: sp.Expr) -> sp.ImmutableDenseMatrix:
-    """A column vector."""
-    return sp.ImmutableDenseMatrix([[entry] for entry in entries])
-
-
 def covariance() -> sp.ImmutableDenseMatrix:
     """The named entries of a covariance of places."""
     return sp.ImmutableDenseMatrix(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
-from gainproof.derive.expression import real
+from gainproof.derive.expression import column, real
 from gainproof.derive.relation import described, equal
 from gainproof.derive.sensors.polar_motion import (
     POLAR,
@@ -17,18 +17,7 @@ from gainproof.derive.sensors.polar_motion import (
     turning,
     uniform_second_rates,
 )
-from gainproof.derive.sensors.polar_names import (
-    CROSSING,
-    RADIAL,
-    RISING,
-    VELOCITY,
-    H,
-    R,
-    X,
-    Y,
-    Z,
-    column,
-)
+from gainproof.derive.sensors.polar_names import CROSSING, RADIAL, RISING, VELOCITY, H, R, X, Y, Z
 from gainproof.derive.sensors.polar_steps_jacobian import frame
 
 FREE = ("w_R", "w_E", "w_B")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step
-from gainproof.derive.expression import real
+from gainproof.derive.expression import column, real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, equal
 from gainproof.derive.sensors.polar_motion import POLAR, Coordinate, acceleration, by, rate, second
@@ -32,7 +32,6 @@ from gainproof.derive.sensors.polar_names import (
     X,
     Y,
     Z,
-    column,
 )
 from gainproof.derive.sensors.polar_steps_map import BELOW
 from gainproof.derive.sensors.polar_towers import LEFT, RIGHT
@@ -57,21 +56,22 @@ def definition_steps() -> list[Step]:
         column(X, Y, Z, H), column(R * COS_E * SIN_B, R * COS_E * COS_B, R * SIN_E, R * COS_E)
     )
     return [
-        _quiet("course-bearing", circle, "course"),
-        _quiet("course-elevation", elevation, "course"),
-        _quiet("course-place", place, "course"),
-        _quiet("course-velocity", _sides("xyz"), "course"),
+        quiet("course-bearing", circle, "course"),
+        quiet("course-elevation", elevation, "course"),
+        quiet("course-place", place, "course"),
+        quiet("course-velocity", _sides("xyz"), "course"),
         *_rates("course", POLAR, (X, Y, Z)),
-        _quiet("plane-bearing", circle, "plane"),
-        _quiet("plane-place", equal(column(X, Y), column(R * SIN_B, R * COS_B)), "plane"),
-        _quiet("plane-velocity", _sides("xy"), "plane"),
+        quiet("plane-bearing", circle, "plane"),
+        quiet("plane-place", equal(column(X, Y), column(R * SIN_B, R * COS_B)), "plane"),
+        quiet("plane-velocity", _sides("xy"), "plane"),
         *_rates("plane", (POLAR[0], POLAR[2]), (X, Y)),
         *_uniform("plane", (POLAR[0], POLAR[2]), (X, Y)),
         *_plane_noise(),
     ]
 
 
-def _quiet(name: str, relation: Relation, tower: str) -> Step:
+def quiet(name: str, relation: Relation, tower: str) -> Step:
+    """What names mean, not shown."""
     return Step(name, "What the names mean.", relation, "As before.", tower=tower, shown=False)
 
 
@@ -87,13 +87,13 @@ def _rates(tower: str, polar: tuple[Coordinate, ...], places: Symbols) -> list[S
     """The rates give the velocity: chain rule."""
     named = column(*(VELOCITY[str(place)] for place in places))
     found = column(*(sp.Add(*(by(p, each) * rate(each) for each in polar)) for p in places))
-    return [_quiet(f"{tower}-rates", equal(found, named), tower)]
+    return [quiet(f"{tower}-rates", equal(found, named), tower)]
 
 
 def _uniform(tower: str, polar: tuple[Coordinate, ...], places: Symbols) -> list[Step]:
     """With the second rates there is no acceleration: chain rule, twice."""
     return [
-        _quiet(
+        quiet(
             f"{tower}-uniform-{place}",
             equal(acceleration(place, polar, {each[0]: second(each) for each in polar}), ZERO),
             tower,
@@ -114,13 +114,13 @@ def _plane_noise() -> list[Step]:
     )
     means = [real(f"{which}_{place}") for which in ("mean", "bias") for place in "xy"]
     return [
-        _quiet(
+        quiet(
             "plane-covariance",
             equal(Matrix([[p["xx"], p["xy"]], [p["xy"], p["yy"]]]), first_order),
             "plane",
         ),
-        _quiet("plane-kept", equal(KEPT_B, 1 / (1 + LOSS_B)), "plane"),
-        _quiet(
+        quiet("plane-kept", equal(KEPT_B, 1 / (1 + LOSS_B)), "plane"),
+        quiet(
             "plane-mean",
             equal(column(*means), column(KEPT_B * X, KEPT_B * Y, KEPT_B * X - X, KEPT_B * Y - Y)),
             "plane",

@@ -6,7 +6,7 @@ import sympy as sp
 
 from gainproof.derive.algebra.limits import End
 from gainproof.derive.derivation import Step, joined
-from gainproof.derive.expression import real
+from gainproof.derive.expression import column, real
 from gainproof.derive.relation import (
     cited,
     described,
@@ -30,7 +30,6 @@ from gainproof.derive.sensors.polar_names import (
     X,
     Y,
     Z,
-    column,
 )
 from gainproof.derive.source import ELEMENTARY
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.derivation import Step, joined
-from gainproof.derive.expression import real
+from gainproof.derive.expression import column, real
 from gainproof.derive.relation import cited, equal
 from gainproof.derive.sensors.polar_names import (
     COS_B,
@@ -25,7 +25,6 @@ from gainproof.derive.sensors.polar_names import (
     Y,
     Z,
     by_angles,
-    column,
     covariance,
 )
 from gainproof.derive.sensors.polar_steps_jacobian import frame, jacobian

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
 from gainproof.derive.sensors import polar_forms as forms
 from gainproof.derive.sensors.polar_forms import Direction, Place
@@ -80,7 +81,7 @@ def main_tower() -> Tower:
     }
     elements |= _converted(("x", "y"), "level") | _converted(("z",), "upwards")
     closed = ("g", "k", *DEVIATIONS, "elevation_loss", "bearing_loss")
-    return Tower("main", (*_positive("slant_range", "a"), *_from_zero(*closed)), (), elements)
+    return Tower("main", (*above_zero("slant_range", "a"), *from_zero(*closed)), (), elements)
 
 
 def course_tower() -> Tower:
@@ -92,7 +93,7 @@ def course_tower() -> Tower:
         "w_E": found["elevation_rate"] * R,
         "w_B": found["bearing_rate"] * H,
     }
-    parameters = (*_positive("slant_range", "a"), *_from_zero("g", "k", *_sides("xyz")))
+    parameters = (*above_zero("slant_range", "a"), *from_zero("g", "k", *_sides("xyz")))
     return Tower("course", parameters, (), elements | found)
 
 
@@ -117,7 +118,7 @@ def plane_tower() -> Tower:
         "bearing_acceleration": -2 * crossing * radial / R**2,
     }
     closed = ("g", "k", "range_deviation", "bearing_deviation", "bearing_loss")
-    parameters = (*_positive("slant_range"), *_from_zero(*closed, *_sides("xy")))
+    parameters = (*above_zero("slant_range"), *from_zero(*closed, *_sides("xy")))
     return Tower("plane", parameters, (), elements)
 
 
@@ -141,11 +142,3 @@ def _velocity(places: str) -> Elements:
 
 def _sides(places: str) -> tuple[str, ...]:
     return tuple(side[place] for place in places for side in (LEFT, RIGHT))
-
-
-def _positive(*names: str) -> tuple[Parameter, ...]:
-    return tuple(Parameter(name) for name in names)
-
-
-def _from_zero(*names: str) -> tuple[Parameter, ...]:
-    return tuple(Parameter(name, above=None, start="0") for name in names)

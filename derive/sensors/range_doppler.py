@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gainproof.derive.derivation import Derivation
+from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.sensors.range_doppler_graphs import graphs as one_station
 from gainproof.derive.sensors.range_doppler_module import kernel_module
 from gainproof.derive.sensors.range_doppler_pair_graphs import graphs as two_stations
@@ -58,7 +59,7 @@ def build() -> Subject:
         derivation=Derivation(OPENING, steps, (DOPPLER.key, ELEMENTARY.key), LATEX),
         towers={**held, **{each.name: each for each in (*pair_towers(), doppler_tower())}},
         programs={
-            name: Program({str(n[1]): str(n[1]) for n in graph["nodes"] if n[0] == "symbol"}, graph)
+            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in made.items()
         },
         module=kernel_module(NAME, TITLE, made),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from gainproof.derive.catalogue_module import catalogue_module
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.printer.kernel import (
     Input,
     Kernel,
@@ -55,9 +55,7 @@ def _kernel(name: str, kernel: str, graph: Graph) -> Kernel:
         result="".join(word.capitalize() for word in kernel.split("_")),
         summary=SUMMARIES[kernel],
         equations=EQUATIONS[kernel],
-        inputs=tuple(
-            _input(kernel, str(node[1])) for node in graph["nodes"] if node[0] == "symbol"
-        ),
+        inputs=tuple(_input(kernel, entry) for entry in symbols_of(graph)),
         outputs=tuple(Output(entry, meaning(entry), by_terms=cancels(entry)) for entry in shown),
         graph=graph,
         source=f"derivation {name}",

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
 from gainproof.derive.sensors.polar_towers import bearing_circle
 from gainproof.derive.sensors.range_doppler_names import (
@@ -100,8 +101,8 @@ def _tower(name: str, along: Axes) -> Tower:
     across = [f"{side}_{part}" for part in parts(along)[1:] for side in ("more", "less")]
     closed = [f"{start}{each}" for start in STATIONS for each in (*angles, *across)]
     parameters = (
-        *map(Parameter, ("slant_range", "other_range", *roots)),
-        *(Parameter(each, above=None, start="0") for each in closed),
+        *above_zero("slant_range", "other_range", *roots),
+        *from_zero(*closed),
     )
     first = {**circles(name), **seen(name)}
     return Tower(name, parameters, (), {**first, **other(first), **stations(along)})

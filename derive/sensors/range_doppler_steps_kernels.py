@@ -8,10 +8,11 @@ import sympy as sp
 
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Step
-from gainproof.derive.expression import real
+from gainproof.derive.expression import column, real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, described, equal
-from gainproof.derive.sensors.polar_names import G, K, column
+from gainproof.derive.sensors.polar_names import G, K
+from gainproof.derive.sensors.polar_steps_kernels import quiet
 from gainproof.derive.sensors.polar_steps_map import BELOW
 from gainproof.derive.sensors.range_doppler_names import LIGHT, PLANE, PLANE_AXES, SPACE_AXES
 from gainproof.derive.sensors.range_doppler_towers import (
@@ -127,11 +128,6 @@ def kernel_steps(graphs: Mapping[str, Graph]) -> list[Step]:
         for name, graph in graphs.items()
         for tower in (("plane",) if name.endswith(PLANE) else ("above", "below"))
     ]
-
-
-def quiet(name: str, relation: Relation, tower: str) -> Step:
-    """What names mean, not shown."""
-    return Step(name, "What the names mean.", relation, "As before.", tower=tower, shown=False)
 
 
 def _kernel(name: str, graph: Graph, tower: str) -> Step:

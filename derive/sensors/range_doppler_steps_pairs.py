@@ -10,6 +10,7 @@ from gainproof.derive.derivation import Step
 from gainproof.derive.expression import real
 from gainproof.derive.printer.graph import Graph
 from gainproof.derive.relation import Relation, described
+from gainproof.derive.sensors.polar_steps_kernels import quiet
 from gainproof.derive.sensors.range_doppler_names import PLANE
 from gainproof.derive.sensors.range_doppler_pair_towers import (
     PAIRS,
@@ -20,7 +21,7 @@ from gainproof.derive.sensors.range_doppler_pair_towers import (
     seen,
     stations,
 )
-from gainproof.derive.sensors.range_doppler_steps_kernels import named, quiet
+from gainproof.derive.sensors.range_doppler_steps_kernels import named
 
 SUMS = {
     "bistatic_range": ("slant_range", 1),

@@ -15,7 +15,8 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from gainproof.derive.algebra.tower import Parameter, Tower
+from gainproof.derive.algebra.tower import Tower
+from gainproof.derive.algebra.variables import above_zero, from_zero
 from gainproof.derive.expression import real
 from gainproof.derive.sensors.polar_towers import bearing_circle
 from gainproof.derive.sensors.range_doppler_forms import Sight
@@ -130,8 +131,8 @@ def _tower(name: str, along: Axes, circles: Elements, angles: tuple[str, ...]) -
     closed = [*angles, *(f"{side}_{part}" for part in parts(along) for side in ("more", "less"))]
     either = [*places("station", along), *velocities("station", along)]
     parameters = (
-        *map(Parameter, ("slant_range", "carrier_frequency")),
-        *(Parameter(f"root_of_{each}") for each in either),
-        *(Parameter(each, above=None, start="0") for each in closed),
+        *above_zero("slant_range", "carrier_frequency"),
+        *above_zero(*(f"root_of_{each}" for each in either)),
+        *from_zero(*closed),
     )
     return Tower(name, parameters, (), {**circles, **relative(along), **motions(along)})

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gainproof.derive.derivation import Derivation
 from gainproof.derive.families.random_acceleration import model
 from gainproof.derive.model import scale
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import Graph, symbols_of
 from gainproof.derive.source import KALATA, MATRICES, UPDATED
 from gainproof.derive.subject import Program, Subject
 from gainproof.derive.updated_gains.kernels import graphs
@@ -75,5 +75,5 @@ def build() -> Subject:
 
 def _inputs(name: str, graph: Graph) -> dict[str, str]:
     named = INPUTS.get(name, {})
-    symbols = [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
+    symbols = symbols_of(graph)
     return {symbol: named.get(symbol, symbol) for symbol in symbols}

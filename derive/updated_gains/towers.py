@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.algebra.tower import Generator, Parameter, Tower
+from gainproof.derive.algebra.variables import above_zero
 from gainproof.derive.updated_gains.forms import (
     Elements,
     excesses,
@@ -65,7 +66,7 @@ def main_tower() -> Tower:
         "index_ratio": INDEX / NOMINAL,
         **held_covariances(N, RATIO),
     }
-    return Tower("main", tuple(Parameter(name) for name in "eng"), (), elements)
+    return Tower("main", above_zero("e", "n", "g"), (), elements)
 
 
 def within_tower() -> Tower:
@@ -80,7 +81,7 @@ def within_tower() -> Tower:
         **held_covariances(N, RATIO),
         **followed_covariances(),
     }
-    return Tower(WITHIN, (Parameter("n"), Parameter("k")), (), elements)
+    return Tower(WITHIN, above_zero("n", "k"), (), elements)
 
 
 def axis_tower() -> Tower:
@@ -88,7 +89,7 @@ def axis_tower() -> Tower:
     names = ("acceleration_deviation", "interval", "d")
     w, t, d = (sp.Symbol(name, real=True) for name in names)
     elements = {"variance": d**2, "axis_index": w * t**2 / d}
-    return Tower(AXIS, tuple(Parameter(name) for name in names), (), elements)
+    return Tower(AXIS, above_zero(*names), (), elements)
 
 
 def bounds_tower() -> Tower:

@@ -10,7 +10,7 @@ import sympy as sp
 from gainproof.derive.algebra.tower import Tower
 from gainproof.derive.derivation import Derivation, Step
 from gainproof.derive.model import Model
-from gainproof.derive.printer.graph import Graph
+from gainproof.derive.printer.graph import symbols_of
 from gainproof.derive.subject import Program, Subject
 from gainproof.derive.vector_measurement import module
 from gainproof.derive.vector_measurement.context import Context, context
@@ -123,7 +123,7 @@ def derive_position_velocity(
         ),
         towers={tower.name: tower for tower in towers},
         programs={
-            name: Program({entry: entry for entry in _symbols(graph)}, graph)
+            name: Program({entry: entry for entry in symbols_of(graph)}, graph)
             for name, graph in graphs.items()
         },
         module=module.kernel_module(c, graphs),
@@ -143,7 +143,3 @@ def _towers(c: Context) -> tuple[Tower, ...]:
         *pole_towers(noise),
     )
     return (*towers, index_tower(noise), outer_tower()) if noise.determinant else towers
-
-
-def _symbols(graph: Graph) -> list[str]:
-    return [str(node[1]) for node in graph["nodes"] if node[0] == "symbol"]
