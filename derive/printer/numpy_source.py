@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterator, Sequence
 
-from gainproof.derive.printer.arithmetic import Arithmetic, literal
+from gainproof.derive.printer.arithmetic import Arithmetic
 from gainproof.derive.printer.bound import KernelBound
-from gainproof.derive.printer.docstring import docstring, wanted_text
+from gainproof.derive.printer.docstring import docstring
 from gainproof.derive.printer.double_word.domain import accurate_domain
 from gainproof.derive.printer.double_word.refinement import start_is_near
 from gainproof.derive.printer.double_word.source import lines as double_word_lines
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.layout import WIDTH, call, listed, row
+from gainproof.derive.printer.numpy_domains import kernel_domains, module_domains, named_domain
+from gainproof.derive.printer.numpy_results import NAMED, imported_results, result_class
 from gainproof.derive.printer.requirements import requirements
 from gainproof.derive.printer.together import prove_all
-
-NAMED = ("else:", "    from gainproof.generated._result import NamedTuple")
-"""Results are what type checkers know well; when kernels are imported, what is made fast."""
 
 
 def module_source(module: Module) -> str:
@@ -31,7 +29,7 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         start_is_near(kernel, first)
     names = [kernel.name for kernel in module.kernels]
     results = [kernel.result for kernel in module.kernels]
-    domains = _domains(module.kernels, bounds)
+    domains = module_domains(module.kernels, bounds)
     arithmetics = [Arithmetic(kernel) for kernel in module.kernels]
     chooses = any(arithmetic.chooses for arithmetic in arithmetics)
     nears = any(arithmetic.nears for arithmetic in arithmetics)
@@ -51,7 +49,7 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         *([f"from gainproof.generated._bits import {', '.join(bits)}"] if bits else ()),
         "from gainproof.generated._runtime import evaluate",
         f"from gainproof.generated._signature import Domain, {required}Signature",
-        *(_imported(module.results, results) if module.results else ()),
+        *(imported_results(module.results, results) if module.results else ()),
         "",
         "if TYPE_CHECKING:",
         *([] if module.results else ["    from typing import NamedTuple", ""]),
@@ -62,45 +60,16 @@ def printed(module: Module, bounds: Sequence[Sequence[KernelBound]]) -> str:
         "",
         *_all(results + names),
         "",
-        *(line for domain, name in domains.items() for line in _named_domain(name, domain)),
+        *(line for domain, name in domains.items() for line in named_domain(name, domain)),
     ]
     for kernel, arithmetic, pair in zip(module.kernels, arithmetics, bounds, strict=True):
         if not module.results:
-            lines += ["", "", *_result(kernel)]
-        own = [domains[domain] for domain in _kernel_domains(kernel, pair)]
+            lines += ["", "", *result_class(kernel)]
+        own = [domains[domain] for domain in kernel_domains(kernel, pair)]
         lines += ["", "", *_kernel(kernel, arithmetic, pair, own)]
         if kernel.accurate:
             lines += ["", "", *_accurate(kernel, domains[accurate_domain(kernel.accurate)])]
     return "\n".join(lines) + "\n"
-
-
-def results_source(module: Module) -> str:
-    """The text of the file that holds the classes of a module's results."""
-    lines = [
-        "# Made by: gainproof generate",
-        '"""Results of kernels, the same for several modules."""',
-        "",
-        "from __future__ import annotations",
-        "",
-        "from typing import TYPE_CHECKING",
-        "",
-        "if TYPE_CHECKING:",
-        "    from typing import NamedTuple",
-        "",
-        "    from gainproof.generated._signature import Real",
-        *NAMED,
-    ]
-    for kernel in module.kernels:
-        lines += ["", "", *_result(kernel)]
-    return "\n".join(lines) + "\n"
-
-
-def _imported(module: str, names: Sequence[str]) -> list[str]:
-    return [
-        f"from gainproof.generated.{module} import (",
-        *(f"    {name}," for name in sorted(names, key=str.lower)),
-        ")",
-    ]
 
 
 def _one_line(text: str) -> str:
@@ -111,46 +80,6 @@ def _one_line(text: str) -> str:
 
 def _all(names: Sequence[str]) -> list[str]:
     return listed("__all__ = [", [f'"{name}"' for name in sorted(names)], "]")
-
-
-_Domain = tuple[str, ...]
-"""The lines of a domain without indentation."""
-
-
-def _kernel_domains(kernel: Kernel, bounds: Sequence[KernelBound]) -> list[_Domain]:
-    found = []
-    for place, given in enumerate(kernel.inputs):
-        lines = [f'"{given.name}",', f'"{wanted_text(given)}",']
-        for bound in bounds:
-            least, most = (literal(end) for end in bound.inputs[place])
-            lines.append(f"({least}, {most}),")
-        lines += ["whole=True,"] if given.integer else []
-        lines += ["zero=True,"] if given.zero else []
-        lines += ["signed=True,"] if given.signed else []
-        found.append(tuple(lines))
-    return found
-
-
-def _domains(
-    kernels: Sequence[Kernel], bounds: Sequence[Sequence[KernelBound]]
-) -> dict[_Domain, str]:
-    """Every domain of a module with its name, in the order of their first use."""
-    names: dict[_Domain, str] = {}
-    for kernel, pair in zip(kernels, bounds, strict=True):
-        for given, domain in zip(kernel.inputs, _kernel_domains(kernel, pair), strict=True):
-            name = f"_{given.name.upper()}_DOMAIN"
-            taken = sum(other.startswith(name) for other in names.values())
-            names.setdefault(domain, f"{name}_{taken + 1}" if taken else name)
-        if kernel.accurate:
-            domain = accurate_domain(kernel.accurate)
-            names.setdefault(domain, f"_ACCURATE_{kernel.accurate.name.upper()}_DOMAIN")
-    return names
-
-
-def _named_domain(name: str, domain: _Domain) -> Iterator[str]:
-    yield f"{name} = Domain("
-    yield from (f"    {line}" for line in domain)
-    yield ")"
 
 
 def _kernel(
@@ -200,16 +129,6 @@ def _accurate(kernel: Kernel, domain: str) -> Iterator[str]:
 
 def _accurate_signature(kernel: Kernel) -> str:
     return f"_ACCURATE_{kernel.name.upper()}"
-
-
-def _result(kernel: Kernel) -> Iterator[str]:
-    yield f"class {kernel.result}(NamedTuple):"
-    yield f'    """Result of `{kernel.name}`."""'
-    yield ""
-    for output in kernel.outputs:
-        yield f"    {output.name}: Real"
-        text = f'"""{output.meaning[:1].upper()}{output.meaning[1:]}."""'
-        yield from (f"    {line}" for line in textwrap.wrap(text, WIDTH - 4))
 
 
 def _function(kernel: Kernel, bounds: Sequence[KernelBound], signature: str) -> Iterator[str]:

@@ -8,7 +8,8 @@ from typing import Any
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.kernel import Module
-from gainproof.derive.printer.numpy_source import printed, results_source
+from gainproof.derive.printer.numpy_results import results_source
+from gainproof.derive.printer.numpy_source import printed
 from gainproof.derive.printer.package import shared_files
 from gainproof.derive.printer.together import prove_all
 

@@ -14,8 +14,8 @@ import pytest
 from numpy.typing import NDArray
 
 from gainproof.derive.printer.bound import KernelBound
-from gainproof.derive.printer.c_language.functions import names_of
 from gainproof.derive.printer.c_language.module import c_files
+from gainproof.derive.printer.c_language.names import names_of
 from gainproof.derive.printer.kernel import Kernel, Module
 
 Columns = Sequence[NDArray[Any]]

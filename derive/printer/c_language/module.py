@@ -8,13 +8,8 @@ from collections.abc import Iterator, Sequence
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.c_language.body import near_cbrt
 from gainproof.derive.printer.c_language.flavour import FLAVOURS
-from gainproof.derive.printer.c_language.functions import (
-    Names,
-    codes,
-    definitions,
-    names_of,
-    prototypes,
-)
+from gainproof.derive.printer.c_language.functions import definitions, prototypes
+from gainproof.derive.printer.c_language.names import Names, codes, names_of
 from gainproof.derive.printer.docstring import mathematics
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.library import NUMPY

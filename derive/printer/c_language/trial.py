@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from gainproof.derive.printer.c_language.flavour import FLAVOURS, Flavour
-from gainproof.derive.printer.c_language.functions import Names, codes, names_of
+from gainproof.derive.printer.c_language.names import Names, codes, names_of
 from gainproof.derive.printer.formats import Format
 from gainproof.derive.printer.kernel import Kernel, Module
 from gainproof.derive.printer.known_values import DIGITS

@@ -11,6 +11,7 @@ from fractions import Fraction
 from time import perf_counter
 
 from gainproof.certify import external
+from gainproof.certify.sizes import logarithm
 
 PROGRAM = "gappa"
 COMMAND = (PROGRAM, "-Eprecision=100", "-Eno-auto-dichotomy")
@@ -77,3 +78,18 @@ def fraction(text: str) -> Fraction:
     """A number as Gappa writes it."""
     whole, _, power = text.partition("b")
     return Fraction(int(whole)) * Fraction(2) ** int(power or "0")
+
+
+def down(value: Fraction) -> Fraction:
+    """At most a positive value, by at most 2^-69 of it: of few digits, as Gappa is to read it."""
+    return _rounded(value, -1)
+
+
+def up(value: Fraction) -> Fraction:
+    """At least a positive value, likewise."""
+    return _rounded(value, 1)
+
+
+def _rounded(value: Fraction, turn: int) -> Fraction:
+    unit = Fraction(2) ** (round(logarithm(value)) - 70)
+    return value // unit * unit if turn < 0 else -(-value // unit) * unit

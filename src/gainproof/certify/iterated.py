@@ -71,14 +71,14 @@ class Iterated:
             self.step,
             argument,
             sizes(self.step, known),
-            {self.before: (_down(found[0] / within), _up(found[1] * within))},
+            {self.before: (gappa.down(found[0] / within), gappa.up(found[1] * within))},
             {},
             {},
         )
         rough = roundings.weighed(wide, low, high, stop)
         if rough is None or rough[1] > roundings.MOST:
             return None
-        near = _down(found[0] * (1 - NEAR)), _up(found[1] * (1 + NEAR))
+        near = gappa.down(found[0] * (1 - NEAR)), gappa.up(found[1] * (1 + NEAR))
         section = Section(
             self.output,
             argument,
@@ -107,7 +107,7 @@ class Iterated:
         for place, log in ((0, min(ends) - room), (1, max(ends) + room)):
             for _ in range(TRIES):
                 whole = round(log)
-                value = _down(Fraction(2.0 ** (log - whole)) * Fraction(2) ** whole)
+                value = gappa.down(Fraction(2.0 ** (log - whole)) * Fraction(2) ** whole)
                 given = replace(section, given={self.root: (value, value)})
                 piece = Piece(given, (), {})
                 end, power = section.operations[-1].number, section.sizes[self.root].power
@@ -170,8 +170,8 @@ def iterated(steps: Sequence[Step], cycle: Cycle, end: int) -> Iterated:
     require_like_steps(steps, [start, *iterates])
     error = cycle.within
     for _ in iterates[:-1]:
-        error = _up((1 + after_step(cycle.convergence, error)) * (1 + 2 * ROUGH) - 1)
-    left = _up(after_step(cycle.convergence, error) * 2**53)
+        error = gappa.up((1 + after_step(cycle.convergence, error)) * (1 + 2 * ROUGH) - 1)
+    left = gappa.up(after_step(cycle.convergence, error) * 2**53)
     if error > NEAR or left > 1:
         raise NotExportedError("kernels with iterated roots that are not near in time")
     root, before, cube = iterates[-1], iterates[-2], steps[start].operands[0]
@@ -186,16 +186,3 @@ def iterated(steps: Sequence[Step], cycle: Cycle, end: int) -> Iterated:
         operations(steps, cube),
         operations(steps, end, (before,)),
     )
-
-
-def _down(value: Fraction) -> Fraction:
-    return _rounded(value, -1)
-
-
-def _up(value: Fraction) -> Fraction:
-    return _rounded(value, 1)
-
-
-def _rounded(value: Fraction, turn: int) -> Fraction:
-    unit = Fraction(2) ** (round(logarithm(value)) - 70)
-    return value // unit * unit if turn < 0 else -(-value // unit) * unit

@@ -15,7 +15,7 @@ from gainproof.derive.own_expressions.expressions import (
 )
 from gainproof.derive.own_expressions.kernel_names import ENTRIES, TYPES, require_side_by_side
 from gainproof.derive.printer.c_language.flavour import FLAVOURS
-from gainproof.derive.printer.c_language.functions import Names
+from gainproof.derive.printer.c_language.names import Names
 from gainproof.derive.quantity import ONE, Quantity
 
 X = Quantity("x", "x", "a number", ONE)

@@ -7,7 +7,8 @@ from typing import Any
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, walk
-from gainproof.verify.judge.exact.graph import graph_of, rational, read_graph
+from gainproof.verify.judge.exact.graph import rational, read_graph
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.exact.survey import Judged, Work

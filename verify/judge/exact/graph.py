@@ -1,4 +1,4 @@
-"""Expression graphs (plain data, untrusted) read into expression trees, within limits; and back."""
+"""Expression graphs (plain data, untrusted) read into expression trees, within limits."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from gainproof.verify.judge.exact.expression import Expr, absolute, walk
+from gainproof.verify.judge.exact.expression import Expr, absolute
 from gainproof.verify.judge.exact.grid import Grid, combined
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Limits, Malformed
 
@@ -176,31 +176,3 @@ def _matrix(rest: list[Any], position: int, part: Any) -> Grid:
         raise Malformed(f"node {position}: wanted rows, columns and that many entries in a matrix")
     entries = [part(p) for p in rest[2:]]
     return tuple(tuple(entries[r * columns : (r + 1) * columns]) for r in range(rows))
-
-
-def graph_of(expr: Expr) -> dict[str, Any]:
-    """The expression as plain data."""
-    nodes: list[list[Any]] = []
-    places: dict[bytes, int] = {}
-    for node in walk(expr):
-        parts = [places[p.key] for p in node.parts]
-        match node.kind:
-            case "number":
-                entry: list[Any] = ["number", str(node.value)]
-            case "symbol":
-                entry = ["symbol", node.name]
-            case "pow":
-                entry = ["pow", parts[0], str(node.value)]
-            case "call":
-                entry = ["call", node.name, *parts]
-            case "derivative":
-                entry = ["derivative", parts[0], node.name]
-            case "at":
-                entry = ["at", parts[0], node.name, parts[1]]
-            case "matrix":
-                entry = ["matrix", *[int(n) for n in node.name.split()], *parts]
-            case _:
-                entry = [node.kind, *parts]
-        places[node.key] = len(nodes)
-        nodes.append(entry)
-    return {"nodes": nodes, "outputs": {"value": places[expr.key]}}

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import graph_of
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import with_values
 from gainproof.verify.judge.formula import Reading

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import graph_of, read_graph
+from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.formula import Reading, Relation
 
 MOST_NODES = 400

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
-from gainproof.verify.judge.exact.graph import graph_of
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.tidy import tidied
 from gainproof.verify.judge.reader.latex import graph_to_latex

@@ -10,7 +10,7 @@ import flint
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import graph_of
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.poly import Ball, rational
 from gainproof.verify.judge.meaning.evaluation import number_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import graph_of
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.reader.latex import graph_to_latex
 from gainproof.verify.judge.repair.whole import Change, Step
 

@@ -8,7 +8,8 @@ from dataclasses import replace
 from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import graph_of, read_graph
+from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.formula import Graph, Relation
 from gainproof.verify.judge.reach import closure
 

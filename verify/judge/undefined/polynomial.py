@@ -21,7 +21,7 @@ from gainproof.verify.judge.exact.expression import (
     weighted,
     whole_power,
 )
-from gainproof.verify.judge.exact.graph import graph_of
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.reach import closure
 from gainproof.verify.judge.repair.points import generic_points

@@ -11,7 +11,8 @@ from gainproof.verify.judge.claim.record import Claim, Setting
 from gainproof.verify.judge.convention import Convention, conventions
 from gainproof.verify.judge.dimensions.claim import fitting_readings
 from gainproof.verify.judge.exact.expression import Expr, number, symbol
-from gainproof.verify.judge.exact.graph import graph_of, read_graph
+from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.formula import Formula, Reading, Relation
 from gainproof.verify.judge.reader.errors import ReaderError

@@ -18,7 +18,7 @@ from gainproof.formula_latex import formula_latex, indexed
 from gainproof.lecture_items import Item, items
 from gainproof.relation_text import Writer, relation_lines
 from gainproof.verify.certificate import check_statement
-from gainproof.verify.judge.exact.graph import graph_of
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
 from gainproof.verify.judge.exact.tree import read_tree
 

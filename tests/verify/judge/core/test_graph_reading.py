@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from samples import samples
 
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.graph import graph_of, read_graph
+from gainproof.verify.judge.exact.graph import read_graph
+from gainproof.verify.judge.exact.graph_writing import graph_of
 from gainproof.verify.judge.exact.limits import Limits, Malformed
 
 VALUE = {"value": 0}
