@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gainproof.fixed_gain.arguments import place_of
+
 Reals = NDArray[np.float64]
 
 
@@ -34,12 +36,6 @@ def require(fine: Any, array: Reals, name: str, wanted: str) -> None:
     first = int(np.argmin(fine))
     came = array.flat[first]
     raise ValueError(f"{name} must be {wanted}, got {came!s}{place_of(first, array.shape)}")
-
-
-def place_of(first: int, shape: tuple[int, ...]) -> str:
-    """Where the element of this number stands, in words; nothing to say of a single number."""
-    place = tuple(int(i) for i in np.unravel_index(first, shape))
-    return "" if not place else f" at index {place[0] if len(place) == 1 else place}"
 
 
 def _real(name: str, value: ArrayLike) -> Reals:

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gainproof.position_velocity.arguments import Reals, place_of
+from gainproof.fixed_gain.arguments import place_of
+from gainproof.position_velocity.arguments import Reals
 
 
 @dataclass(frozen=True)

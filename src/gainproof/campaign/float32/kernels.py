@@ -87,10 +87,12 @@ def source_of(function: Callable[..., Any]) -> str:
 @cache
 def measuring_code() -> bytes:
     """The code that says which numbers are taken and what is measured, without its words."""
-    here = Path(__file__).parent
-    return "\n".join(
-        without_words((here / name).read_text(encoding="utf-8")) for name in MEASURING
-    ).encode()
+    return code_of(Path(__file__).parent / name for name in MEASURING)
+
+
+def code_of(files: Iterable[Path]) -> bytes:
+    """The code of files, without their words."""
+    return "\n".join(without_words(file.read_text(encoding="utf-8")) for file in files).encode()
 
 
 def without_words(text: str) -> str:

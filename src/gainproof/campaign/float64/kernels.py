@@ -14,9 +14,9 @@ from gainproof.bad_input import BadInputError
 from gainproof.campaign.float32.kernels import (
     Swept,
     chosen,
+    code_of,
     source_of,
     swept_kernels,
-    without_words,
 )
 from gainproof.certify.printed_bound import PrintedBound, printed_bounds
 from gainproof.places import generated_folder
@@ -78,7 +78,4 @@ def _sampled(swept: Swept) -> Sampled:
 
 @cache
 def _measuring_code() -> bytes:
-    here = Path(__file__).parent
-    return "\n".join(
-        without_words((here / name).read_text(encoding="utf-8")) for name in MEASURING
-    ).encode()
+    return code_of(Path(__file__).parent / name for name in MEASURING)
