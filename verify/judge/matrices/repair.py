@@ -13,7 +13,8 @@ from itertools import islice
 from typing import Any
 
 from gainproof.verify.judge.claim.record import Claim, Setting
-from gainproof.verify.judge.matrices.decide import Case, cases_of, decide
+from gainproof.verify.judge.matrices.cases import Case, cases_of
+from gainproof.verify.judge.matrices.decide import decide
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
 from gainproof.verify.judge.matrices.layers import Proofs
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting

@@ -14,7 +14,8 @@ from matrix_claims import judged_matrices
 import gainproof.verify
 from gainproof.verify.judge.claim.file import read_claim_text
 from gainproof.verify.judge.claim.record import Claim
-from gainproof.verify.judge.matrices.decide import cases_of, decide
+from gainproof.verify.judge.matrices.cases import cases_of
+from gainproof.verify.judge.matrices.decide import decide
 from gainproof.verify.judge.matrices.layers import Proofs
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.reader import read_statement
