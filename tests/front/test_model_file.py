@@ -117,6 +117,7 @@ def test_a_changed_file_is_derived_again(file: Path, capsys: Capture) -> None:
     assert capsys.readouterr().out.startswith("Another title\n")
 
 
+@pytest.mark.thorough
 def test_kernels_of_an_own_model_are_written_tested_and_run(
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:

@@ -7,6 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 SCRIPT = Path(__file__).resolve().parents[1] / "campaigns" / "kernel_ulp.py"
 ONLY = ["--only", "least_squares_mean/sample_number", "--points", "1000", "--jobs", "1"]
 
@@ -20,6 +22,7 @@ def run(state: Path) -> subprocess.CompletedProcess[str]:
     )
 
 
+@pytest.mark.thorough
 def test_it_resumes_and_reports(tmp_path: Path) -> None:
     state = tmp_path / "state.jsonl"
     whole = run(state)

@@ -72,16 +72,17 @@ def test_error_is_within_the_stated_bound(
     assert not broken_promises(kernels, dtype, measure(kernels, dtype, points))
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("family", "argument", "dtype"), CASES)
 def test_error_is_within_the_stated_bound_over_the_whole_domain(
     family: str, argument: str, dtype: str
 ) -> None:
     kernels = GROUPS[family, argument]
     low, high = common_domain(kernels, dtype)
-    few = 20 if family in SLOWLY_KNOWN else 40
+    few = samples(14 if family in SLOWLY_KNOWN else 30)
     points = log_uniform(low, high, few, seed=1)
     if argument == "tracking_index":
-        points += log_uniform(1e-6, 1e6, 50, seed=2) + SPECIAL
+        points += log_uniform(1e-6, 1e6, samples(20), seed=2) + SPECIAL
     elif argument == "sample_number":
         points = [*map(round, points), *range(int(low), 60)]
     else:

@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
+from one_of_each import cases
 
 from gainproof import judgements
 from gainproof.bad_input import BadInputError
@@ -20,7 +21,7 @@ from gainproof.verify.judge.repair.task import OVERTIME, SECONDS
 FILES = sorted((Path(__file__).parent / "hostile").glob("*.toml"))
 LIMIT = 1.0
 """Seconds for a claim here."""
-SPARE = 60.0
+SPARE = 300.0
 """Seconds for starting processes, of which a busy machine may take many; what hangs takes more."""
 OWNED = Path("owned")
 
@@ -40,7 +41,9 @@ def answer(path: Path) -> tuple[str, str]:
     return verdict.verdict, verdict.reason
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path", cases(FILES, lambda path: path in FILES[::2]), ids=lambda path: path.stem
+)
 def test_what_comes_of_it(path: Path) -> None:
     kind, words = expected(path)
     start = time.monotonic()
