@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import gainproof
+from gainproof.bad_input import BadInputError
 
 
 def package_folder(name: str) -> Path:
@@ -39,6 +40,12 @@ def shown(path: str | Path) -> str:
         return Path(path).resolve().relative_to(Path.cwd()).as_posix()
     except (ValueError, RuntimeError):  # elsewhere, or a link that leads to itself
         return str(path)
+
+
+def require_folder(path: Path) -> None:
+    """Raises BadInputError where something that is no folder stands in the place of one."""
+    if path.exists() and not path.is_dir():
+        raise BadInputError(f"{shown(path)}: a folder is wanted, this is a file")
 
 
 def snapshot_of(claim_file: Path) -> Path:

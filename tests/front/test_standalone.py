@@ -135,6 +135,16 @@ def test_no_file_of_others_is_replaced(tmp_path: Path, capsys: Capture, name: st
     assert contents(folder) == {name: b"mine"}
 
 
+def test_a_file_in_place_of_the_folder_is_told_at_once(
+    tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delattr(making, "_packaged")  # nothing is derived in vain
+    (tmp_path / "taken").write_text("mine", encoding="utf-8")
+    assert again(tmp_path / "taken") == 2
+    assert "taken: a folder is wanted, this is a file" in capsys.readouterr().err
+    assert (tmp_path / "taken").read_text(encoding="utf-8") == "mine"
+
+
 @pytest.mark.parametrize("spoil", [Path.unlink, lambda path: path.write_text("x\n")])
 def test_without_a_record_nothing_is_ours(
     package: Path, capsys: Capture, spoil: Callable[[Path], object]

@@ -70,8 +70,7 @@ def write(contents: Mapping[str, bytes], folder: Path) -> None:
 
 def require_own(folder: Path) -> None:
     """Raises BadInputError unless the folder is new, empty or a site made before."""
-    if folder.exists() and not folder.is_dir():
-        raise BadInputError(f"{places.shown(folder)}: a folder is wanted, this is a file")
+    places.require_folder(folder)
     if folder.is_dir() and any(folder.iterdir()) and not _is_mark(folder / MARK):
         raise BadInputError(
             f"{places.shown(folder)}: holds other things; a new folder, an empty one or a book "

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from gainproof import derivations, workers
+from gainproof import derivations, places, workers
 from gainproof.bad_input import BadInputError
 from gainproof.derived import derived_from
 from gainproof.standalone.files import package_files
@@ -29,6 +29,7 @@ def fresh(
     NumPy modules. Raises BadInputError, also for a derivation that the checker rejects.
     """
     name = package_name(folder)
+    places.require_folder(folder)
     chosen = list(subjects) or derivations.catalogue(shop)
     derivations.require_names([each for each in chosen if not derivations.is_file(each)], shop)
     found = _packaged(chosen, shop)
