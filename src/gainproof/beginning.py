@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from gainproof import atomic_file, places
@@ -40,11 +41,7 @@ def _new_file(name: str) -> Path:
     path = Path(name)
     if path.suffix != ".toml":
         raise BadInputError(f"a claim file is a file .toml, not {name!r}")
-    try:
-        taken = path.exists() or path.is_symlink()
-    except OSError as error:
-        raise BadInputError(f"{name}: cannot be written: {error.strerror or error}") from None
-    if taken:
+    if os.path.lexists(path):
         raise BadInputError(f"{name}: exists already; it is left as it is")
     return path
 
@@ -60,8 +57,7 @@ def _write(path: Path, text: str) -> None:
 def _text(path: Path) -> str:
     """The text of a LaTeX file; what is not UTF-8 in it is replaced."""
     shown = places.shown(path)
-    if path.exists() and not path.is_file():
-        raise BadInputError(f"{shown}: a regular file is wanted")
+    places.require_file(path)
     try:
         with path.open("rb") as stream:
             content = stream.read(MOST_BYTES + 1)

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+
+from gainproof import places
+from gainproof.bad_input import BadInputError
 
 CURE = "run `gainproof generate` and commit what it writes"
 
@@ -29,15 +33,26 @@ def compare(fresh: Mapping[str, bytes], folder: Path, *, only: bool = False) -> 
     """
     found = []
     for name, wanted in sorted(fresh.items()):
-        path = folder / name
-        if not path.is_file():
+        content = _content(folder / name)
+        if content is None:
             found.append(Difference(name, "missing", ""))
-        elif (content := path.read_bytes()) != wanted:
+        elif content != wanted:
             found.append(Difference(name, "different", first_difference(content, wanted)))
     if not only:
         stale = sorted(set(files_in(folder)) - set(fresh))
         found += [Difference(name, "stale", "no derivation makes this file") for name in stale]
     return found
+
+
+def _content(path: Path) -> bytes | None:
+    """What the file holds, if it is one. Raises BadInputError where it cannot be read."""
+    if not os.path.isfile(path):
+        return None
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        reason = error.strerror or error
+        raise BadInputError(f"{places.shown(path)}: cannot be read: {reason}") from None
 
 
 def files_in(folder: Path) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -90,8 +91,7 @@ def read(file: Path) -> str:
     """The text of a claim file, within the judge's limit of size. Raises BadInputError."""
     from gainproof.verify.judge.claim.file import MOST_BYTES
 
-    if file.exists() and not file.is_file():
-        raise BadInputError(f"{places.shown(file)}: a regular file is wanted")
+    places.require_file(file)
     try:
         with file.open("rb") as stream:
             content = stream.read(MOST_BYTES + 1)
@@ -115,6 +115,6 @@ def find(name: str) -> Path:
             f"{name} is LaTeX; a claim file is drafted from it by: "
             f"gainproof check --draft {name} --out {Path(name).stem}.toml"
         )
-    if Path(name).exists() or "." in name or Path(name).name != name:
+    if os.path.exists(name) or "." in name or Path(name).name != name:
         return Path(name)
     raise unknown_name("claim file", name, own)

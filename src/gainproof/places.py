@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import stat
+from collections.abc import Callable
 from pathlib import Path
 
 import gainproof
@@ -43,9 +45,28 @@ def shown(path: str | Path) -> str:
 
 
 def require_folder(path: Path) -> None:
-    """Raises BadInputError where something that is no folder stands in the place of one."""
-    if path.exists() and not path.is_dir():
-        raise BadInputError(f"{shown(path)}: a folder is wanted, this is a file")
+    """Raises BadInputError where something else than a folder lies, or none can."""
+    _require(path, stat.S_ISDIR, "a folder")
+
+
+def require_file(path: Path) -> None:
+    """Raises BadInputError where a folder or device lies, or nothing can; one that waits for a
+    sender, as a pipe does, would never end.
+    """
+    _require(path, stat.S_ISREG, "a regular file")
+
+
+def _require(path: Path, is_wanted: Callable[[int], bool], wanted: str) -> None:
+    """That what lies there, if anything does, is what is wanted."""
+    try:
+        mode = path.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise BadInputError(f"{shown(path)}: {wanted} is wanted: {reason}") from None
+    if not is_wanted(mode):
+        raise BadInputError(f"{shown(path)}: {wanted} is wanted, this is none")
 
 
 def snapshot_of(claim_file: Path) -> Path:

@@ -172,8 +172,8 @@ def test_an_interrupt_begins_nothing_more(tmp_path: Path) -> None:
         (["--blocks", "all"], "got 'all'"),
         (["--jobs", "0"], "--jobs is a number from 1 on, got 0"),
         (["--executor", "prozesses"], "no executor is called 'prozesses'; wanted: processes"),
-        (["--state", "/"], "/: a state file is wanted"),
-        (["--state", "/dev/zero"], "/dev/zero: a state file is wanted"),
+        (["--state", "/"], "/: a regular file is wanted"),
+        (["--state", "/dev/zero"], "/dev/zero: a regular file is wanted"),
         (["--state", "/proc/none/state"], "/proc/none/state: cannot be written"),
     ],
 )

@@ -141,7 +141,7 @@ def test_a_file_in_place_of_the_folder_is_told_at_once(
     monkeypatch.delattr(making, "_packaged")  # nothing is derived in vain
     (tmp_path / "taken").write_text("mine", encoding="utf-8")
     assert again(tmp_path / "taken") == 2
-    assert "taken: a folder is wanted, this is a file" in capsys.readouterr().err
+    assert "taken: a folder is wanted, this is none" in capsys.readouterr().err
     assert (tmp_path / "taken").read_text(encoding="utf-8") == "mine"
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import tempfile
 from pathlib import Path
@@ -77,9 +78,8 @@ def _places(html: str | None, data: str | None) -> tuple[Path | None, Path | Non
     if html is None:
         return None, None if data is None else Path(data)
     place = Path(html)
-    folder = place.is_dir() or (
-        place.suffix.lower() not in (".html", ".htm") and not place.exists()
-    )
+    is_page = place.suffix.lower() in (".html", ".htm")
+    folder = os.path.isdir(place) or (not is_page and not os.path.exists(place))
     kept = Path(data) if data is not None else place / DATA if folder else None
     shown = place / PAGE if folder else place
     named_files.require_apart({}, {"--html": str(shown), "--json": str(kept) if kept else None})

@@ -71,7 +71,12 @@ def write(contents: Mapping[str, bytes], folder: Path) -> None:
 def require_own(folder: Path) -> None:
     """Raises BadInputError unless the folder is new, empty or a site made before."""
     places.require_folder(folder)
-    if folder.is_dir() and any(folder.iterdir()) and not _is_mark(folder / MARK):
+    try:
+        empty = not folder.is_dir() or not any(folder.iterdir())
+    except OSError as error:
+        shown = places.shown(folder)
+        raise BadInputError(f"{shown}: cannot be read: {error.strerror or error}") from None
+    if not empty and not _is_mark(folder / MARK):
         raise BadInputError(
             f"{places.shown(folder)}: holds other things; a new folder, an empty one or a book "
             "made before is wanted"

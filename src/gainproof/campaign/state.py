@@ -16,6 +16,7 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
+from gainproof import places
 from gainproof.bad_input import BadInputError
 from gainproof.campaign.campaign import Arguments, Campaign, Done
 
@@ -31,8 +32,7 @@ def read(path: Path, campaign: Campaign) -> dict[int, Done]:
     numbers = {_key(arguments): number for number, arguments in enumerate(campaign.blocks)}
     found: dict[int, Done] = {}
     lines: dict[int, int] = {}
-    if path.exists() and not path.is_file():
-        raise BadInputError(f"{path}: a state file is wanted, and this is no regular file")
+    places.require_file(path)
     try:
         content = path.read_bytes()
     except FileNotFoundError:

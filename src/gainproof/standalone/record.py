@@ -46,7 +46,7 @@ def differences(files: Mapping[str, bytes], folder: Path) -> list[Difference]:
     former = recorded(folder)
     found = drift.compare(wanted, folder, only=True)
     for name in sorted(former - set(wanted)):
-        if (folder / name).is_file():
+        if os.path.isfile(folder / name):
             found.append(Difference(name, "stale", "no longer part of the package"))
     return found
 
@@ -88,7 +88,7 @@ def _require_no_links(folder: Path, names: Iterable[str]) -> None:
         for path in (folder / name, *(folder / name).parents):
             if path == folder:
                 break
-            if path.is_symlink():
+            if os.path.islink(path):
                 raise BadInputError(
                     f"{places.shown(folder)}: {path.relative_to(folder)} in it is a link, which "
                     "leads elsewhere; it is left as it is, and nothing is written"
