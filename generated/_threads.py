@@ -5,11 +5,15 @@ from __future__ import annotations
 from _thread import LockType, allocate_lock, start_new_thread
 from collections.abc import Callable, Sequence
 from itertools import repeat
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+if TYPE_CHECKING:
+    from gainproof.generated._blocks import Span
 
-def in_threads(job: Callable[[range], None], shares: Sequence[range]) -> None:
+
+def in_threads(job: Callable[[Sequence[Span]], None], shares: Sequence[Sequence[Span]]) -> None:
     """Do a job for every share at once, the first in this thread; raise what the first raised.
 
     An interrupt is raised when the other threads are done with their shares, however many come

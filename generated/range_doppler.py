@@ -492,14 +492,6 @@ def _slant_range_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _si
     np.sqrt(t13, slant_range)
 
 
-def _slant_range_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    target_x, _target_y, _target_z, station_x, _station_y, _station_z = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _SLANT_RANGE = Signature(
     "slant_range",
     (
@@ -521,7 +513,7 @@ _SLANT_RANGE = Signature(
             9.999999974752427e-07,
             3,
             _slant_range_slant_range_block,
-            _slant_range_slant_range_leg_block,
+            (0, 3),
         ),
     ),
 )
@@ -629,14 +621,6 @@ def _range_jacobian_slant_range_block(
     np.sqrt(t13, slant_range)
 
 
-def _range_jacobian_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    target_x, _target_y, _target_z, station_x, _station_y, _station_z = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_JACOBIAN = Signature(
     "range_jacobian",
     (
@@ -658,7 +642,7 @@ _RANGE_JACOBIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_jacobian_slant_range_block,
-            _range_jacobian_slant_range_leg_block,
+            (0, 3),
         ),
     ),
 )
@@ -819,27 +803,6 @@ def _range_rate_slant_range_block(given: Arrays, out: Arrays, work: Arrays, _sin
     np.sqrt(t22, slant_range)
 
 
-def _range_rate_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        station_x,
-        _station_y,
-        _station_z,
-        _station_velocity_x,
-        _station_velocity_y,
-        _station_velocity_z,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_RATE = Signature(
     "range_rate",
     (
@@ -867,7 +830,7 @@ _RANGE_RATE = Signature(
             9.999999974752427e-07,
             3,
             _range_rate_slant_range_block,
-            _range_rate_slant_range_leg_block,
+            (0, 6),
         ),
     ),
 )
@@ -1080,27 +1043,6 @@ def _range_rate_jacobian_slant_range_block(
     np.sqrt(t22, slant_range)
 
 
-def _range_rate_jacobian_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        station_x,
-        _station_y,
-        _station_z,
-        _station_velocity_x,
-        _station_velocity_y,
-        _station_velocity_z,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_RATE_JACOBIAN = Signature(
     "range_rate_jacobian",
     (
@@ -1135,7 +1077,7 @@ _RANGE_RATE_JACOBIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_rate_jacobian_slant_range_block,
-            _range_rate_jacobian_slant_range_leg_block,
+            (0, 6),
         ),
     ),
 )
@@ -1358,27 +1300,6 @@ def _range_doppler_slant_range_block(
     np.sqrt(t22, slant_range)
 
 
-def _range_doppler_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        station_x,
-        _station_y,
-        _station_z,
-        _station_velocity_x,
-        _station_velocity_y,
-        _station_velocity_z,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_DOPPLER = Signature(
     "range_doppler",
     (
@@ -1415,7 +1336,7 @@ _RANGE_DOPPLER = Signature(
             9.999999974752427e-07,
             3,
             _range_doppler_slant_range_block,
-            _range_doppler_slant_range_leg_block,
+            (0, 6),
         ),
     ),
 )
@@ -1558,14 +1479,6 @@ def _range_hessian_slant_range_block(
     np.sqrt(t13, slant_range)
 
 
-def _range_hessian_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    target_x, _target_y, _target_z, station_x, _station_y, _station_z = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_HESSIAN = Signature(
     "range_hessian",
     (
@@ -1587,7 +1500,7 @@ _RANGE_HESSIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_hessian_slant_range_block,
-            _range_hessian_slant_range_leg_block,
+            (0, 3),
         ),
     ),
 )
@@ -1851,27 +1764,6 @@ def _range_rate_hessian_slant_range_block(
     np.sqrt(t22, slant_range)
 
 
-def _range_rate_hessian_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        station_x,
-        _station_y,
-        _station_z,
-        _station_velocity_x,
-        _station_velocity_y,
-        _station_velocity_z,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_RATE_HESSIAN = Signature(
     "range_rate_hessian",
     (
@@ -1906,7 +1798,7 @@ _RANGE_RATE_HESSIAN = Signature(
             9.999999974752427e-07,
             3,
             _range_rate_hessian_slant_range_block,
-            _range_rate_hessian_slant_range_leg_block,
+            (0, 6),
         ),
     ),
 )
@@ -2139,28 +2031,6 @@ def _doppler_shift_slant_range_block(
     np.sqrt(t22, slant_range)
 
 
-def _doppler_shift_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        station_x,
-        _station_y,
-        _station_z,
-        _station_velocity_x,
-        _station_velocity_y,
-        _station_velocity_z,
-        _carrier_frequency,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _DOPPLER_SHIFT = Signature(
     "doppler_shift",
     (
@@ -2197,7 +2067,7 @@ _DOPPLER_SHIFT = Signature(
             9.999999974752427e-07,
             3,
             _doppler_shift_slant_range_block,
-            _doppler_shift_slant_range_leg_block,
+            (0, 6),
         ),
     ),
 )
@@ -2275,14 +2145,6 @@ def _slant_range_in_plane_slant_range_block(
     np.sqrt(t8, slant_range)
 
 
-def _slant_range_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    target_x, _target_y, station_x, _station_y = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _SLANT_RANGE_IN_PLANE = Signature(
     "slant_range_in_plane",
     (_TARGET_X_DOMAIN, _TARGET_Y_DOMAIN, _STATION_X_DOMAIN, _STATION_Y_DOMAIN),
@@ -2297,7 +2159,7 @@ _SLANT_RANGE_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _slant_range_in_plane_slant_range_block,
-            _slant_range_in_plane_slant_range_leg_block,
+            (0, 2),
         ),
     ),
 )
@@ -2389,14 +2251,6 @@ def _range_jacobian_in_plane_slant_range_block(
     np.sqrt(t8, slant_range)
 
 
-def _range_jacobian_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    target_x, _target_y, station_x, _station_y = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_JACOBIAN_IN_PLANE = Signature(
     "range_jacobian_in_plane",
     (_TARGET_X_DOMAIN, _TARGET_Y_DOMAIN, _STATION_X_DOMAIN, _STATION_Y_DOMAIN),
@@ -2411,7 +2265,7 @@ _RANGE_JACOBIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_jacobian_in_plane_slant_range_block,
-            _range_jacobian_in_plane_slant_range_leg_block,
+            (0, 2),
         ),
     ),
 )
@@ -2542,23 +2396,6 @@ def _range_rate_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
-def _range_rate_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        station_x,
-        _station_y,
-        _station_velocity_x,
-        _station_velocity_y,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_RATE_IN_PLANE = Signature(
     "range_rate_in_plane",
     (
@@ -2582,7 +2419,7 @@ _RANGE_RATE_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_rate_in_plane_slant_range_block,
-            _range_rate_in_plane_slant_range_leg_block,
+            (0, 4),
         ),
     ),
 )
@@ -2743,23 +2580,6 @@ def _range_rate_jacobian_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
-def _range_rate_jacobian_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        station_x,
-        _station_y,
-        _station_velocity_x,
-        _station_velocity_y,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_RATE_JACOBIAN_IN_PLANE = Signature(
     "range_rate_jacobian_in_plane",
     (
@@ -2783,7 +2603,7 @@ _RANGE_RATE_JACOBIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_rate_jacobian_in_plane_slant_range_block,
-            _range_rate_jacobian_in_plane_slant_range_leg_block,
+            (0, 4),
         ),
     ),
 )
@@ -2951,23 +2771,6 @@ def _range_doppler_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
-def _range_doppler_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        station_x,
-        _station_y,
-        _station_velocity_x,
-        _station_velocity_y,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_DOPPLER_IN_PLANE = Signature(
     "range_doppler_in_plane",
     (
@@ -2991,7 +2794,7 @@ _RANGE_DOPPLER_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_doppler_in_plane_slant_range_block,
-            _range_doppler_in_plane_slant_range_leg_block,
+            (0, 4),
         ),
     ),
 )
@@ -3092,14 +2895,6 @@ def _range_hessian_in_plane_slant_range_block(
     np.sqrt(t8, slant_range)
 
 
-def _range_hessian_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    target_x, _target_y, station_x, _station_y = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_HESSIAN_IN_PLANE = Signature(
     "range_hessian_in_plane",
     (_TARGET_X_DOMAIN, _TARGET_Y_DOMAIN, _STATION_X_DOMAIN, _STATION_Y_DOMAIN),
@@ -3114,7 +2909,7 @@ _RANGE_HESSIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_hessian_in_plane_slant_range_block,
-            _range_hessian_in_plane_slant_range_leg_block,
+            (0, 2),
         ),
     ),
 )
@@ -3292,23 +3087,6 @@ def _range_rate_hessian_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
-def _range_rate_hessian_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        station_x,
-        _station_y,
-        _station_velocity_x,
-        _station_velocity_y,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _RANGE_RATE_HESSIAN_IN_PLANE = Signature(
     "range_rate_hessian_in_plane",
     (
@@ -3332,7 +3110,7 @@ _RANGE_RATE_HESSIAN_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _range_rate_hessian_in_plane_slant_range_block,
-            _range_rate_hessian_in_plane_slant_range_leg_block,
+            (0, 4),
         ),
     ),
 )
@@ -3515,24 +3293,6 @@ def _doppler_shift_in_plane_slant_range_block(
     np.sqrt(t14, slant_range)
 
 
-def _doppler_shift_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        station_x,
-        _station_y,
-        _station_velocity_x,
-        _station_velocity_y,
-        _carrier_frequency,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, station_x, slant_range)
-
-
 _DOPPLER_SHIFT_IN_PLANE = Signature(
     "doppler_shift_in_plane",
     (
@@ -3563,7 +3323,7 @@ _DOPPLER_SHIFT_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _doppler_shift_in_plane_slant_range_block,
-            _doppler_shift_in_plane_slant_range_leg_block,
+            (0, 4),
         ),
     ),
 )
@@ -3864,33 +3624,6 @@ def _bistatic_range_doppler_slant_range_block(
     np.sqrt(t28, slant_range)
 
 
-def _bistatic_range_doppler_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        first_station_x,
-        _first_station_y,
-        _first_station_z,
-        _first_station_velocity_x,
-        _first_station_velocity_y,
-        _first_station_velocity_z,
-        _second_station_x,
-        _second_station_y,
-        _second_station_z,
-        _second_station_velocity_x,
-        _second_station_velocity_y,
-        _second_station_velocity_z,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, first_station_x, slant_range)
-
-
 def _bistatic_range_doppler_other_range_block(
     given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
@@ -3925,33 +3658,6 @@ def _bistatic_range_doppler_other_range_block(
     t42 = np.add(t39, t40, w0)
     t43 = np.add(t42, t41, w0)
     np.sqrt(t43, other_range)
-
-
-def _bistatic_range_doppler_other_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        _first_station_x,
-        _first_station_y,
-        _first_station_z,
-        _first_station_velocity_x,
-        _first_station_velocity_y,
-        _first_station_velocity_z,
-        second_station_x,
-        _second_station_y,
-        _second_station_z,
-        _second_station_velocity_x,
-        _second_station_velocity_y,
-        _second_station_velocity_z,
-    ) = given
-    (other_range,) = out
-    np.subtract(target_x, second_station_x, other_range)
 
 
 _BISTATIC_RANGE_DOPPLER = Signature(
@@ -3996,7 +3702,7 @@ _BISTATIC_RANGE_DOPPLER = Signature(
             9.999999974752427e-07,
             3,
             _bistatic_range_doppler_slant_range_block,
-            _bistatic_range_doppler_slant_range_leg_block,
+            (0, 6),
         ),
         Required(
             "distance of the target from the second station",
@@ -4005,7 +3711,7 @@ _BISTATIC_RANGE_DOPPLER = Signature(
             9.999999974752427e-07,
             3,
             _bistatic_range_doppler_other_range_block,
-            _bistatic_range_doppler_other_range_leg_block,
+            (0, 12),
         ),
     ),
 )
@@ -4348,33 +4054,6 @@ def _range_doppler_difference_slant_range_block(
     np.sqrt(t25, slant_range)
 
 
-def _range_doppler_difference_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        first_station_x,
-        _first_station_y,
-        _first_station_z,
-        _first_station_velocity_x,
-        _first_station_velocity_y,
-        _first_station_velocity_z,
-        _second_station_x,
-        _second_station_y,
-        _second_station_z,
-        _second_station_velocity_x,
-        _second_station_velocity_y,
-        _second_station_velocity_z,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, first_station_x, slant_range)
-
-
 def _range_doppler_difference_other_range_block(
     given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
@@ -4409,33 +4088,6 @@ def _range_doppler_difference_other_range_block(
     t39 = np.add(t36, t37, w0)
     t40 = np.add(t39, t38, w0)
     np.sqrt(t40, other_range)
-
-
-def _range_doppler_difference_other_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_z,
-        _target_velocity_x,
-        _target_velocity_y,
-        _target_velocity_z,
-        _first_station_x,
-        _first_station_y,
-        _first_station_z,
-        _first_station_velocity_x,
-        _first_station_velocity_y,
-        _first_station_velocity_z,
-        second_station_x,
-        _second_station_y,
-        _second_station_z,
-        _second_station_velocity_x,
-        _second_station_velocity_y,
-        _second_station_velocity_z,
-    ) = given
-    (other_range,) = out
-    np.subtract(target_x, second_station_x, other_range)
 
 
 _RANGE_DOPPLER_DIFFERENCE = Signature(
@@ -4480,7 +4132,7 @@ _RANGE_DOPPLER_DIFFERENCE = Signature(
             1.0,
             3,
             _range_doppler_difference_slant_range_block,
-            _range_doppler_difference_slant_range_leg_block,
+            (0, 6),
         ),
         Required(
             "distance of the target from the second station",
@@ -4489,7 +4141,7 @@ _RANGE_DOPPLER_DIFFERENCE = Signature(
             1.0,
             3,
             _range_doppler_difference_other_range_block,
-            _range_doppler_difference_other_range_leg_block,
+            (0, 12),
         ),
     ),
 )
@@ -4718,27 +4370,6 @@ def _bistatic_range_doppler_in_plane_slant_range_block(
     np.sqrt(t18, slant_range)
 
 
-def _bistatic_range_doppler_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        first_station_x,
-        _first_station_y,
-        _first_station_velocity_x,
-        _first_station_velocity_y,
-        _second_station_x,
-        _second_station_y,
-        _second_station_velocity_x,
-        _second_station_velocity_y,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, first_station_x, slant_range)
-
-
 def _bistatic_range_doppler_in_plane_other_range_block(
     given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
@@ -4764,27 +4395,6 @@ def _bistatic_range_doppler_in_plane_other_range_block(
     t27 = np.square(other_place_y, w1)
     t28 = np.add(t26, t27, w0)
     np.sqrt(t28, other_range)
-
-
-def _bistatic_range_doppler_in_plane_other_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        _first_station_x,
-        _first_station_y,
-        _first_station_velocity_x,
-        _first_station_velocity_y,
-        second_station_x,
-        _second_station_y,
-        _second_station_velocity_x,
-        _second_station_velocity_y,
-    ) = given
-    (other_range,) = out
-    np.subtract(target_x, second_station_x, other_range)
 
 
 _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
@@ -4821,7 +4431,7 @@ _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _bistatic_range_doppler_in_plane_slant_range_block,
-            _bistatic_range_doppler_in_plane_slant_range_leg_block,
+            (0, 4),
         ),
         Required(
             "distance of the target from the second station",
@@ -4830,7 +4440,7 @@ _BISTATIC_RANGE_DOPPLER_IN_PLANE = Signature(
             9.999999974752427e-07,
             2,
             _bistatic_range_doppler_in_plane_other_range_block,
-            _bistatic_range_doppler_in_plane_other_range_leg_block,
+            (0, 8),
         ),
     ),
 )
@@ -5087,27 +4697,6 @@ def _range_doppler_difference_in_plane_slant_range_block(
     np.sqrt(t16, slant_range)
 
 
-def _range_doppler_difference_in_plane_slant_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        first_station_x,
-        _first_station_y,
-        _first_station_velocity_x,
-        _first_station_velocity_y,
-        _second_station_x,
-        _second_station_y,
-        _second_station_velocity_x,
-        _second_station_velocity_y,
-    ) = given
-    (slant_range,) = out
-    np.subtract(target_x, first_station_x, slant_range)
-
-
 def _range_doppler_difference_in_plane_other_range_block(
     given: Arrays, out: Arrays, work: Arrays, _single: bool
 ) -> None:
@@ -5133,27 +4722,6 @@ def _range_doppler_difference_in_plane_other_range_block(
     t25 = np.square(other_place_y, w1)
     t26 = np.add(t24, t25, w0)
     np.sqrt(t26, other_range)
-
-
-def _range_doppler_difference_in_plane_other_range_leg_block(
-    given: Arrays, out: Arrays, _work: Arrays, _single: bool
-) -> None:
-    (
-        target_x,
-        _target_y,
-        _target_velocity_x,
-        _target_velocity_y,
-        _first_station_x,
-        _first_station_y,
-        _first_station_velocity_x,
-        _first_station_velocity_y,
-        second_station_x,
-        _second_station_y,
-        _second_station_velocity_x,
-        _second_station_velocity_y,
-    ) = given
-    (other_range,) = out
-    np.subtract(target_x, second_station_x, other_range)
 
 
 _RANGE_DOPPLER_DIFFERENCE_IN_PLANE = Signature(
@@ -5190,7 +4758,7 @@ _RANGE_DOPPLER_DIFFERENCE_IN_PLANE = Signature(
             1.0,
             2,
             _range_doppler_difference_in_plane_slant_range_block,
-            _range_doppler_difference_in_plane_slant_range_leg_block,
+            (0, 4),
         ),
         Required(
             "distance of the target from the second station",
@@ -5199,7 +4767,7 @@ _RANGE_DOPPLER_DIFFERENCE_IN_PLANE = Signature(
             1.0,
             2,
             _range_doppler_difference_in_plane_other_range_block,
-            _range_doppler_difference_in_plane_other_range_leg_block,
+            (0, 8),
         ),
     ),
 )

@@ -12,6 +12,7 @@ PLACE, HERE = "gainproof.generated", "gainproof.derive.printer.shipped"
 LIST = "__init__.py"
 CODE = (
     "_bits.py",
+    "_blocks.py",
     "_double_word.py",
     "_guards.py",
     "_outputs.py",

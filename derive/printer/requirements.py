@@ -16,7 +16,7 @@ from gainproof.derive.printer.layout import WIDTH
 
 @dataclass(frozen=True)
 class Printed:
-    """The lines of the functions of what is required and of a leg of it, and of its entry."""
+    """The lines of the function of what is required, and of its entry."""
 
     function: tuple[str, ...]
     entry: tuple[str, ...]
@@ -31,25 +31,21 @@ def _printed(kernel: Kernel, required: Requirement) -> Printed:
     block = f"_{kernel.name}_{required.name}_block"
     outputs = (Output(required.name, required.meaning),)
     arithmetic = Arithmetic(replace(kernel, outputs=outputs))
-    functions = list(_function(block, arithmetic))
-    leg = first_leg(kernel.graph, required.name)
-    if leg is None:
-        return Printed(tuple(functions), tuple(_entry(block, arithmetic, required)))
-    graph: Graph = {**kernel.graph, "outputs": {required.name: leg}}
-    small = Arithmetic(replace(kernel, outputs=outputs, graph=graph))
-    leg_block = f"_{kernel.name}_{required.name}_leg_block"
-    functions += ["", "", *_function(leg_block, small)]
-    return Printed(tuple(functions), tuple(_entry(block, arithmetic, required, leg_block)))
+    names = [each.name for each in kernel.inputs]
+    leg = tuple(names.index(name) for name in first_leg(kernel.graph, required.name))
+    return Printed(
+        tuple(_function(block, arithmetic)), tuple(_entry(block, arithmetic, required, leg))
+    )
 
 
-def first_leg(graph: Graph, name: str) -> int | None:
-    """Of an output that is the root of a sum of squares, the difference that is squared first, if
-    it is one of inputs: the output is nowhere less than its magnitude.
+def first_leg(graph: Graph, name: str) -> tuple[str, ...]:
+    """Of an output that is the root of a sum of squares, the names of the two inputs whose
+    difference is squared first, or none: the output is nowhere less than its magnitude.
     """
     nodes = graph["nodes"]
     root = nodes[graph["outputs"][name]]
     if root[0] != "pow" or root[2] != "1/2":
-        return None
+        return ()
     terms, squared = list(operands(root)), list[int]()
     while terms:
         node = nodes[terms.pop()]
@@ -59,12 +55,15 @@ def first_leg(graph: Graph, name: str) -> int | None:
         elif node[0] == "mul" and len(sides) == 2 and sides[0] == sides[1]:
             squared.append(sides[0])
         else:
-            return None
+            return ()
     first = nodes[squared[0]]
     parts = [nodes[part] for part in operands(first)]
+    signs = sorted(part[0] for part in parts)
     inner = [nodes[operands(part)[0]] if part[0] == "neg" else part for part in parts]
-    plain = first[0] == "add" and len(parts) == 2 and all(each[0] == "symbol" for each in inner)
-    return squared[0] if plain else None
+    difference = first[0] == "add" and signs == ["neg", "symbol"]
+    if not difference or any(each[0] != "symbol" for each in inner):
+        return ()
+    return tuple(str(each[1]) for each in inner)
 
 
 def _function(block: str, arithmetic: Arithmetic) -> Iterator[str]:
@@ -77,7 +76,7 @@ def _function(block: str, arithmetic: Arithmetic) -> Iterator[str]:
 
 
 def _entry(
-    block: str, arithmetic: Arithmetic, required: Requirement, leg: str | None = None
+    block: str, arithmetic: Arithmetic, required: Requirement, leg: tuple[int, ...]
 ) -> Iterator[str]:
     double, single = (
         literal(constant(limit).nearest(form))
@@ -90,6 +89,6 @@ def _entry(
     yield f"    {single},"
     yield f"    {arithmetic.work},"
     yield f"    {block},"
-    if leg is not None:
+    if leg:
         yield f"    {leg},"
     yield "),"

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from gainproof.derive.printer.shipped._blocks import Blocks, Parts, Span
     from gainproof.derive.printer.shipped._signature import (
         Array,
         Arrays,
@@ -29,39 +31,49 @@ LARGEST = (1e38, 1e307)
 ENOUGH = 1.001
 
 
+def doubted(kernel: Signature, blocks: Blocks) -> list[int]:
+    """Of the inputs that are looked at once and not block by block, those that a few passes do not
+    show to lie in their domain.
+    """
+    each = enumerate(zip(kernel.inputs, blocks.inputs, blocks.each, strict=True))
+    return [place for place, (domain, x, own) in each if not own and not _inside(domain, x)]
+
+
 def admit(
     kernel: Signature,
-    flat: Arrays,
-    start: int,
-    stop: int,
+    parts: Parts,
+    spans: Sequence[Span],
+    doubtful: Sequence[int],
     inputs: Arrays,
     shape: tuple[int, ...],
 ) -> None:
-    """ValueError unless the elements from `start` to `stop` of every input lie in its domain.
+    """ValueError unless the elements of these blocks, which follow each other, lie in the domain of
+    every input.
 
     What lies in it is found in few calls, the longer the part the fewer; what does not is looked
-    for block by block. An input of one number, which `flat` holds as it is, is looked at once.
+    for block by block, as are the inputs that are `doubtful`.
     """
-    size = max(x.size for x in flat)
-    long = parts_of(flat, start, stop, size)
+    start, stop = spans[0][0], spans[-1][1]
     # legs come first: they read two inputs at a time from memory, which is faster
-    short = [each for each in kernel.required if not _apart(each, long, stop - start)]
-    each = enumerate(zip(kernel.inputs, long, inputs, strict=True))
-    doubted = [
-        place
-        for place, (domain, x, whole) in each
-        if (not start or whole.size > 1) and not _within(domain, x)
+    short = [
+        required
+        for required in kernel.required
+        if not _apart(required, [parts.one(x, start, stop) for x in required.leg], stop - start)
     ]
-    if not doubted and not short:
+    each = enumerate(zip(kernel.inputs, parts.blocks.inputs, parts.blocks.each, strict=True))
+    wrong = [
+        place
+        for place, (domain, x, own) in each
+        if (not _within(domain, x[start:stop]) if own else place in doubtful)
+    ]
+    if not wrong and not short:
         return
-    step = block_length(kernel)
-    for begin in range(start, stop, step):
-        parts = parts_of(flat, begin, min(begin + step, stop), size)
-        for place in doubted:
-            domain, whole = kernel.inputs[place], inputs[place]
-            _guard(kernel, domain, parts[place], begin, whole, shape)
+    for begin, end in spans:
+        for place in wrong:
+            x = parts.one(place, begin, end)
+            _guard(kernel, kernel.inputs[place], x, begin, inputs[place], shape)
         for required in short:
-            _require(kernel, required, parts, begin, shape)
+            _require(kernel, required, parts.all(begin, end), begin, end, shape)
 
 
 def block_length(kernel: Signature) -> int:
@@ -75,9 +87,12 @@ def block_length(kernel: Signature) -> int:
     return SIZE if arrays >= MANY else 3 * SIZE // 2
 
 
-def parts_of(flat: Arrays, start: int, stop: int, size: int) -> list[Array]:
-    """The block of each input; one number is the same in every block."""
-    return [x[start:stop] if x.size == size else x for x in flat]
+def _inside(domain: Domain, x: Array) -> bool:
+    """`_within` of an array of any shape, without a copy of the whole."""
+    if x.flags.c_contiguous:
+        return _within(domain, x.reshape(-1))
+    pieces: Any = np.nditer(x, ["external_loop", "buffered"], buffersize=SIZE)
+    return all(_within(domain, piece) for piece in pieces)
 
 
 def _within(domain: Domain, x: Array) -> bool:
@@ -113,20 +128,23 @@ def _small(x: Array, high: float) -> bool:
     return not rest.size or bool(np.vecdot(rest, rest) <= limit)
 
 
-def _apart(required: Required, parts: Arrays, size: int) -> bool:
-    """Whether its leg alone shows what is required; no says nothing."""
-    if required.leg is None:
+def _apart(required: Required, leg: Arrays, size: int) -> bool:
+    """Whether its leg, the difference of two inputs, shows what is required; no says nothing."""
+    if not leg:
         return False
-    kind = parts[0].dtype
-    single = kind == np.float32
+    kind = leg[0].dtype
     # a little more, for the roundings of the root
-    least = ENOUGH * (required.single if single else required.double)
+    least = ENOUGH * (required.single if kind == np.float32 else required.double)
+    many, one = sorted(leg, key=np.size, reverse=True)
+    if one.size == 1 and abs(one[0]) * np.finfo(kind).epsneg >= least:
+        # what is not this number itself is at least so far from it, and comparing is faster
+        pieces = (many[start : start + LEG] for start in range(0, many.size, LEG))
+        return not any(np.equal(piece, one).any() for piece in pieces)
     value: Array = np.empty(min(size, LEG), kind)
     for start in range(0, size, LEG):
-        stop = min(start + LEG, size)
-        leg = value[: stop - start]
-        required.leg(parts_of(parts, start, stop, size), [leg], (), single)
-        if not np.minimum.reduce(np.absolute(leg, leg)) >= least:
+        one, other = (x if x.size == 1 else x[start : start + LEG] for x in leg)
+        apart = np.subtract(one, other, value[: min(LEG, size - start)])
+        if not np.minimum.reduce(np.absolute(apart, apart)) >= least:
             return False
     return True
 
@@ -157,15 +175,19 @@ def _guard(
 
 
 def _require(
-    kernel: Signature, required: Required, parts: Arrays, start: int, shape: tuple[int, ...]
+    kernel: Signature,
+    required: Required,
+    parts: Arrays,
+    start: int,
+    stop: int,
+    shape: tuple[int, ...],
 ) -> None:
     """ValueError with the first place where inputs together are not what they must be."""
     kind = parts[0].dtype
     single = kind == np.float32
-    length = max(x.size for x in parts)
-    if _apart(required, parts, length):
+    if _apart(required, [parts[place] for place in required.leg], stop - start):
         return
-    value: Array = np.empty(length, kind)
+    value: Array = np.empty(stop - start, kind)
     work: list[Array] = [np.empty_like(value) for _ in range(required.work)]
     required.block(parts, [value], work, single)
     fine = value >= (required.single if single else required.double)

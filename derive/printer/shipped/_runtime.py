@@ -10,17 +10,21 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from gainproof.derive.printer.shipped._guards import admit, block_length, parts_of
+from gainproof.derive.printer.shipped._blocks import Blocks, Parts, cut
+from gainproof.derive.printer.shipped._guards import admit, block_length, doubted
 from gainproof.derive.printer.shipped._outputs import checked, overlap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from gainproof.derive.printer.shipped._blocks import Span
     from gainproof.derive.printer.shipped._signature import Array, Real, Signature
+
+    Spans: TypeAlias = Sequence[Span]
 
 LONG = 8
 """Blocks looked at together where all are looked at first: two at a time, looking at many inputs
@@ -29,13 +33,13 @@ takes a twentieth more time.
 
 
 class Call(NamedTuple):
-    """One call of a kernel: `flat` are the inputs in one order with the results, which are `fresh`
-    where none were given.
+    """One call of a kernel: its inputs as they came and cut into `blocks`, and the results, which
+    are `fresh` where none were given.
     """
 
     kernel: Signature
     inputs: Sequence[Array]
-    flat: list[Array]
+    blocks: Blocks
     results: Sequence[Array]
     fresh: bool
 
@@ -45,8 +49,8 @@ def evaluate(
 ) -> tuple[Any, ...]:
     """The outputs of a kernel: numbers for numbers, else arrays of the inputs' common shape.
 
-    Beside inputs and outputs it takes a few buffers of a block for each thread, and a copy of each
-    input that is neither one number nor in one piece in the order of the outputs.
+    Beside inputs and outputs it takes a few buffers of a block for each thread, and a copy of an
+    input that shares memory with an output otherwise than element by element.
 
     `workers`: threads that share the blocks, started for this call alone; 1 starts none. However
     many there are, results are the same bit for bit and the same input is refused.
@@ -65,39 +69,40 @@ def evaluate(
         # a signalling NaN warns as soon as it is widened
         inputs = _as_real(kernel, given)
         shape = _common_shape(kernel, inputs)
-        # one number stays one, the same for every block
-        flat = [x.reshape(-1) if x.size == 1 else _flat(x, shape) for x in inputs]
         kind = inputs[0].dtype
         if out is None:
             results = [np.empty(shape, kind) for _ in kernel.outputs]
         else:
             results = checked(kernel, out, shape, kind)
-        call = Call(kernel, inputs, flat, results, out is None)
-        starts = range(0, results[0].size, block_length(kernel))
-        count = max(1, min(int(workers), len(starts)))
-        ends = [len(starts) * part // count for part in range(count + 1)]
-        run(call, [starts[first:last] for first, last in pairwise(ends)])
+        straight = all(y.flags.c_contiguous for y in results)
+        blocks = cut(inputs, shape, block_length(kernel), in_one_piece=straight)
+        call = Call(kernel, inputs, blocks, results, out is None)
+        spans = blocks.spans
+        count = max(1, min(int(workers), len(spans)))
+        ends = [len(spans) * part // count for part in range(count + 1)]
+        run(call, [spans[first:last] for first, last in pairwise(ends)])
     if out is None and shape == ():
         return tuple(y[()] for y in results)
     return tuple(results)
 
 
-def run(call: Call, shares: Sequence[range]) -> None:
-    """Fill the results; every share of the starts of blocks has a thread, the first has this."""
+def run(call: Call, shares: Sequence[Spans]) -> None:
+    """Fill the results; every share of the blocks has a thread, the first has this."""
     kept: list[int] = []
+    doubtful = doubted(call.kernel, call.blocks)
     if not call.fresh:
-        _each(partial(_look, call), shares)
+        _each(partial(_look, call, doubtful), shares)
         # where an output takes the place of an input
-        for place, x in enumerate(call.flat):
+        for place, x in enumerate(call.blocks.inputs):
             shared = [y for y in call.results if overlap(y, x)]
-            if any(_elsewhere(x, y) for y in shared):
-                call.flat[place] = x.copy()
+            if any(not call.blocks.plain[place] or _elsewhere(x, y) for y in shared):
+                call.blocks.inputs[place] = x.copy()
             elif shared:
                 kept.append(place)
-    _each(partial(_fill, call, kept), shares)
+    _each(partial(_fill, call, doubtful, kept), shares)
 
 
-def _each(job: Callable[[range], None], shares: Sequence[range]) -> None:
+def _each(job: Callable[[Spans], None], shares: Sequence[Spans]) -> None:
     """Do a job for every share, and raise what the first of them raised."""
     if len(shares) == 1:
         job(shares[0])
@@ -108,20 +113,21 @@ def _each(job: Callable[[range], None], shares: Sequence[range]) -> None:
         in_threads(job, shares)
 
 
-def _look(call: Call, starts: range) -> None:
+def _look(call: Call, doubtful: Sequence[int], spans: Spans) -> None:
     """Refuse what a share holds outside the domain."""
-    shape, size = call.results[0].shape, call.results[0].size
-    for start in starts[::LONG]:
-        stop = min(start + LONG * starts.step, starts.stop, size)
-        admit(call.kernel, call.flat, start, stop, call.inputs, shape)
+    parts = Parts(call.blocks)
+    # what is spread has room for one block
+    together = LONG if all(call.blocks.plain) else 1
+    for first in range(0, len(spans), together):
+        several = spans[first : first + together]
+        admit(call.kernel, parts, several, doubtful, call.inputs, call.results[0].shape)
 
 
-def _fill(call: Call, kept: Sequence[int], starts: range) -> None:
+def _fill(call: Call, doubtful: Sequence[int], kept: Sequence[int], spans: Spans) -> None:
     """Compute a share; inputs that are `kept` are copied block by block before they are read."""
-    kernel, flat, results = call.kernel, call.flat, call.results
-    size, kind = results[0].size, flat[0].dtype
+    kernel, results, shape = call.kernel, call.results, call.results[0].shape
+    kind, length = results[0].dtype, call.blocks.length
     single = kind == np.float32
-    length = min(size, starts.step)
     # an output that is not contiguous is filled through a buffer
     direct = [y.flags.c_contiguous for y in results]
     count = kernel.work + len(kept) + direct.count(False)
@@ -132,12 +138,12 @@ def _fill(call: Call, kept: Sequence[int], starts: range) -> None:
         np.asarray(y).reshape(-1) if straight else work.pop()
         for y, straight in zip(results, direct, strict=True)
     ]
+    each = Parts(call.blocks)
     # what was looked at last is still in the cache: it is computed first
-    for start in starts if call.fresh else reversed(starts):
-        stop = min(start + starts.step, size)
+    for start, stop in spans if call.fresh else reversed(spans):
         if call.fresh:
-            admit(kernel, flat, start, stop, call.inputs, results[0].shape)
-        parts = parts_of(flat, start, stop, size)
+            admit(kernel, each, [(start, stop)], doubtful, call.inputs, shape)
+        parts = each.all(start, stop)
         filled = [
             y[start:stop] if straight else y[: stop - start]
             for y, straight in zip(targets, direct, strict=True)
@@ -148,7 +154,7 @@ def _fill(call: Call, kept: Sequence[int], starts: range) -> None:
         kernel.block(parts, filled, [w[: stop - start] for w in work], single)
         for y, straight, result in zip(filled, direct, results, strict=True):
             if not straight:
-                np.asarray(result).flat[start:stop] = y
+                call.blocks.window(np.asarray(result), start, stop)[...] = call.blocks.box(y)
 
 
 def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
@@ -187,11 +193,6 @@ def _common_shape(kernel: Signature, inputs: Sequence[Array]) -> tuple[int, ...]
         raise ValueError(
             f"{kernel.name}: inputs must have shapes that broadcast, got {shapes}"
         ) from None
-
-
-def _flat(x: Array, shape: tuple[int, ...]) -> Array:
-    contiguous: Array = np.ascontiguousarray(x if x.shape == shape else np.broadcast_to(x, shape))
-    return contiguous.reshape(-1)
 
 
 def _elsewhere(x: Array, y: Array) -> bool:

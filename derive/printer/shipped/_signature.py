@@ -33,8 +33,8 @@ class Domain(NamedTuple):
 
 class Required(NamedTuple):
     """What inputs must fulfil together: what `block` computes of them is at least `double`, in
-    float32 at least `single`. It is nowhere less than the magnitude of what `leg` computes, if
-    there is one: where that is enough the rest need not be computed.
+    float32 at least `single`. It is nowhere less than the magnitude of the difference of the two
+    inputs at the places of `leg`, if there are any: where that is enough nothing is computed.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Required(NamedTuple):
     single: float
     work: int
     block: Block
-    leg: Block | None = None
+    leg: tuple[int, ...] = ()
 
 
 class Signature(NamedTuple):

@@ -55,8 +55,8 @@ def range_doppler_jacobians(targets: ArrayLike, stations: ArrayLike) -> Jacobian
 
     Raises ValueError for shapes that do not fit, and for what is no number or beyond the domain of
     the kernels, with its place; OnStationError, which names target and station by their numbers
-    from 0, where the two differ by less than 1e-20 m (float32: 1e-6 m) along every axis. TypeError
-    for what is not real.
+    from 0, where the two are less than 1e-20 m (float32: 1e-6 m) apart. TypeError for what is not
+    real.
     """
     seen, sites = _states("targets", targets), _states("stations", stations)
     size = _checked(seen, sites)
@@ -67,16 +67,24 @@ def range_doppler_jacobians(targets: ArrayLike, stations: ArrayLike) -> Jacobian
     )
     half = size // 2
     kernel = range_doppler.range_doppler if half == 3 else range_doppler.range_doppler_in_plane
-    with np.errstate(over="ignore"):
-        _apart(target[:half] - station[:half])
-    distance, rate, *slopes = (np.asarray(each) for each in kernel(*target, *station))
-    unit, turning = np.stack(slopes[:half], -1), np.stack(slopes[half:], -1)
-    return Jacobians(
-        distance,
-        rate,
-        np.concatenate([unit, np.zeros_like(unit)], -1),
-        np.concatenate([turning, unit], -1),
+    shape = (len(seen), sites.shape[-2])
+    kind: np.dtype[Any] = np.dtype(np.float32 if single else np.float64)
+    found = Jacobians(
+        np.empty(shape, kind),
+        np.empty(shape, kind),
+        np.zeros((*shape, size), kind),
+        np.empty((*shape, size), kind),
     )
+    unit, turning = found.range_D_target[..., :half], found.rate_D_target[..., :half]
+    slopes = [*np.moveaxis(unit, -1, 0), *np.moveaxis(turning, -1, 0)]
+    try:
+        kernel(*target, *station, out=(found.slant_range, found.range_rate, *slopes))
+    except ValueError:
+        with np.errstate(over="ignore"):
+            _apart(target[:half] - station[:half])
+        raise
+    found.rate_D_target[..., half:] = unit
+    return found
 
 
 def _states(name: str, given: ArrayLike) -> Floats:
@@ -113,10 +121,10 @@ def _checked(targets: Floats, stations: Floats) -> int:
 
 def _apart(between: Floats) -> None:
     """OnStationError for a target on a station: the first, by number."""
-    near = np.abs(between).max(axis=0) < LEAST[between.dtype.name]
+    near = np.sqrt(np.square(between).sum(axis=0)) < LEAST[between.dtype.name]
     if near.any():
         target, station = (int(number) for number in np.argwhere(near)[0])
         raise OnStationError(
             f"target {target} is on station {station}: where a range is 0 it has no derivative",
             str(station),
-        )
+        ) from None

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import warnings
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gainproof.derive.printer.shipped._guards import ROW, SIZE, admit
+from gainproof.derive.printer.shipped._blocks import Parts, cut
+from gainproof.derive.printer.shipped._guards import ROW, SIZE, admit, doubted
 from gainproof.derive.printer.shipped._runtime import LONG
 from gainproof.derive.printer.shipped._signature import Domain, Signature
 from gainproof.generated import filter_step, range_doppler
@@ -23,9 +26,11 @@ SIZES = (1, 2, ROW - 1, ROW, ROW + 1, SIZE + 3)
 
 def admitted(domain: Domain, x: NDArray[Any]) -> bool:
     kernel = Signature("kernel", (domain,), (), 0, lambda *_: None)
+    blocks = cut([x], x.shape, x.size)
     try:
         with np.errstate(all="ignore"):
-            admit(kernel, [x], 0, x.size, [x], x.shape)
+            doubtful = doubted(kernel, blocks)
+            admit(kernel, Parts(blocks), blocks.spans, doubtful, [x], x.shape)
     except ValueError:
         return False
     return True
@@ -130,3 +135,34 @@ def test_points_that_meet_are_found_among_many(one: str) -> None:
     with pytest.raises(ValueError, match=rf"distance .* got 0.0 at index {where}$"):
         seen()
     assert all((y == -7).all() for y in out)
+
+
+def told_place(x: NDArray[Any], station: Any) -> int | None:
+    """Of targets along x the place of that which is called too near to a station."""
+    zeros = [x.dtype.type(0)] * 5
+    points: list[Any] = [x, *zeros, station, *zeros]
+    try:
+        range_doppler.range_doppler(*points)
+    except ValueError as error:
+        return int(str(error).rpartition(" at index ")[2])
+    return None
+
+
+@pytest.mark.parametrize("kind", [np.float64, np.float32])
+def test_the_neighbours_of_a_number_are_refused_where_they_are_too_near(kind: type[Any]) -> None:
+    """Of one station its neighbours are told by comparing where these are far enough from it."""
+    least = 1e-20 if kind is np.float64 else float(np.float32(1e-6))
+    limit = least / float(np.finfo(kind).epsneg)
+    exponent = round(math.log2(limit))
+    factors = (0, 0.25, 0.5, 0.75, 0.999, 1, 1.0011, 1.5, 2, 3, 4, 1e6)
+    stations = [limit * factor for factor in factors]
+    stations += [2.0 ** (exponent + step) for step in range(-3, 4)]
+    refused = 0
+    for station in [kind(sign * each) for each in stations for sign in (1, -1)]:
+        for way in (-np.inf, np.inf, float(station)):
+            x = np.full(5, 1e12, kind)
+            x[3] = np.nextafter(station, kind(way))
+            near = abs(Fraction(float(x[3])) - Fraction(float(station))) < Fraction(least)
+            assert told_place(x, station) == (3 if near else None), (station, way)
+            refused += near
+    assert refused > len(stations) * 2, "those at a station, and neighbours"

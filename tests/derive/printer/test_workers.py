@@ -8,6 +8,7 @@ import time
 import tracemalloc
 import warnings
 from _thread import start_new_thread
+from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
@@ -17,6 +18,7 @@ from graph_kernels import function_of, kernel_of, several_of
 
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.shipped import _threads
+from gainproof.derive.printer.shipped._blocks import Span
 from gainproof.derive.printer.shipped._guards import SIZE
 
 COUNT = 7 * SIZE + 5
@@ -126,14 +128,14 @@ def test_an_interrupt_ends_the_call_and_its_threads() -> None:
     """It comes while the others are at work, which finish their shares first."""
     done: list[int] = []
 
-    def job(share: range) -> None:
-        if share.start == 0:
+    def job(share: Sequence[Span]) -> None:
+        if share[0][0] == 0:
             raise KeyboardInterrupt
         time.sleep(0.05)
-        done.append(share.start)
+        done.append(share[0][0])
 
     with pytest.raises(KeyboardInterrupt):
-        _threads.in_threads(job, [range(1), range(1, 2), range(2, 3)])
+        _threads.in_threads(job, [[(0, 1)], [(1, 2)], [(2, 3)]])
     assert sorted(done) == [1, 2]
 
 
@@ -146,15 +148,15 @@ def test_however_many_interrupts_come_no_thread_is_left_at_work(times: int) -> N
     main = threading.get_ident()
     assert threading.main_thread().ident == main
 
-    def job(share: range) -> None:
-        if share.start == 1:
+    def job(share: Sequence[Span]) -> None:
+        if share[0][0] == 1:
             for _ in range(times):
                 time.sleep(0.03)
                 # to this thread, as from a keyboard: a signal is what ends its waiting
                 signal.pthread_kill(main, signal.SIGINT)
             time.sleep(0.03)
-        if share.start:
-            done.append(share.start)
+        if share[0][0]:
+            done.append(share[0][0])
 
     def interrupt(*_: object) -> None:
         if inside:  # what comes too late would meet the tests' own process
@@ -163,7 +165,7 @@ def test_however_many_interrupts_come_no_thread_is_left_at_work(times: int) -> N
     before = signal.signal(signal.SIGINT, interrupt)
     try:
         with pytest.raises(KeyboardInterrupt):
-            _threads.in_threads(job, [range(1), range(1, 2), range(2, 3)])
+            _threads.in_threads(job, [[(0, 1)], [(1, 2)], [(2, 3)]])
         inside.clear()
         found = sorted(done)
         time.sleep(0.03 * (times + 2))
@@ -177,9 +179,9 @@ def test_what_has_started_is_waited_for_where_another_cannot_start(
 ) -> None:
     done: list[int] = []
 
-    def job(share: range) -> None:
+    def job(share: Sequence[Span]) -> None:
         time.sleep(0.03)
-        done.append(share.start)
+        done.append(share[0][0])
 
     def start(function: Any, given: tuple[Any, ...]) -> int:
         if given[0] == 2:
@@ -188,7 +190,7 @@ def test_what_has_started_is_waited_for_where_another_cannot_start(
 
     monkeypatch.setattr(_threads, "start_new_thread", start)
     with pytest.raises(RuntimeError, match="can't start"):
-        _threads.in_threads(job, [range(1), range(1, 2), range(2, 3)])
+        _threads.in_threads(job, [[(0, 1)], [(1, 2)], [(2, 3)]])
     assert done == [1]
 
 
