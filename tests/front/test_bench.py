@@ -7,6 +7,7 @@ import pkgutil
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +33,7 @@ from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
 from gainproof.generated import filter_step
+from gainproof.generated._blocks import Span
 from gainproof.generated._runtime import Call, run
 from gainproof.generated._signature import Signature
 
@@ -103,7 +105,7 @@ def test_time_against_length_and_number_of_points(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(against, "best_times", once)
     filled: list[Any] = []
 
-    def watched(call: Call, shares: list[range]) -> None:
+    def watched(call: Call, shares: list[list[Span]]) -> None:
         run(call, shares)
         filled.append((call, shares))
 
@@ -111,7 +113,8 @@ def test_time_against_length_and_number_of_points(monkeypatch: pytest.MonkeyPatc
     made = item()
     expected = made.function(*sample(made.signature, 1000))
     assert against.lengths(made) == {64: pytest.approx(4e-3), 999: pytest.approx(4e-3)}
-    assert [shares for _, shares in filled] == [[range(0, 1000, 64)], [range(0, 1000, 999)]]
+    assert [[len(spans) for spans in shares] for _, shares in filled] == [[16], [2]]
+    assert [shares[0][-1] for _, shares in filled] == [(960, 1000), (999, 1000)]
     for call, _ in filled:
         np.testing.assert_array_equal(call.results, expected)
     rows = dict(against.sizes(made, 3, "velocity"))
@@ -135,7 +138,36 @@ def test_numbers_in_place_of_arrays(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert {"lambdify", "fresh"} <= set(found.seconds)
 
 
-@pytest.mark.parametrize("options", [["--workers", "0"], ["--workers", "two"], ["--against", "x"]])
+def test_a_few_numbers_each_with_each(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(errors, "POINTS", 3)
+    made = replace(item(), model=None)
+    columns = sample(made.signature, 8)
+    given = with_constants(made.signature, columns, "track", 2)
+    assert [each.shape for each in map(np.asarray, given)] == [(2,), (4, 1)]
+    expected = made.function(*given)
+    answers = [rivals.lambdified(made)(*given)]
+    if find_spec("numba"):
+        answers.append(rivals.with_numba(made, given, tmp_path)())
+    for found in answers:
+        for mine, reference in zip(found, expected, strict=True):
+            np.testing.assert_allclose(np.reshape(mine, (4, 2)), reference, rtol=1e-6)
+    timed = measure.figures(made, tmp_path, measure.Options(constant="track", numbers=2))
+    assert {"lambdify", "fresh", "passes"} <= set(timed.seconds)
+
+
+def test_numbers_of_no_input_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["bench", "random-velocity", "--numbers", "4"]) == 2
+    assert "--constant PREFIX" in capsys.readouterr().err
+    options = ["--numbers", "4", "--constant", "track", "--against", "size"]
+    assert main(["bench", "random-velocity", *options]) == 2
+    assert "leave" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "options",
+    [["--workers", "0"], ["--workers", "two"], ["--against", "x"], ["--numbers", "3"]],
+)
 def test_options_that_are_none(options: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:
         main(["bench", "random-velocity", *options])

@@ -48,7 +48,7 @@ def made(*rows: dict[str, Any]) -> Results:
         "points": 1000,
         "rounds": 15,
         "seconds a call": 1.0,
-        "settings": {"workers": 2, "constant": None, "every_rival": True},
+        "settings": {"workers": 2, "constant": None, "numbers": 1, "every_rival": True},
         "code": ["a"],
     }
     return Results(conditions, {"reading": 20.0}, 0.5, (SUBJECT,), list(rows), [SUBJECT])

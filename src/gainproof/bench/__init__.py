@@ -18,8 +18,10 @@ def run(options: argparse.Namespace) -> int:
         from gainproof.bench.running import run_table
 
         return run_table(options)
-    if options.html or options.json or options.resume:
-        raise BadInputError("--against prints a table of its own: leave --html, --json, --resume")
+    if options.html or options.json or options.resume or options.numbers > 1:
+        raise BadInputError(
+            "--against prints a table of its own: leave --html, --json, --resume, --numbers"
+        )
     from gainproof.bench.against import print_against
 
     print_against(options)

@@ -11,6 +11,7 @@ from gainproof.bench.arguments import Arguments, sample, with_constants
 from gainproof.bench.measure import SIZE
 from gainproof.bench.subjects import Measured, measured_kernels
 from gainproof.bench.timing import best_times
+from gainproof.generated._blocks import cut
 from gainproof.generated._guards import block_length
 from gainproof.generated._runtime import Call, run
 
@@ -46,13 +47,12 @@ def print_against(options: argparse.Namespace) -> None:
 def lengths(item: Measured, constant: str | None = None) -> dict[int, float]:
     """Of a million points, guards included; by length."""
     given = _given(item, SIZE, constant)
-    flat = [np.atleast_1d(each) for each in given]
+    inputs = [np.asarray(each) for each in given]
     outputs = [np.empty(SIZE) for _ in item.kernel.outputs]
 
     def filled(length: int) -> Callable[[], object]:
-        return lambda: run(
-            Call(item.signature, flat, list(flat), outputs, False), [range(0, SIZE, length)]
-        )
+        blocks = cut(inputs, outputs[0].shape, length)
+        return lambda: run(Call(item.signature, inputs, blocks, outputs, False), [blocks.spans])
 
     with np.errstate(all="ignore"):
         best = best_times({str(length): filled(length) for length in LENGTHS}, POINTS // SIZE)

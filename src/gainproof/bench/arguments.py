@@ -30,10 +30,18 @@ def sample(signature: Signature, size: int) -> Arrays:
     return given
 
 
-def with_constants(signature: Signature, given: Arrays, prefix: str | None) -> Arguments:
-    """The arguments, those whose names begin with the prefix one number each."""
-    one = [prefix is not None and domain.name.startswith(prefix) for domain in signature.inputs]
-    return [float(x[0]) if fixed else x for x, fixed in zip(given, one, strict=True)]
+def with_constants(
+    signature: Signature, given: Arrays, prefix: str | None, numbers: int = 1
+) -> Arguments:
+    """The arguments, those whose names begin with the prefix one number each.
+
+    Of several `numbers` each stands with each of the others: these are rows, fewer by as many.
+    """
+    few = [prefix is not None and domain.name.startswith(prefix) for domain in signature.inputs]
+    if prefix is None or numbers == 1:
+        return [float(x[0]) if fixed else x for x, fixed in zip(given, few, strict=True)]
+    rows = given[0].size // numbers
+    return [x[:numbers] if fixed else x[:rows, None] for x, fixed in zip(given, few, strict=True)]
 
 
 def fitting(signature: Signature, given: Arrays) -> Arrays:

@@ -17,6 +17,7 @@ from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
 from gainproof.derive.printer.c_language.loop import c_loop
+from gainproof.generated._blocks import Parts, cut
 
 SIZE = 1_000_000
 BLOCK = 16384
@@ -30,12 +31,13 @@ Calls = dict[str, Callable[[], object]]
 
 @dataclass(frozen=True)
 class Options:
-    """How is measured: threads, inputs that are one number, and whether numexpr, Numba and JAX are
-    asked too.
+    """How is measured: threads, inputs of one number or a few, and whether numexpr, Numba and JAX
+    are asked too.
     """
 
     workers: int = 2
     constant: str | None = None
+    numbers: int = 1
     every_rival: bool = False
 
 
@@ -69,8 +71,9 @@ class Figures:
 def figures(item: Measured, folder: Path, options: Options) -> Figures:
     """Measure one kernel; `folder` is for what is compiled."""
     columns = sample(item.signature, SIZE)
-    given = with_constants(item.signature, columns, options.constant)
-    outputs = tuple(np.empty(SIZE) for _ in item.kernel.outputs)
+    given = with_constants(item.signature, columns, options.constant, options.numbers)
+    shape = np.broadcast_shapes(*map(np.shape, given))
+    outputs = tuple(np.empty(shape) for _ in item.kernel.outputs)
     calls: Calls = {
         "kernel": lambda: item.function(*given, out=outputs),
         "shared": lambda: item.function(*given, out=outputs, workers=options.workers),
@@ -131,12 +134,14 @@ def _add_rivals(
 
 def bare_passes(item: Measured, given: Arguments) -> Callable[[], object]:
     """The block function of a kernel, run on one block as often as a million points need."""
-    parts = [np.atleast_1d(each)[:BLOCK] for each in given]
-    outputs = [np.empty(BLOCK) for _ in item.kernel.outputs]
-    work = [np.empty(BLOCK) for _ in range(item.signature.work)]
+    inputs = [np.asarray(each) for each in given]
+    blocks = cut(inputs, np.broadcast_shapes(*(x.shape for x in inputs)), BLOCK)
+    parts, length = Parts(blocks).all(*blocks.spans[0]), blocks.length
+    outputs = [np.empty(length) for _ in item.kernel.outputs]
+    work = [np.empty(length) for _ in range(item.signature.work)]
 
     def call() -> None:
-        for _ in range(SIZE // BLOCK):
+        for _ in range(SIZE // length):
             item.signature.block(parts, outputs, work, False)
 
     return call

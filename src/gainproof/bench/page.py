@@ -204,5 +204,6 @@ def _conditions(results: Results) -> Iterator[str]:
     constant = settings["constant"]
     yield f"<dt>threads where said</dt><dd>{settings['workers']}</dd>"
     if constant is not None:
-        yield f"<dt>one number each</dt><dd>inputs named {escape(constant)}…</dd>"
+        each = "one number" if settings["numbers"] == 1 else f"{settings['numbers']} numbers"
+        yield f"<dt>{each} each</dt><dd>inputs named {escape(constant)}…</dd>"
     yield f"<dt>processes that wanted to run at the beginning</dt><dd>{results.load}</dd></dl>"

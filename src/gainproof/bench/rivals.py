@@ -74,9 +74,8 @@ def with_numba(item: Measured, given: Arguments, folder: Path) -> Callable[[], l
     module = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(module)
     loop = numba.njit(error_model="numpy")(module.loop)
-    size = max(np.size(each) for each in given)
-    columns = [np.broadcast_to(each, size) if np.ndim(each) == 0 else each for each in given]
-    outputs = [np.empty(size) for _ in _expressions(item)]
+    columns = [each.ravel() for each in np.broadcast_arrays(*given)]
+    outputs = [np.empty(columns[0].size) for _ in _expressions(item)]
 
     def call() -> list[Any]:
         loop(*columns, *outputs)

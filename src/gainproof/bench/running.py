@@ -25,10 +25,14 @@ def run_table(options: argparse.Namespace) -> int:
 
     Raises BadInputError for places that cannot be written, before anything is measured.
     """
+    if options.numbers > 1 and options.constant is None:
+        raise BadInputError("--numbers wants to know of which inputs: --constant PREFIX")
     html, data = _places(options.html, options.json)
     if options.resume and data is None:
         raise BadInputError("--resume wants a file to continue from: --json FILE or --html DIR")
-    how = Options(options.workers, options.constant, html is not None or data is not None)
+    how = Options(
+        options.workers, options.constant, options.numbers, html is not None or data is not None
+    )
     begun = results.begun(how, subject_names(options.subject), data if options.resume else None)
     _write(begun, html, data)
     print("\n".join(table.opening(begun)), flush=True)

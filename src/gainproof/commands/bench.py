@@ -40,6 +40,13 @@ def configure(parser: argparse.ArgumentParser) -> None:
         help="inputs whose names begin so are one number, not an array; C is left out then",
     )
     parser.add_argument(
+        "--numbers",
+        type=_divisor,
+        default=1,
+        metavar="N",
+        help="N numbers each in place of one, each with each of the others, a million pairs (1)",
+    )
+    parser.add_argument(
         "--html", metavar="PLACE", help="write a page: a file, or a folder for page and data"
     )
     parser.add_argument("--json", metavar="FILE", help="write the data, from which to continue")
@@ -55,6 +62,13 @@ def _count(text: str) -> int:
     """A number of threads."""
     if not text.isdecimal() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"{text!r} is no number of threads, 1 or more")
+    return int(text)
+
+
+def _divisor(text: str) -> int:
+    """A number of which a million is a multiple."""
+    if not text.isdecimal() or int(text) < 1 or 10**6 % int(text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no whole number that divides 1,000,000")
     return int(text)
 
 
