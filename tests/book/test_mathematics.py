@@ -56,3 +56,6 @@ def test_a_long_formula_in_a_sentence_scrolls_in_its_box() -> None:
     assert inline(r"\alpha + \beta").startswith("<math")
     long = inline(" + ".join(["a_1"] * 12))
     assert long.startswith('<span class="long" tabindex="0"><math')
+    # few characters, but the space around signs and two roots
+    wide = inline(r"\kappa = \sqrt{4/\Lambda^{2} + 1/4}, \rho = \sqrt{\kappa + 1/2} = \alpha/\beta")
+    assert wide.startswith('<span class="long" tabindex="0"><math')

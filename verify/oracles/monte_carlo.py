@@ -27,6 +27,10 @@ from scipy import special
 
 Reals = NDArray[np.float64]
 LONGEST_RUN, LARGEST = 100_000, 1e100
+NOTHING = 2.0**-48
+"""What roundings may leave of a variance of 0 in a direction of two unit deviations."""
+NOTHING = 2.0**-48
+"""What roundings may leave of a variance of 0 in a direction of at most two unit deviations."""
 
 
 @dataclass(frozen=True)
@@ -106,7 +110,8 @@ def contradictions(
 
     ``errors`` (tracks, n). Every state and every sum and difference of two states, each in units
     of its stated deviation, is asked for its spread and its mean. ValueError where the covariance
-    gives a direction no positive variance, or the rate is not between 0 and 1.
+    gives a direction no variance beyond what roundings leave of 0, or the rate is not between 0
+    and 1.
     """
     if not 0 < false_alarm < 1:
         raise ValueError(f"a rate of false alarms lies between 0 and 1, got {false_alarm}")
@@ -118,7 +123,7 @@ def contradictions(
     found = []
     for name, direction in chosen:
         variance = float(direction @ covariance @ direction)
-        if not variance > 0:
+        if not variance > NOTHING:
             raise ValueError(f"the stated variance of {name} is {variance}")
         away = (errors - mean) @ direction / sqrt(variance)
         ratio, offset = float(np.mean(away**2)), float(np.mean(away)) * sqrt(tracks)

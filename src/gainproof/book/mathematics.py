@@ -10,7 +10,11 @@ from latex2mathml.converter import convert
 from markupsafe import Markup
 
 LONG = 24
-"""Characters of a formula in a sentence from which on it may be wider than 320 pixels."""
+"""Signs of a formula in a sentence from which on it may be wider than a phone has room for, which
+is 294 pixels: in the widest of the fonts asked for one takes 11, a root's sign and the space around
+an operator as much.
+"""
+_SPACED = frozenset("=+-\N{MINUS SIGN}<>\N{LESS-THAN OR EQUAL TO}\N{GREATER-THAN OR EQUAL TO}")
 _TAG = re.compile(r"<[^>]*>")
 _SPACE = "http://www.w3.org/1998/Math/MathML"
 _ELEMENTS = frozenset(
@@ -40,8 +44,10 @@ def inline(latex: str) -> Markup:
     browsers break no line within it.
     """
     found = _set(" ".join(latex.split()), "inline")
-    shown = _TAG.sub("", found.partition("<annotation")[0])
-    return Markup(f'<span class="long" tabindex="0">{found}</span>' if len(shown) > LONG else found)
+    drawn = found.partition("<annotation")[0]
+    shown = _TAG.sub("", drawn)
+    signs = len(shown) + sum(sign in _SPACED for sign in shown) + drawn.count("<msqrt>")
+    return Markup(f'<span class="long" tabindex="0">{found}</span>' if signs > LONG else found)
 
 
 @functools.lru_cache(maxsize=4096)
