@@ -98,7 +98,7 @@ def test_a_loop_that_does_not_shrink_and_bad_input_are_refused() -> None:
     with pytest.raises(ValueError, match="between 0 and 1, got 0"):
         monte_carlo.contradictions(np.ones((3, 1)), np.zeros(1), np.eye(1), 0)
     # singular; by the machine's order of operations the last two leave a little more or less than 0
-    for first, both, second in ((1, 1, 1), (5, 3, 1.8), (0.7, 2.1, 6.3)):
+    for first, both, second in ((1, 1, 1), (5, 15, 45), (6, 18, 54)):
         singular = np.array([[first, both], [both, second]])
         with pytest.raises(ValueError, match="stated variance of states 1 less 2 is "):
             monte_carlo.contradictions(np.ones((3, 2)), np.zeros(2), singular, 0.1)
