@@ -15,6 +15,7 @@ CODE = (
     "_blocks.py",
     "_double_word.py",
     "_guards.py",
+    "_inputs.py",
     "_outputs.py",
     "_result.py",
     "_runtime.py",

@@ -16,6 +16,7 @@ import numpy as np
 
 from gainproof.derive.printer.shipped._blocks import Blocks, Parts, cut
 from gainproof.derive.printer.shipped._guards import admit, block_length, doubted
+from gainproof.derive.printer.shipped._inputs import as_real, common_shape
 from gainproof.derive.printer.shipped._outputs import checked, overlap
 
 if TYPE_CHECKING:
@@ -67,8 +68,8 @@ def evaluate(
         )
     with np.errstate(all="ignore"):
         # a signalling NaN warns as soon as it is widened
-        inputs = _as_real(kernel, given)
-        shape = _common_shape(kernel, inputs)
+        inputs = as_real(kernel, given)
+        shape = common_shape(kernel, inputs)
         kind = inputs[0].dtype
         if out is None:
             results = [np.empty(shape, kind) for _ in kernel.outputs]
@@ -155,44 +156,6 @@ def _fill(call: Call, doubtful: Sequence[int], kept: Sequence[int], spans: Spans
         for y, straight, result in zip(filled, direct, results, strict=True):
             if not straight:
                 call.blocks.window(np.asarray(result), start, stop)[...] = call.blocks.box(y)
-
-
-def _as_real(kernel: Signature, given: Sequence[ArrayLike]) -> list[Array]:
-    """The inputs as arrays of one type, float64 unless all are float32."""
-    arrays = [_as_array(kernel, place, x) for place, x in enumerate(given)]
-    for domain, x in zip(kernel.inputs, arrays, strict=True):
-        if x.dtype.kind not in "iu" and x.dtype.type not in (np.float64, np.float32):
-            raise TypeError(
-                f"{kernel.name}: {domain.name} must be real numbers of type float64 or float32, "
-                f"or integers, got {x.dtype}"
-            )
-    single = all(x.dtype.type is np.float32 for x in arrays)
-    kind: np.dtype[Any] = np.dtype(np.float32 if single else np.float64)
-    return [x if x.dtype == kind else x.astype(kind) for x in arrays]
-
-
-def _as_array(kernel: Signature, place: int, given: ArrayLike) -> Array:
-    try:
-        return np.asarray(given)
-    except ValueError:
-        raise ValueError(
-            f"{kernel.name}: {kernel.inputs[place].name} must be a number or an array of numbers "
-            f"with rows of one length, got a {type(given).__name__} that is none"
-        ) from None
-
-
-def _common_shape(kernel: Signature, inputs: Sequence[Array]) -> tuple[int, ...]:
-    first = inputs[0].shape
-    if all(x.shape == first for x in inputs):
-        return first
-    try:
-        return np.broadcast_shapes(*(x.shape for x in inputs))
-    except ValueError:
-        each = zip(kernel.inputs, inputs, strict=True)
-        shapes = ", ".join(f"{domain.name} {x.shape}" for domain, x in each)
-        raise ValueError(
-            f"{kernel.name}: inputs must have shapes that broadcast, got {shapes}"
-        ) from None
 
 
 def _elsewhere(x: Array, y: Array) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
@@ -109,6 +110,42 @@ def test_no_output_is_touched_by_bad_input() -> None:
 def test_wrong_types(bad: Any) -> None:
     with pytest.raises(TypeError, match="x must be real numbers of type float64 or float32"):
         two()(bad)
+
+
+@pytest.mark.parametrize(
+    ("bad", "told"),
+    [
+        ("1", "text"),
+        (b"1", "text"),
+        ([1, "2"], "text"),
+        (None, "None"),
+        ([1.5, None], "None"),
+        ({}, "dict"),
+        ([Fraction(1, 2)], "Fraction"),
+        (10**400, "a larger one"),
+        ([0.5, -(10**30)], "a larger one"),
+        (np.array([1, 2.5], object), "an array of objects"),
+        (1j, "complex128"),
+        (True, "bool"),
+        (np.float16(1), "float16"),
+    ],
+)
+def test_what_came_is_told_in_words(bad: Any, told: str) -> None:
+    with pytest.raises(TypeError, match=rf"or integers of at most 64 bits, got {told}$"):
+        two()(bad)
+
+
+def test_masked_elements_are_refused() -> None:
+    """What lies under a mask is no number that was meant."""
+    table = np.ma.array([[0.5, 0.7], [0.8, 0.9]], mask=[[False, False], [True, False]])
+    with pytest.raises(ValueError, match=r"got a masked element at index \(1, 0\)$"):
+        two()(table)
+    with pytest.raises(ValueError, match=r"got a masked element at index 1$"):
+        two()(table[:, 0])
+    with pytest.raises(ValueError, match=r"got a masked element$"):
+        two()(np.ma.masked)
+    whole = two()(table[0])
+    assert [y.tolist() for y in whole] == [y.tolist() for y in two()([0.5, 0.7])]
 
 
 def test_whole_numbers() -> None:
