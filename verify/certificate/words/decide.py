@@ -88,9 +88,10 @@ def _ground(setting: Setting, given: Plain, premise: Premise, place: str) -> Gro
 
 
 def _equal(statement: Statement, ground: Ground) -> Conclusion:
-    """matrix_equal {"left", "right", "given"}; {"cofactors"}, {"cofactors", "definite", "side"} or
-    {"cofactors", "above", "below", "opposite"}: the difference is a combination of equations,
-    vanishes since N' D N does and D > 0, or is both >= 0 and <= 0.
+    """matrix_equal {"left", "right", "given"}; {"cofactors"}, {"cofactors", "definite", "side"},
+    also with {"factor", "rest"}, or {"cofactors", "above", "below", "opposite"}: the difference is
+    a combination of equations, vanishes since N' D N does and D > 0, as D K does for D >= 0, or
+    is both >= 0 and <= 0.
     """
     place = statement.id
     claim = schema.record(statement.claim, ("left", "right", "given"), f"{place}.claim")
@@ -98,7 +99,9 @@ def _equal(statement: Statement, ground: Ground) -> Conclusion:
     difference = left.minus(right, ground.setting.meter, place)
     evidence = schema.table(statement.evidence, f"{place}.evidence")
     if "side" in evidence:
-        evidence = schema.record(evidence, ("cofactors", "definite", "side"), f"{place}.evidence")
+        fields = ("cofactors", "definite", "side")
+        more = ("factor", "rest") if "factor" in evidence else ()
+        evidence = schema.record(evidence, (*fields, *more), f"{place}.evidence")
         require_vanishing(difference, evidence, ground, f"{place}.evidence")
     elif "above" in evidence:
         require_both_orders(difference, evidence, ground, f"{place}.evidence")

@@ -11,6 +11,7 @@ earlier order; ["unit", size], x' x > 0. Four rules, D standing for what is so k
    y = F_k x and y' D_k y = 0, for every u and number s, (y + s u)' D_k (y + s u) = 2 s u' D_k y +
    s^2 u' D_k u is not negative, D_k being symmetric, hence u' D_k y = 0, and so D_k y = 0.
 3. `require_vanishing`. N' D N = 0 with D > 0 makes N = 0: (N x)' D (N x) = 0 only for N x = 0.
+   Where D >= 0 only, D N = 0: (N x)' D (N x) = 0 makes D N x = 0 as in rule 2.
 4. `require_both_orders`. N >= 0 and -N >= 0 make N = 0: then x' N x = 0 for all x, so by polarity
    2 x' N y = (x + y)' N (x + y) - x' N x - y' N y = 0 for all x and y, N being symmetric.
 
@@ -146,14 +147,23 @@ def require_vanishing(
 ) -> None:
     """Reject unless N' D N is a combination of equations for a known D > 0. Rule 3.
 
-    N is the difference ("side": "left") or its transpose ("right").
+    N is the difference ("side": "left") or its transpose ("right"). With "factor", K, and "rest" it
+    is K' D K for a known D >= 0, and N - D K is the combination "rest".
     """
     meter = ground.setting.meter
     if evidence["side"] not in ("left", "right"):
         raise MalformedError(f'{place}: "side" is "left" or "right"')
     factor = difference if evidence["side"] == "left" else difference.transposed(meter)
     middle, strict = known_definite(evidence["definite"], ground, place)
-    if not strict:
+    if "factor" in evidence:
+        if middle.shape is None or factor.shape is None:
+            raise RejectedError(f"{place}: a matrix is wanted, not a number")
+        shape = (middle.shape[0], factor.shape[1])
+        inner = ground.setting.polynomial(evidence["factor"], shape, f"{place}.factor")
+        rest = factor.minus(middle.times(inner, meter, place), meter, place)
+        require_combination(rest, evidence["rest"], ground, f"{place}.rest")
+        factor = inner
+    elif not strict:
         raise RejectedError(f"{place}: the matrix in the middle is not positive definite")
     product = factor.transposed(meter).times(middle, meter, place).times(factor, meter, place)
     assert product.shape is not None

@@ -23,7 +23,7 @@ from gainproof.verify.judge.verdict import Finding
 
 TRIED = 3
 """Instances before a proof is looked for."""
-MORE_TRIED = 12
+MORE_TRIED = 60
 """Instances where no proof was found."""
 METHOD = "words"
 SHAPES = "the shapes of the letters give this one"

@@ -12,6 +12,14 @@ def is_symmetric(matrix: fmpq_mat) -> bool:
     return bool(matrix == matrix.transpose())
 
 
+def compared(left: fmpq_mat, operator: str, right: fmpq_mat) -> bool:
+    """Whether a relation of two matrices is true."""
+    if operator == "=":
+        return bool(left == right)
+    gap = left - right if operator.startswith(">") else right - left
+    return is_symmetric(gap) and bad_direction(gap, "=" not in operator) is None
+
+
 def bad_direction(matrix: fmpq_mat, strict: bool) -> list[fmpq] | None:
     """x with x' S x < 0, or where `strict` with x' S x = 0 and x not 0; None if there is none.
 

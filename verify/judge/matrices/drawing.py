@@ -74,12 +74,32 @@ def _simple_values(instance: Instance, given: Sequence[Chain], source: random.Ra
             instance.values[name] = diagonal
 
 
+def simplify(instance: Instance, source: random.Random) -> None:
+    """Square matrices as unit matrices, their negatives, projections or 0, as facts allow: random
+    ones rarely meet what makes a claim false, such as S Q = 1.
+    """
+    for name, value in instance.values.items():
+        facts = instance.setting.letters[name].facts
+        rows = value.nrows()
+        if rows != value.ncols() or source.random() < SPECIAL:
+            continue
+        regular = DEFINITE in facts or INVERTIBLE in facts
+        entries = [1] if regular else [0, 0, 1]
+        if not facts or facts == (SYMMETRIC,):
+            entries = [*entries, -1]
+        same = source.choice(entries)
+        simple = fmpq_mat(rows, rows)
+        for i in range(rows):
+            simple[i, i] = same if source.random() < SPECIAL else source.choice(entries)
+        instance.values[name] = simple
+
+
 def _of_letter(letter: Letter, instance: Instance, source: random.Random) -> fmpq_mat:
     rows, columns = instance.dimensions(letter.shape)
     if DEFINITE in letter.facts or SEMIDEFINITE in letter.facts:
         strict = DEFINITE in letter.facts
         width = rows if strict or INVERTIBLE in letter.facts else source.randint(0, rows)
-        return _gram(rows, width, strict, source) * source.choice((fmpq(1), fmpq(1), SMALL))
+        return gram(rows, width, strict, source) * source.choice((fmpq(1), fmpq(1), SMALL))
     if not letter.facts and source.random() < RARE:
         return fmpq_mat(rows, columns)
     found = _random(rows, columns, source)
@@ -88,7 +108,8 @@ def _of_letter(letter: Letter, instance: Instance, source: random.Random) -> fmp
     return found
 
 
-def _gram(rows: int, width: int, strict: bool, source: random.Random) -> fmpq_mat:
+def gram(rows: int, width: int, strict: bool, source: random.Random) -> fmpq_mat:
+    """A positive semidefinite matrix of at most that rank, or where `strict` a definite one."""
     found = fmpq_mat(rows, rows)
     if width:
         root = _random(rows, width, source)
@@ -124,7 +145,7 @@ def _from_hypothesis(
                     return value
                 size = value.nrows()
                 strict = "=" not in operator
-                gap = _gram(size, source.randint(0, size), strict, source)
+                gap = gram(size, source.randint(0, size), strict, source)
                 if operator.startswith(above):
                     return value + gap
                 return value - gap * SMALL  # so that it may be positive as well

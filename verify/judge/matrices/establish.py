@@ -22,6 +22,7 @@ from gainproof.verify.judge.matrices.products import (
     speak_of_factors,
 )
 from gainproof.verify.judge.matrices.suppose import add_equation
+from gainproof.verify.judge.matrices.turned import speak_of_definite, turned_inverses
 
 Definite = Callable[[Book, int], tuple[object, ...]]
 """Proves a letter positive definite; where that is known from. Raises UnprovedError."""
@@ -52,6 +53,7 @@ def establish(
             except UnprovedError as error:
                 reason = error  # perhaps later, when others are established
                 speak_of_factors(book, number)
+                speak_of_definite(book, number, definite)
             else:
                 done.add(number)
         if len(done) == before and len(waiting) == len(alphabet.inverse) - len(done):
@@ -117,7 +119,8 @@ def _left_inverse(book: Book, number: int, candidates: Sequence[Polynomial]) -> 
                 other = alphabet.letter(alphabet.inverse_of(each // 2))
                 total = total @ (other.T if each % 2 else other)
             candidates = [total, *candidates]
-    for left in (*candidates, *inverses_by_products(book, number)):
+    made = (*inverses_by_products(book, number), *turned_inverses(book, number))
+    for left in (*candidates, *made):
         if left.shape != alphabet.shapes[number] or number in _bases(book, left):
             continue
         rest = alphabet.unit(left.shape[0]) - left @ alphabet.letter(number)

@@ -8,20 +8,22 @@ from typing import Any
 
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.equation import Known
-from gainproof.verify.judge.matrices.full_rank import left_inverses
 from gainproof.verify.judge.matrices.gram import decomposed, signed_squares
 from gainproof.verify.judge.matrices.groups import groups_with_sum
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError, reciprocal
-from gainproof.verify.judge.matrices.size import Shape, Size
+from gainproof.verify.judge.matrices.rank import full_rank
+from gainproof.verify.judge.matrices.size import Shape
 from gainproof.verify.judge.matrices.squares import (
     Square,
     by_equations,
+    by_words,
     candidates,
     expanded,
     of_inverses,
     units,
 )
+from gainproof.verify.judge.matrices.subtracted import of_subtracted
 
 MOST_CANDIDATES = 60
 MOST_SEARCHED = 12
@@ -31,29 +33,20 @@ Asked = tuple[Shape, object]
 """A matrix: its shape and the key of its polynomial."""
 
 
-def definite(book: Book, number: int) -> tuple[object, ...]:
-    """Prove a letter positive definite. Raises UnprovedError."""
-    letter = book.alphabet.letter(number)
-    for known in book.known:
-        if known.strict and known.value.key == letter.key:
-            return known.reference
-    if number not in book.alphabet.symmetric:
-        raise UnprovedError("it is not known to be symmetric")
-    try:
-        evidence = prove_order(book, letter, True)
-    except UnprovedError:
-        if number not in book.invertible:
-            raise
-        # with an inverse by hypothesis it is enough that it is at least 0
-        weak = prove_order(book, letter, False)
-        sides = {"larger": book.graph(letter), "smaller": book.graph(letter - letter)}
-        name = book.state("matrix_order", {**sides, "relation": ">="}, weak)
-        book.known.append(Known(("statement", name), letter, False))
-        return ("statement", name)
-    claim = {"larger": book.graph(letter), "smaller": book.graph(letter - letter), "relation": ">"}
-    reference = ("statement", book.state("matrix_order", claim, evidence))
-    book.known.append(Known(reference, letter, True))
-    return reference
+def state_order(
+    book: Book, value: Polynomial, *, strict: bool, asked: frozenset[Asked] = frozenset()
+) -> Known:
+    """State that a matrix is positive (semi)definite, and remember it. Raises UnprovedError."""
+    return state_shown(book, value, strict, prove_order(book, value, strict, asked))
+
+
+def state_shown(book: Book, value: Polynomial, strict: bool, evidence: dict[str, Any]) -> Known:
+    """State it by this evidence."""
+    sides = {"larger": book.graph(value), "smaller": book.graph(value - value)}
+    name = book.state("matrix_order", {**sides, "relation": ">" if strict else ">="}, evidence)
+    known = Known(("statement", name), value, strict)
+    book.known.append(known)
+    return known
 
 
 def prove_order(
@@ -77,7 +70,10 @@ def prove_order(
                 "cofactors": cofactors,
             }
             if strict:
-                evidence["rank"] = _rank(book, squares, difference.shape[0])
+                factors = [
+                    (n, _positive(book, s.factor)) for n, s in enumerate(squares) if s.known.strict
+                ]
+                evidence["rank"] = full_rank(book, factors, difference.shape[0], MOST_PRODUCTS)
         except (UnprovedError, TooLongError):
             continue
         return evidence
@@ -114,9 +110,7 @@ def _attempts(book: Book, value: Polynomial, asked: frozenset[Asked]) -> Iterato
                 if own is not None and own.key == value.key:
                     yield [square]
     for some in (known, *([one] for one in known)):
-        gram = decomposed(book, value, some)
-        if gram is not None:
-            yield [Square(factor, one, weight) for factor, one, weight in gram]
+        yield from _of_gram(book, value, some)
     signed = signed_squares(book, value, known)
     if signed:
         yield [Square(factor, one) for factor, one in signed]
@@ -131,7 +125,16 @@ def _attempts(book: Book, value: Polynomial, asked: frozenset[Asked]) -> Iterato
         if set(own.terms) & set(value.terms):
             yield [square]
     yield from of_inverses(book, known)
+    yield from of_subtracted(book, value, known)
     yield from _of_bases(book, value, known, asked)
+    for other in by_words(book, value):
+        yield from _of_gram(book, other, known)
+
+
+def _of_gram(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterator[list[Square]]:
+    gram = decomposed(book, value, known)
+    if gram is not None:
+        yield [Square(factor, one, weight) for factor, one, weight in gram]
 
 
 def _primitive(square: Square, value: Polynomial) -> tuple[Square, Polynomial]:
@@ -175,30 +178,9 @@ def _of_bases(
         return
     for strict in (True, False):
         try:
-            evidence = prove_order(book, gap, strict, asked)
+            shown = state_order(book, gap, strict=strict, asked=asked)
         except (UnprovedError, TooLongError):
             continue
-        sides = {"larger": book.graph(gap), "smaller": book.graph(gap - gap)}
-        name = book.state("matrix_order", {**sides, "relation": ">" if strict else ">="}, evidence)
-        book.known.append(Known(("statement", name), gap, strict))
-        break
-    else:
+        again = Square(alphabet.reduced(whole @ first), last, terms[1][1])
+        yield [Square(first, shown, whole.content), again]
         return
-    again = Square(alphabet.reduced(whole @ first), last, terms[1][1])
-    yield [Square(first, book.known[-1], whole.content), again]
-
-
-def _rank(book: Book, squares: Sequence[Square], size: Size) -> dict[str, Any]:
-    """Evidence that the squares vanish at zero only."""
-    unit = book.alphabet.unit(size)
-    factors = [(n, _positive(book, s.factor)) for n, s in enumerate(squares) if s.known.strict]
-    tried = [(n, left, f) for n, f in factors for left in left_inverses(book, f)]
-    # one that needs no equation is sooner found than it is seen that another does not do
-    for most in (0, MOST_PRODUCTS):
-        for number, left, factor in tried:
-            try:
-                cofactors = book.vanishing(unit - left @ factor, most=most)
-            except (UnprovedError, TooLongError):
-                continue
-            return {"left_inverses": [[number, left]], "cofactors": cofactors}
-    raise UnprovedError("no left inverse was found")

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import reduce
 from math import gcd, lcm
 from typing import TypeAlias
 
@@ -82,7 +81,7 @@ class Polynomial:
     def content(self) -> Number:
         """The largest number > 0 of which all coefficients are whole multiples; 1 if all are 0."""
         values = [Fraction(value) for value in self.terms.values()] or [Fraction(1)]
-        top = reduce(gcd, (value.numerator for value in values))
+        top = gcd(*(value.numerator for value in values))
         return reciprocal(Fraction(lcm(*(value.denominator for value in values)), top))
 
     @property

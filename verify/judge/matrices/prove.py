@@ -9,14 +9,16 @@ from typing import Any
 from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.book import Book
 from gainproof.verify.judge.matrices.clearing import cleared
+from gainproof.verify.judge.matrices.consequences import draw_consequences
 from gainproof.verify.judge.matrices.cuts import cuts_of, pieces_of
+from gainproof.verify.judge.matrices.definite_letter import definite
 from gainproof.verify.judge.matrices.equation import Known
 from gainproof.verify.judge.matrices.establish import establish
 from gainproof.verify.judge.matrices.expand import Expander
 from gainproof.verify.judge.matrices.letter import MatrixSetting
 from gainproof.verify.judge.matrices.macaulay import Budget, UnprovedError
 from gainproof.verify.judge.matrices.opened import opened
-from gainproof.verify.judge.matrices.order import definite, prove_order
+from gainproof.verify.judge.matrices.order import prove_order
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError
 from gainproof.verify.judge.matrices.products import suppose_product
 from gainproof.verify.judge.matrices.suppose import (
@@ -27,9 +29,9 @@ from gainproof.verify.judge.matrices.suppose import (
     suppose_order,
 )
 from gainproof.verify.judge.matrices.tree import Chain, Node
+from gainproof.verify.judge.matrices.vanishing import by_definite
 
 MOST_HINTS = 40
-FEW_PRODUCTS = 300
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,17 @@ def proof_of(question: Question, setting: MatrixSetting, most: int, budget: Budg
     establish(book, definite, candidates)
     for premise in question.premises:
         _prove(premise, book, expand)
-    book.goals += _prove(question, book, expand)
+    try:
+        book.goals += _prove(question, book, expand)
+    except UnprovedError:
+        wanted = [
+            expand.of(left) - expand.of(right)
+            for left, operator, right in links(question.chains)
+            if operator == "="
+        ]
+        if not draw_consequences(book, wanted):
+            raise
+        book.goals += _prove(question, book, expand)
     return book
 
 
@@ -139,7 +151,7 @@ def equal(book: Book, left: Polynomial, right: Polynomial) -> str:
         try:
             evidence = {"cofactors": cleared(book, residual, _establish_more)}
         except UnprovedError:
-            evidence = _by_definite(book, residual)
+            evidence = by_definite(book, residual)
             if evidence is None:
                 raise
     name = book.state("matrix_equal", claim, evidence)
@@ -165,23 +177,6 @@ def _between_orders(book: Book, residual: Polynomial) -> dict[str, Any] | None:
                 }
             except (UnprovedError, TooLongError):
                 continue
-    return None
-
-
-def _by_definite(book: Book, residual: Polynomial) -> dict[str, Any] | None:
-    """N = 0 since N' D N = 0 for a D that is positive definite."""
-    units = [
-        Known(("unit", size), book.alphabet.unit(size), True) for size in set(residual.shape[:1])
-    ]
-    for known in (*book.known, *units):
-        if not known.strict or known.value.shape[0] != residual.shape[0]:
-            continue
-        try:
-            form = residual.T @ known.value @ residual
-            cofactors = book.vanishing(form, most=FEW_PRODUCTS)
-        except (UnprovedError, TooLongError):
-            continue
-        return {"cofactors": cofactors, "definite": known.reference, "side": "left"}
     return None
 
 

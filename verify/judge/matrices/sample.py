@@ -5,10 +5,12 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 
-from flint import fmpq_mat
-
-from gainproof.verify.judge.matrices.definite_values import bad_direction, is_symmetric
-from gainproof.verify.judge.matrices.drawing import fill
+from gainproof.verify.judge.matrices.definite_values import (
+    bad_direction,
+    compared,
+    is_symmetric,
+)
+from gainproof.verify.judge.matrices.drawing import fill, simplify
 from gainproof.verify.judge.matrices.instance import Instance, NoValueError, Unsupported
 from gainproof.verify.judge.matrices.letter import (
     DEFINITE,
@@ -18,11 +20,14 @@ from gainproof.verify.judge.matrices.letter import (
     Letter,
     MatrixSetting,
 )
+from gainproof.verify.judge.matrices.solving import solve
 from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 
 MOST_TRIES = 120
 EMPTY = 4
 """In one of so many instances a step of sizes is 0."""
+SIMPLE = 2
+"""Where the first instances do not refute a claim, one of so many of the others is simple."""
 STEPS = (1, 2, 3, 2, 1, 4, 6, 7, 8)
 """What the steps of sizes are tried with, small ones first; six unknowns want six equations."""
 
@@ -36,14 +41,6 @@ def holds(chain: Chain, instance: Instance) -> bool:
         compared(left, operator, right)
         for left, operator, right in zip(values, chain.operators, values[1:], strict=False)
     )
-
-
-def compared(left: fmpq_mat, operator: str, right: fmpq_mat) -> bool:
-    """Whether a relation of two matrices is true."""
-    if operator == "=":
-        return bool(left == right)
-    gap = left - right if operator.startswith(">") else right - left
-    return is_symmetric(gap) and bad_direction(gap, "=" not in operator) is None
 
 
 def instances(
@@ -69,6 +66,13 @@ def instances(
             instance = Instance(setting, steps)
             fill(instance, given, source)
             # values were changed while others were formed: nothing is kept of those
+            instance = instance.with_values({})
+            # with a source of its own: what is drawn otherwise does not depend on it
+            other = random.Random(f"{seed} {number}")
+            if seed > 1 and number % SIMPLE == 0:
+                simplify(instance, other)
+            if given:
+                solve(given, instance, other)
             instance = instance.with_values({})
             if (
                 all(holds(chain, instance) for chain in given)

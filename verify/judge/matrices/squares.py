@@ -97,7 +97,12 @@ def by_equations(book: Book, squares: Sequence[Square]) -> Iterator[tuple[Square
 def _meant(book: Book, one: Known) -> list[Polynomial]:
     """What is known to be definite, with what letters in it are short for, also by equations."""
     value = book.alphabet.reduced(book.without_elements(one.value)[0])
-    found = [value]
+    found = [value, *by_words(book, value)]
+    return list({p.key: p for p in found}.values())[:MOST_MEANINGS]
+
+
+def by_words(book: Book, value: Polynomial) -> Iterator[Polynomial]:
+    """The value as each equation has it that says what one of its words is."""
     for equation in book.equations:
         if equation.value.shape != value.shape:
             continue
@@ -105,8 +110,7 @@ def _meant(book: Book, one: Known) -> list[Polynomial]:
         if word is not None:
             factor = value.terms[word] * reciprocal(equation.value.terms[word])
             if abs(factor) == 1:
-                found.append(value - equation.value.times(factor))
-    return list({p.key: p for p in found}.values())[:MOST_MEANINGS]
+                yield value - equation.value.times(factor)
 
 
 def of_inverses(book: Book, known: Sequence[Known]) -> Iterator[list[Square]]:

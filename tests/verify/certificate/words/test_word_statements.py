@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
@@ -198,6 +199,56 @@ def test_what_vanishes_between_a_definite_matrix_is_zero() -> None:
     }
     claim = {"left": graph("A"), "right": graph("B"), "given": [zero, known("definite", "D")]}
     assert check(certificate(place, statement("x", "matrix_equal", claim, evidence))).accepted
+
+
+def semidefinite_product(factor: Any, kind: str = "semidefinite") -> Data:
+    """D K = 0 since K' D K = 0, by a factor that is K."""
+    place = setting({"K": "n m", "D": "n n"})
+    zero = equation(("mul", ("transpose", "K"), "D", "K"), "0")
+    evidence = {
+        "cofactors": [cofactor(["given", 0], ONE, ONE)],
+        "definite": ["given", 1],
+        "side": "left",
+        "factor": factor,
+        "rest": [],
+    }
+    claim = {
+        "left": graph(("mul", "D", "K")),
+        "right": graph("0"),
+        "given": [zero, known(kind, "D")],
+    }
+    return certificate(place, statement("x", "matrix_equal", claim, evidence))
+
+
+def test_what_vanishes_beside_a_semidefinite_matrix() -> None:
+    assert check(semidefinite_product(poly("1 K"))).accepted
+
+
+@pytest.mark.parametrize(
+    ("factor", "kind", "reason"),
+    [
+        (poly("-1 K"), "semidefinite", "left over"),
+        (poly("2 K"), "semidefinite", "left over"),
+        ([], "semidefinite", "left over"),
+        (poly("1 D", "1 K"), "semidefinite", "shape|columns|rows"),
+        (poly("1 K"), "symmetric", "definite"),
+    ],
+)
+def test_another_factor_is_refused_beside_it(factor: Any, kind: str, reason: str) -> None:
+    assert re.search(reason, reasons(semidefinite_product(factor, kind))["x"])
+
+
+def test_what_a_semidefinite_matrix_multiplies_need_not_vanish() -> None:
+    """Of K' D K = 0 it follows that D K is 0, not that K is; and K' D K = 0 has to be shown."""
+    data = semidefinite_product(poly("1 K"))
+    data["statements"][0]["claim"]["left"] = graph("K")
+    assert "left over" in reasons(data)["x"]
+    data = semidefinite_product(poly("1 K"))
+    data["statements"][0]["evidence"]["cofactors"] = []
+    assert "not shown to vanish" in reasons(data)["x"]
+    data = semidefinite_product(poly("1 K"))
+    del data["statements"][0]["evidence"]["rest"]
+    assert "rest" in reasons(data)["x"]
 
 
 def test_a_left_inverse_is_enough_for_a_square_matrix() -> None:

@@ -1,0 +1,177 @@
+"""What equations of a book say that no sum of their multiples does: factors cancelled, and why an
+N that is wanted is 0. Since N P = 0 with P positive definite; since N = N P W with the inverse W of
+P; since equations make N D N' minus a sum of squares, so that it is 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import Any
+
+from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.cancelling import cancelled
+from gainproof.verify.judge.matrices.division import quotient
+from gainproof.verify.judge.matrices.equation import Cofactor, Equation, Known
+from gainproof.verify.judge.matrices.gram import decomposed
+from gainproof.verify.judge.matrices.macaulay import UnprovedError
+from gainproof.verify.judge.matrices.order import state_order
+from gainproof.verify.judge.matrices.polynomial import (
+    Polynomial,
+    TooLongError,
+    reciprocal,
+)
+from gainproof.verify.judge.matrices.squares import units
+from gainproof.verify.judge.matrices.suppose import add_equation
+from gainproof.verify.judge.matrices.vanishing import by_definite
+
+FAILURES = (UnprovedError, TooLongError)
+
+
+def draw_consequences(book: Book, residuals: list[Polynomial]) -> bool:
+    """Add them to the book, for these matrices that are to be shown zero; whether there are any."""
+    before = len(book.equations) + len(book.known)
+    for equation in [*book.equations, *_meanings(book)]:
+        if not _of_an_inverse(book, equation):
+            for one in cancelled(book, equation):
+                add_equation(book, one)
+    _of_sums(book)
+    for residual in residuals:
+        value = book.alphabet.reduced(book.without_elements(residual)[0])
+        for side in (value, book.alphabet.reduced(value.T)):
+            _of_multiples(book, side)
+            _of_squares(book, side)
+    return len(book.equations) + len(book.known) > before
+
+
+def _of_an_inverse(book: Book, equation: Equation) -> bool:
+    """Whether it says what the inverse of an element is, or a letter by that."""
+    alphabet = book.alphabet
+    held = [
+        any(alphabet.base.get(letter // 2) in alphabet.elements for letter in word)
+        for word in equation.value.terms
+    ]
+    return any(held) and not all(held)
+
+
+def _meanings(book: Book) -> Iterator[Equation]:
+    """X = p for the letters X of elements that are supposed to be positive (semi)definite."""
+    alphabet = book.alphabet
+    for known in book.known:
+        for number, meaning in alphabet.elements.items():
+            letter = alphabet.letter(number)
+            if known.value.key == letter.key:
+                rows, columns = (alphabet.unit(size) for size in meaning.shape)
+                proof = (Cofactor(("element", number), False, rows, columns),)
+                yield book.normal(Equation(letter - meaning, lambda proof=proof: proof))  # type: ignore[misc]
+
+
+def _of_multiples(book: Book, wanted: Polynomial) -> None:
+    """Of equations N P = 0 with N the wanted."""
+    alphabet = book.alphabet
+    for equation in list(book.equations):
+        other = quotient(alphabet, equation.value, wanted)
+        if other is None or other.shape[0] != other.shape[1]:
+            continue
+        for number, meaning in list(alphabet.elements.items()):
+            if number in alphabet.inverse and number in book.established:
+                for flipped, own in ((False, meaning), (True, alphabet.reduced(meaning.T))):
+                    if own.primitive.key == other.primitive.key:
+                        add_equation(book, _divided(book, equation, wanted, number, flipped))
+        if alphabet.reduced(other.T).key == other.key:
+            for one in (other, -other):
+                with suppress(*FAILURES):
+                    state_order(book, one, strict=True)
+                    break
+
+
+def _divided(
+    book: Book, equation: Equation, wanted: Polynomial, number: int, flipped: bool
+) -> Equation:
+    """N = E W - N (p W - 1) for the equation E = N p and the inverse W of the element p, or with
+    the transposes of both.
+    """
+    alphabet = book.alphabet
+    meaning, inverse = alphabet.elements[number], alphabet.letter(alphabet.inverse[number])
+    if flipped:
+        meaning, inverse = meaning.T, inverse.T
+    unit, rows = alphabet.unit(wanted.shape[1]), alphabet.unit(wanted.shape[0])
+    whole = alphabet.reduced(wanted @ meaning)
+    word = next(iter(whole.terms))
+    weight = equation.value.terms[word] * reciprocal(whole.terms[word])
+    behind = inverse.times(reciprocal(weight))
+    value = equation.value @ behind + wanted - wanted @ meaning @ inverse
+
+    def make() -> tuple[Cofactor, ...]:
+        # X W - 1 with the letter X of the element, and X - p; of transposes W' X' is found first
+        side = "left" if flipped else "right"
+        one = Cofactor(("inverse", number, side), flipped, -wanted, unit)
+        element = Cofactor(("element", number), flipped, wanted, inverse)
+        return (*(c.inside(rows, behind) for c in equation.proof), one, element)
+
+    return book.normal(Equation(value, make))
+
+
+def _of_sums(book: Book) -> None:
+    """D F = 0 for each square F' D F of a sum that equations make 0, or that is at most 0."""
+    facts = [equation.value for equation in book.equations]
+    facts += [book.alphabet.reduced(book.without_elements(k.value)[0]) for k in book.known]
+    for fact in facts:
+        if fact.shape[0] != fact.shape[1]:
+            continue
+        known = [*book.known, *units(book, fact)]
+        for sign in (1, -1):
+            for factor, one, _ in decomposed(book, fact.times(sign), known) or ():
+                with suppress(*FAILURES):
+                    _vanishes(book, factor, one)
+
+
+def _vanishes(book: Book, factor: Polynomial, known: Known) -> None:
+    """State that D F is 0, or F if D > 0, since F' D F is. Raises UnprovedError, TooLongError."""
+    wanted = factor if known.strict else book.alphabet.reduced(known.value @ factor)
+    evidence = by_definite(book, wanted)
+    if evidence is None:
+        _squeeze(book, book.alphabet.reduced(factor.T @ known.value @ factor))
+        evidence = by_definite(book, wanted)
+    if evidence is not None:
+        _add_zero(book, wanted, evidence)
+
+
+def _of_squares(book: Book, wanted: Polynomial) -> None:
+    """Where equations make a square of the wanted minus a sum of squares, it is 0."""
+    rows = wanted.shape[1]
+    unit = Known(("unit", rows), book.alphabet.unit(rows), True)
+    facts = [equation.value for equation in book.equations]
+    facts += [book.alphabet.reduced(book.without_elements(k.value)[0]) for k in book.known]
+    words = {word for fact in facts for word in fact.terms}
+    for known in (*book.known, unit):
+        if not known.strict or known.value.shape[0] != rows:
+            continue
+        try:
+            form = book.alphabet.reduced(wanted @ known.value @ wanted.T)
+        except TooLongError:
+            continue
+        if form.terms and words.issuperset(form.terms):
+            with suppress(*FAILURES):
+                _squeeze(book, form)
+
+
+def _squeeze(book: Book, form: Polynomial) -> None:
+    """State that it is 0, being neither more nor less. Raises UnprovedError, TooLongError."""
+    below = state_order(book, -form, strict=False)
+    above = state_order(book, form, strict=False)
+    evidence = {
+        "above": above.reference,
+        "below": below.reference,
+        "cofactors": [],
+        "opposite": [],
+    }
+    _add_zero(book, form, evidence)
+
+
+def _add_zero(book: Book, value: Polynomial, evidence: dict[str, Any]) -> None:
+    """State that it is 0."""
+    claim = {"left": book.graph(value), "right": book.graph(value - value)}
+    name = book.state("matrix_equal", claim, evidence)
+    book.differences[name] = value
+    add_equation(book, book.equation(("statement", name)))
