@@ -32,9 +32,8 @@ def draw_consequences(book: Book, residuals: list[Polynomial]) -> bool:
     """Add them to the book, for these matrices that are to be shown zero; whether there are any."""
     before = len(book.equations) + len(book.known)
     for equation in [*book.equations, *_meanings(book)]:
-        if not _of_an_inverse(book, equation):
-            for one in cancelled(book, equation):
-                add_equation(book, one)
+        for one in cancelled(book, equation, common=_of_an_inverse(book, equation)):
+            add_equation(book, one)
     _of_sums(book)
     for residual in residuals:
         value = book.alphabet.reduced(book.without_elements(residual)[0])
@@ -114,14 +113,11 @@ def _divided(
 
 def _of_sums(book: Book) -> None:
     """D F = 0 for each square F' D F of a sum that equations make 0, or that is at most 0."""
-    facts = [equation.value for equation in book.equations]
-    facts += [book.alphabet.reduced(book.without_elements(k.value)[0]) for k in book.known]
-    for fact in facts:
-        if fact.shape[0] != fact.shape[1]:
-            continue
-        known = [*book.known, *units(book, fact)]
-        for sign in (1, -1):
-            for factor, one, _ in decomposed(book, fact.times(sign), known) or ():
+    facts = [e.value for e in book.equations if not _of_an_inverse(book, e)]
+    at_most = [-book.alphabet.reduced(book.without_elements(k.value)[0]) for k in book.known]
+    for fact in (*facts, *(-fact for fact in facts), *at_most):
+        if fact.shape[0] == fact.shape[1]:
+            for factor, one, _ in decomposed(book, fact, [*book.known, *units(book, fact)]) or ():
                 with suppress(*FAILURES):
                     _vanishes(book, factor, one)
 

@@ -8,6 +8,15 @@ from gainproof.verify.judge.matrices.polynomial import Polynomial
 from gainproof.verify.judge.matrices.suppose import add_equation
 
 
+def known_inverse(book: Book, letter: int) -> Polynomial | None:
+    """The inverse of a letter or its transpose, if it is established that there is one."""
+    alphabet, number = book.alphabet, letter // 2
+    if alphabet.base.get(number, number) not in book.established:
+        return None
+    other = alphabet.letter(alphabet.inverse_of(number))
+    return other.T if letter % 2 else other
+
+
 def make_symmetric(book: Book, number: int) -> None:
     """State that an element is symmetric, if the polynomial is."""
     alphabet = book.alphabet

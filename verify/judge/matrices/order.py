@@ -23,7 +23,7 @@ from gainproof.verify.judge.matrices.squares import (
     of_inverses,
     units,
 )
-from gainproof.verify.judge.matrices.subtracted import of_subtracted
+from gainproof.verify.judge.matrices.subtracted import FEW_HINTS, of_completed, of_subtracted
 
 MOST_CANDIDATES = 60
 MOST_SEARCHED = 12
@@ -126,9 +126,24 @@ def _attempts(book: Book, value: Polynomial, asked: frozenset[Asked]) -> Iterato
             yield [square]
     yield from of_inverses(book, known)
     yield from of_subtracted(book, value, known)
+    yield from of_completed(book, value, known)
+    yield from _of_hints(book, known)
     yield from _of_bases(book, value, known, asked)
     for other in by_words(book, value):
         yield from _of_gram(book, other, known)
+
+
+def _of_hints(book: Book, known: Sequence[Known]) -> Iterator[list[Square]]:
+    """H' W H with W the inverse of an element and H a letter: they share no word with the value."""
+    alphabet = book.alphabet
+    for one in known:
+        words = list(one.value.terms)
+        if len(words) == 1 and len(words[0]) == 1:
+            base = alphabet.base.get(words[0][0] // 2)
+            if base in alphabet.elements:
+                hints = [h for h in (*book.hints, *(h.T for h in book.hints)) if h.terms]
+                fitting = [h for h in hints if h.shape[0] == one.value.shape[0]]
+                yield from ([Square(hint, one)] for hint in fitting[:FEW_HINTS])
 
 
 def _of_gram(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterator[list[Square]]:

@@ -17,6 +17,7 @@ from gainproof.verify.judge.matrices.polynomial import (
 from gainproof.verify.judge.matrices.size import ZERO, Size
 
 MOST_MEANINGS = 5
+FEW_TERMS = 4
 
 
 @dataclass(frozen=True)
@@ -52,6 +53,10 @@ def candidates(book: Book, value: Polynomial, known: Sequence[Known]) -> Iterato
     for one in known:
         if one.value.shape[0] == size and one.reference[0] != "unit":
             yield Square(book.alphabet.unit(size), one)
+    for one in known:
+        # 1 - X' X = (1 - X' X)^2 + X' (1 - X X') X
+        if one.strict and one.value.shape == value.shape and len(value.terms) <= FEW_TERMS:
+            yield Square(value, one)
     for one in known:
         if one.reference[0] != "unit":
             yield from _schur(book, one, size)

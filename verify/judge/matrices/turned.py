@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 
 from gainproof.verify.judge.matrices.alphabet import Alphabet
 from gainproof.verify.judge.matrices.book import Book
+from gainproof.verify.judge.matrices.inverse_facts import known_inverse
 from gainproof.verify.judge.matrices.macaulay import UnprovedError
 from gainproof.verify.judge.matrices.polynomial import Polynomial, TooLongError, reciprocal
 
@@ -82,7 +83,7 @@ def _forms(book: Book, value: Polynomial, inverse: Polynomial, *, own: bool) -> 
     for word, factor in value.terms.items():
         before = alphabet.unit(value.shape[0])
         for letter in word:
-            other = _inverse(book, letter)
+            other = known_inverse(book, letter)
             if other is None:
                 break
             before = other @ before
@@ -92,15 +93,6 @@ def _forms(book: Book, value: Polynomial, inverse: Polynomial, *, own: bool) -> 
                 before = before.times(reciprocal(factor))
                 form = alphabet.reduced(before @ value)
                 yield form, before if own else inverse @ whole
-
-
-def _inverse(book: Book, letter: int) -> Polynomial | None:
-    alphabet, number = book.alphabet, letter // 2
-    base = alphabet.base.get(number, number)
-    if base not in book.established:
-        return None
-    other = alphabet.letter(alphabet.inverse_of(number))
-    return other.T if letter % 2 else other
 
 
 def _splits(alphabet: Alphabet, value: Polynomial) -> Iterator[tuple[Polynomial, Polynomial]]:

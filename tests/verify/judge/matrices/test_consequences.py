@@ -141,3 +141,63 @@ def test_what_is_not_symmetric_may_have_an_inverse(latex: str, verdict: str) -> 
 def test_what_a_measurement_leaves(latex: str, kind: str, verdict: str) -> None:
     found = judged_matrices(latex, kind, symbols=LETTERS)
     assert found.verdict == verdict, found.reason
+
+
+GAIN = (
+    LETTERS
+    + r"""
+'K' = { definition = 'Q A^T (A Q A^T + R)^{-1}', meaning = "gain" }
+'P' = { definition = '(I_n - K A) Q', meaning = "what a measurement leaves" }
+'L' = { shape = ["n", "m"], meaning = "any gain" }
+"""
+)
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"P \leq (I_n - L A) Q (I_n - L A)^T + L R L^T", "proved"),
+        (r"P < (I_n - L A) Q (I_n - L A)^T + L R L^T", "refuted"),
+        (r"Q^{-1} \leq P^{-1}", "proved"),
+        (r"Q^{-1} < P^{-1}", "refuted"),
+        ("A P A^T < R", "proved"),
+        ("A P A^T < A Q A^T", "refuted"),
+        ("2 A P A^T < R", "refuted"),
+    ],
+)
+def test_no_gain_leaves_less_than_kalmans(latex: str, verdict: str) -> None:
+    found = judged_matrices(latex, "inequality", symbols=GAIN)
+    assert found.verdict == verdict, found.reason
+
+
+@pytest.mark.parametrize(
+    ("latex", "given", "verdict"),
+    [
+        (r"(A^T R^{-1} A)^{-1} \leq L R L^T", "L A = I_n", "proved"),
+        (r"(A^T R^{-1} A)^{-1} \leq L R L^T", "2 L A = I_n", "refuted"),
+        (
+            r"\frac{1}{3} Q^{-1} + \frac{2}{3} V^{-1} \geq (\frac{1}{3} Q + \frac{2}{3} V)^{-1}",
+            "",
+            "proved",
+        ),
+        (
+            r"\frac{1}{3} Q^{-1} + \frac{1}{3} V^{-1} \geq (\frac{1}{3} Q + \frac{2}{3} V)^{-1}",
+            "",
+            "refuted",
+        ),
+        (r"4 (Q^{-1} + V^{-1})^{-1} \leq Q + V", "", "proved"),
+        (r"5 (Q^{-1} + V^{-1})^{-1} \leq Q + V", "", "refuted"),
+        (r"X Y + Y X \leq X Q X + Y Q^{-1} Y", "", "proved"),
+        (r"X Y + Y X \leq X Q X + Y V^{-1} Y", "", "refuted"),
+        (r"A^T A \leq I_n", r"A A^T \leq I_m", "proved"),
+        (r"A^T A < I_n", r"A A^T < I_m", "proved"),
+        (r"A^T A < I_n", r"A A^T \leq I_m", "refuted"),
+        (r"x x^T \leq Q", r"x^T Q^{-1} x \leq 1", "proved"),
+        (r"x x^T \leq Q", r"x^T Q^{-1} x \leq 2", "refuted"),
+    ],
+)
+def test_squares_with_an_inverse(latex: str, given: str, verdict: str) -> None:
+    more = f"given = ['{given}']\n" if given else ""
+    more += "invertible = ['A^T R^{-1} A']" if "L" in latex else ""
+    found = judged_matrices(latex, "inequality", more, symbols=GAIN)
+    assert found.verdict == verdict, found.reason
