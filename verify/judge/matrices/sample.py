@@ -26,6 +26,8 @@ from gainproof.verify.judge.matrices.tree import REGULAR, Bound, Chain, Node
 MOST_TRIES = 120
 EMPTY = 4
 """In one of so many instances a step of sizes is 0."""
+PATIENCE = 12
+"""After so many, hypotheses of which no instance came up are solved; later ones always are."""
 SIMPLE = 2
 """Where the first instances do not refute a claim, one of so many of the others is simple."""
 STEPS = (1, 2, 3, 2, 1, 4, 6, 7, 8)
@@ -54,7 +56,7 @@ def instances(
     """Instances that satisfy all facts of letters, the hypotheses and the bounds on sizes."""
     letters = list(setting.letters.values())
     doubtful = _touched(setting, given)
-    source = random.Random(seed)
+    source, found = random.Random(seed), 0
     for number in range(tries):
         base = STEPS[number % len(STEPS)]
         steps = {name: max(1, base + source.choice((-1, 0, 0, 1))) for name in setting.sizes.steps}
@@ -71,7 +73,7 @@ def instances(
             other = random.Random(f"{seed} {number}")
             if seed > 1 and number % SIMPLE == 0:
                 simplify(instance, other)
-            if given:
+            if given and (seed > 1 or (not found and number >= PATIENCE)):
                 solve(given, instance, other)
             instance = instance.with_values({})
             if (
@@ -79,6 +81,7 @@ def instances(
                 and all(instance.of(node).det() != 0 for node in invertible)
                 and all(_as_declared(letter, instance, doubtful) for letter in letters)
             ):
+                found += 0 not in steps.values()
                 yield instance
         except (NoValueError, Unsupported):
             continue
