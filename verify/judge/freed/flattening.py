@@ -1,6 +1,6 @@
 """Powers of exponentials and exponentials of logarithms written without the inner function.
 
-exp(a log b) = b^a and (b^a)^c = b^(a c) for positive b, exp(a)^c = exp(a c).
+exp(a log b) = b^a and (b^a)^c = b^(a c) for positive b, exp(a)^c = exp(a c); logarithms as sums.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number
+from gainproof.verify.judge.freed.logarithms import of_arc_tangent, sum_of_logarithms
 from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials
 from gainproof.verify.judge.freed.ranges import Positive
 from gainproof.verify.judge.meaning.evaluation import general_power
@@ -22,6 +23,10 @@ def flattened(expr: Expr, is_positive: Positive) -> Expr:
             return _exponential(parts[0], is_positive)
         if node.kind == "call" and node.name == "power":
             return _power(parts[0], parts[1], is_positive)
+        if node.kind == "call" and node.name == "log":
+            return sum_of_logarithms(parts[0], is_positive)
+        if node.kind == "call" and len(parts) == 1:
+            return of_arc_tangent(node.name, parts[0])
         if node.kind == "pow" and parts[0].kind == "call":
             return _power(parts[0], number(node.fraction), is_positive)
         return None

@@ -1,0 +1,51 @@
+"""Logarithms of products of positive factors, and angles that are an arc tangent."""
+
+from __future__ import annotations
+
+import pytest
+from small_claims import judged
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\log(a b) = \log a + \log b", "proved"),
+        (r"\log\frac{a^x}{\sqrt{b}} = x \log a - \frac{1}{2} \log b", "proved"),
+        (r"\log(a e^x) = x + \log a", "proved"),
+        (r"\log\frac{1 + a}{1 + b} = \log(1 + a) - \log(1 + b)", "proved"),
+        (r"\log 72 = 3 \log 2 + 2 \log 3", "proved"),
+        (r"\log 1 = 0", "proved"),
+        (r"\sin(\arctan x) = \frac{x}{\sqrt{1 + x^2}}", "proved"),
+        (r"\cos(\arctan x) = \frac{1}{\sqrt{1 + x^2}}", "proved"),
+        (r"\tan(\arctan x) = x", "proved"),
+        (r"\log(a + b) = \log a + \log b", "refuted"),
+        (r"\log(a^x) = x \log b", "refuted"),
+        (r"\log\sqrt{a} = 2 \log a", "refuted"),
+        (r"\log 9 = 3 \log 2", "refuted"),
+        (r"\cos(\arctan x) = \frac{x}{\sqrt{1 + x^2}}", "refuted"),
+        (r"\sin(\arctan x) = -\frac{x}{\sqrt{1 + x^2}}", "refuted"),
+        (r"\arctan(\tan x) = x", "refuted"),
+    ],
+)
+def test_of_positive_numbers(latex: str, verdict: str) -> None:
+    found = judged("identity", f"latex = '{latex}'\ndomain = 'a > 0, b > 0'")
+    assert found.verdict == verdict, found.reason
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\log(x y) = \log x + \log y",
+        r"\log(x^2) = 2 \log x",
+        r"\log\frac{x}{y} = \log x - \log y",
+        r"\log 0 = 0",
+        r"\log(x - x) = 0",
+        r"\log(0 a) = \log a",
+        r"\log(-1) + \log(-1) = 0",
+        r"\log(-a) = \log a",
+    ],
+)
+def test_what_may_have_no_value_is_not_split(latex: str) -> None:
+    """Of factors that may be negative or 0: one side has a value where the other has none."""
+    found = judged("identity", f"latex = '{latex}'\ndomain = 'a > 0'")
+    assert found.verdict not in ("proved", "refuted"), found.reason
