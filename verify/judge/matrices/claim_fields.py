@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from gainproof.verify.judge.claim.fields import Fields
 from gainproof.verify.judge.matrices.letter import MatrixClaim, MatrixSetting
 from gainproof.verify.judge.matrices.reader import read_matrix, read_statement
+from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
 from gainproof.verify.judge.matrices.size import Shape
 from gainproof.verify.judge.matrices.size_text import read_size
-from gainproof.verify.judge.matrices.tree import Node, Statement
+from gainproof.verify.judge.matrices.tree import REGULAR, Chain, Node, Statement
 from gainproof.verify.judge.reader.errors import ReaderError
 
 FIELDS = ("shape", "invertible", "using", "hint")
@@ -53,11 +54,8 @@ def read_matrix_claim(
         statement=statement,
         shape=_shape(fields, kind, setting),
         given=tuple(_given(fields, t, setting) for t in fields.texts("given", MOST_GIVEN)),
-        invertible=tuple(
-            _matrix(fields, "invertible", t, setting)
-            for t in fields.texts("invertible", MOST_GIVEN)
-        ),
-        hints=tuple(_matrix(fields, "hint", t, setting) for t in fields.texts("hint", MOST_GIVEN)),
+        invertible=_matrices(fields, "invertible", setting),
+        hints=_matrices(fields, "hint", setting),
         premises=tuple(earlier[name] for name in using),
     )
 
@@ -70,18 +68,34 @@ def _statement(fields: Fields, field: str, text: str, setting: MatrixSetting) ->
         raise fields.text.formula_error(where, text, error, fields.line) from error
 
 
-def _matrix(fields: Fields, field: str, text: str, setting: MatrixSetting) -> Node:
-    try:
-        return read_matrix(text, setting.letters, setting.sizes)
-    except ReaderError as error:
-        where = f"{fields.where}.{field}"
-        raise fields.text.formula_error(where, text, error, fields.line) from error
+def _matrices(fields: Fields, field: str, setting: MatrixSetting) -> tuple[Node, ...]:
+    """Their shapes are looked at: of a slip here the claim is not to be blamed."""
+    found = list[Node]()
+    for text in fields.texts(field, MOST_GIVEN):
+        try:
+            node = read_matrix(text, setting.letters, setting.sizes)
+        except ReaderError as error:
+            where = f"{fields.where}.{field}"
+            raise fields.text.formula_error(where, text, error, fields.line) from error
+        shapes = Shapes(setting.letters, setting.sizes)
+        try:
+            shapes.chain(Chain((node,), (REGULAR,))) if field == "invertible" else shapes.of(node)
+        except ShapeFault as fault:
+            raise fields.fail(field, f"{text[:80]!r}: {fault}") from fault
+        found.append(node)
+    return tuple(found)
 
 
 def _given(fields: Fields, text: str, setting: MatrixSetting) -> Statement:
     found = _statement(fields, "given", text, setting)
     if found.connective or any(not chain.operators for chain in found.chains):
         raise fields.fail("given", f"relations are wanted: {text[:80]!r}")
+    try:
+        for chain in found.chains:
+            Shapes(setting.letters, setting.sizes).chain(chain)
+    except ShapeFault as fault:
+        if not found.bounds:
+            raise fields.fail("given", f"{text[:80]!r}: {fault}") from fault
     return found
 
 

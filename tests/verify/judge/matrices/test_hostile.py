@@ -91,6 +91,30 @@ def test_fields_that_do_not_belong_are_refused(latex: str, kind: str, more: str)
 
 
 @pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        ("hint = ['A + B']", "m x n and n x n"),
+        ("hint = ['B^T', '0^{-1}']", "zero is not said"),
+        ("given = ['A < A^T']", "are compared"),
+        ("given = ['A = B']", "are compared"),
+        ("invertible = ['A']", "inverse of a matrix of shape m x n"),
+    ],
+)
+def test_shapes_of_what_the_author_adds_are_his_own(more: str, message: str) -> None:
+    """A true claim was refuted for the shapes of a hint."""
+    with pytest.raises(ClaimFileError, match=message) as caught:
+        read_claim_text(text_of(claim("B = B", more=more)))
+    assert "line" in str(caught.value)
+
+
+@pytest.mark.parametrize("hint", ["(A A^T)^{-1}", "(B - B)^{-1}", "B^{-1}", "A^T"])
+def test_a_hint_is_no_hypothesis(hint: str) -> None:
+    """That an inverse in it may not exist says nothing of the claim."""
+    assert judged_matrices("Q + S > 0", "inequality", f"hint = ['{hint}']").verdict == "proved"
+    assert judged_matrices("S > 0", "inequality", f"hint = ['{hint}']").verdict == "conditional"
+
+
+@pytest.mark.parametrize(
     "given",
     [
         "given = ['Q < 0']",
