@@ -12,11 +12,11 @@ import numpy as np
 import sympy as sp
 
 from gainproof.derive.any_two_state.domain import FreeNumbers, NoSign
-from gainproof.derive.model import Model, ModelError, Parameter, ScaledModel
+from gainproof.derive.model import Model, ModelError, Parameter, ScaledModel, units_checked
+from gainproof.derive.own_model.fields import MATRICES, require_fields, require_noise_units
 from gainproof.derive.own_model.undriven import undriven
 from gainproof.derive.quantity import SAMPLING_INTERVAL, Unit
 
-MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
@@ -27,12 +27,15 @@ def require_written_well(model: Model) -> None:
             f"model {model.name!r}: a name of lower-case letters, digits and single hyphens is "
             "wanted, a letter first: its module has this name"
         )
+    require_fields(model)
     _require_shapes(model)
     _require_rational(model)
     for name in ("process_noise", "measurement_noise"):
         _require_symmetric(model, name)
     _require_parameters(model)
     _require_domains(model)
+    units_checked(model)
+    require_noise_units(model)
 
 
 def _require_shapes(model: Model) -> None:

@@ -11,7 +11,12 @@ from own_models import DEVIATION, SHAKE, T, free_number, own_model
 from gainproof.derive.expression import real
 from gainproof.derive.model import Model, ModelError
 from gainproof.derive.own_model.choice import derive_own_model
-from gainproof.derive.quantity import METRE, Quantity
+from gainproof.derive.quantity import (
+    MEASUREMENT_DEVIATION,
+    METRE,
+    SAMPLING_INTERVAL,
+    Quantity,
+)
 
 KINEMATIC = [[1, 1], [0, 1]]
 LAST = [[0, 0], [0, 1]]
@@ -123,7 +128,11 @@ REFUSED: list[tuple[Model, str]] = [
         "which fixes the tracking index",
     ),
     (
-        own_model(KINEMATIC, LAST, process_noise=_matrix([T * SHAKE.symbol, 0], [0, 1])),
+        own_model(
+            KINEMATIC,
+            LAST,
+            process_noise=_matrix([SHAKE.symbol**2, 0], [0, DEVIATION**2 / T**2]),
+        ),
         "one strength times a matrix",
     ),
     (
@@ -175,7 +184,35 @@ REFUSED: list[tuple[Model, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("model", "message"), REFUSED)
+REFUSED_FIELDS: list[tuple[Model, str]] = [
+    (
+        own_model(KINEMATIC, LAST, process_noise=_matrix([0, 0], [0, SHAKE.symbol / T**2])),
+        "entry 2,2 of process_noise should have the unit m.2 s.-2, .* has m s.-2",
+    ),
+    (
+        own_model(KINEMATIC, LAST, process_noise=_matrix([0, 0], [0, SHAKE.symbol**2 + T])),
+        "entry 2,2 of process_noise: .* has the unit",
+    ),
+    (
+        own_model(KINEMATIC, LAST, state_units=(METRE, "m/s")),
+        "state 2 should have a unit made of METRE, SECOND .* it has 'm/s'",
+    ),
+    (
+        own_model(KINEMATIC, LAST, quantities=(SAMPLING_INTERVAL, SHAKE)),
+        "quantities should hold measurement_deviation, they hold sampling_interval, shake",
+    ),
+    (
+        own_model(KINEMATIC, LAST, quantities=(SAMPLING_INTERVAL, MEASUREMENT_DEVIATION, T)),
+        "quantities are of the type Quantity, sampling_interval is not",
+    ),
+    (
+        own_model(KINEMATIC, LAST, transition=[[1, T], [0, 1]]),
+        r"transition should be a matrix of SymPy, .* it is of type list",
+    ),
+]
+
+
+@pytest.mark.parametrize(("model", "message"), [*REFUSED, *REFUSED_FIELDS])
 def test_each_refusal_names_the_entry_or_property(model: Model, message: str) -> None:
     with pytest.raises(ModelError, match=message) as raised:
         derive_own_model(model)
