@@ -74,7 +74,10 @@ def test_own_model_is_derived_and_proved(file: Path, capsys: Capture) -> None:
         (MODEL.replace("[[1, T], [0, 1]]", "[[1, 2 * T, 0], [0, 1, 0]]"), "should have the shape"),
         (MODEL.replace("[[1, 0]]", "[[2, 0]]"), "the first state is to be measured"),
         (MODEL.replace("[[1, 0]]", "[[0, 1]]"), "should hold numbers"),
-        (MODEL.replace("T**4 / 3", "T**3 / 3"), "entry 1,1 of process_noise should have the unit m"),
+        (
+            MODEL.replace("T**4 / 3", "T**3 / 3"),
+            "entry 1,1 of process_noise should have the unit m",
+        ),
     ],
 )
 def test_each_mistake_is_bad_input_and_names_the_file(text: str, message: str, file: Path) -> None:
