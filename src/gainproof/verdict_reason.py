@@ -20,13 +20,22 @@ def reasons(claim: Claim) -> list[str]:
     """What a reader has to know besides the verdict; nothing for a claim that is simply true."""
     found = []
     if claim["verdict"] == "conditional" and claim["domain"]:
-        found.append(f"true {claim['domain']}; not everywhere")
+        other = is_contradicted(claim)
+        under = ["under another convention"] if other else []
+        on = [] if other and claim["domain"] == "everywhere" else [claim["domain"]]
+        where = "as the conventions are stated" if other else "everywhere"
+        found.append(f"true {', '.join([*under, *on])}; not {where}")
     if claim["reading"]:
         found.append(f"read so that {claim['reading']}")
     why = reason(claim)
     if why:
         found.append(why)
     return found + repaired(claim) + solutions(claim)
+
+
+def is_contradicted(claim: Claim) -> bool:
+    """Whether it is true, with its setting, under another convention than the source states."""
+    return "under the other convention" in (claim["evidence"]["certificate"] or {})
 
 
 def repair_of(claim: Claim) -> Mapping[str, str] | None:

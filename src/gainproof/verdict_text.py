@@ -9,7 +9,7 @@ from typing import Any
 
 from gainproof.claim_words import Words
 from gainproof.page import WIDTH, filled
-from gainproof.verdict_reason import reasons
+from gainproof.verdict_reason import is_contradicted, reasons
 from gainproof.verdicts import Judgement, tally
 
 Claim = Mapping[str, Any]
@@ -57,14 +57,19 @@ def _claim(claim: Claim, said: str, head: str, indent: str, columns: int) -> lis
 
 
 def _conventions(claims: Sequence[Claim], columns: int) -> list[str]:
-    """What the source leaves open, as it was filled in, once for all claims alike."""
-    found: dict[str, list[str]] = {}
-    for claim in claims:
-        if claim["convention"]:
-            found.setdefault(claim["convention"], []).append(claim["id"])
-    if not found:
-        return []
-    lines = ["", "  Left open by the source, filled in so that its claims hold:"]
-    for convention, names in found.items():
-        lines += filled(f"{convention}: {', '.join(names)}", "    ", "      ", columns)
+    """What the source leaves open, as it was filled in, once for all claims alike; and what it says
+    otherwise than its claims have it.
+    """
+    lines: list[str] = []
+    for contradicted, head in (
+        (False, "Left open by the source, filled in so that its claims hold:"),
+        (True, "Otherwise than the source states it, all claims of its setting would hold with:"),
+    ):
+        found: dict[str, list[str]] = {}
+        for claim in claims:
+            if claim["convention"] and is_contradicted(claim) == contradicted:
+                found.setdefault(claim["convention"], []).append(claim["id"])
+        lines += ["", f"  {head}"] if found else []
+        for convention, names in found.items():
+            lines += filled(f"{convention}: {', '.join(names)}", "    ", "      ", columns)
     return lines

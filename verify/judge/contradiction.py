@@ -18,6 +18,8 @@ from gainproof.verify.judge.trial import Trial, try_claim
 from gainproof.verify.judge.verdict import ClaimVerdict, Finding
 
 TRUE, FALSE = "proved", "refuted"
+CHANCE = frozenset(("value", "limit", "inequality"))
+"""Kinds of claims of which a single one may be true under another convention by chance."""
 
 
 def other_conventions(setting: Setting) -> list[Setting]:
@@ -74,6 +76,10 @@ def under_other_convention(
     found = {v.id: v for v in choose([trials[name] for name in decided])}
     if any(verdict.verdict != TRUE for verdict in found.values()):
         return list(verdicts)
+    kinds = {claim.id: claim.kind for claim in claims}
+    false = [kinds[name] for name, verdict in decided.items() if verdict.verdict == FALSE]
+    if len(false) == 1 and false[0] in CHANCE:
+        return list(verdicts)
     return [
         _conditional(v, found[v.id]) if v.id in decided and v.verdict == FALSE else v
         for v in verdicts
@@ -87,7 +93,7 @@ def _decided(claims: Sequence[Claim], verdicts: Sequence[ClaimVerdict]) -> dict[
 
 def _conditional(stated: ClaimVerdict, other: ClaimVerdict) -> ClaimVerdict:
     reason = (
-        f"as the source states its conventions it {stated.reason}; true, with all other claims of "
+        f"as the source states its conventions: {stated.reason}; true, with all other claims of "
         f"the setting, under a convention that the source contradicts: {other.convention}"
     )
     return replace(

@@ -168,6 +168,16 @@ def test_another_family_than_the_one_stated() -> None:
     assert verdict.convention == "process noise random-acceleration"
 
 
+def test_a_number_that_another_family_has_by_chance_is_no_explanation() -> None:
+    """alpha(1) is 0.75 with the stated random acceleration, and 0.76 with another noise."""
+    fields = "gain = 'filter'\ncovariance = 'predicted'"
+    stated = STEADY.format("random-acceleration", fields)
+    (verdict,) = judged(stated, ("value", r"a|_{q=1} \approx 0.76"))
+    assert verdict.verdict == "refuted"
+    (verdict,) = judged(stated, ("limit", r"b \to 1 \quad (q \to \infty)"))
+    assert verdict.verdict == "refuted"
+
+
 @pytest.mark.parametrize(
     ("latex", "expected"), [("P = K s", "conditional"), ("P = K s^7", "refuted")]
 )
