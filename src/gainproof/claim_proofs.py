@@ -70,9 +70,13 @@ def recheck(judgement: Plain) -> dict[str, Any]:
     }
 
 
+DECIDED = ("proved", "refuted", "conditional")
+NOT_AGAIN = "no: such a proof is not kept as a statement that could be decided again"
+
+
 def checked(claim: Plain) -> tuple[bool, str]:
     """Whether the certificate of a claim of `check --json` leads to its verdict again, and a
-    sentence on it; none where there is nothing to go through.
+    sentence on it; none of a claim that is neither proved nor refuted.
     """
     proofs = _proofs(claim)
     if proofs:
@@ -83,7 +87,7 @@ def checked(claim: Plain) -> tuple[bool, str]:
         said = f"{count} statement{'' if count == 1 else 's'}"
         return True, f"again by the checker of certificates: {said} accepted"
     if "statement" not in (claim["evidence"]["certificate"] or {}):
-        return True, ""
+        return True, NOT_AGAIN if claim["verdict"] in DECIDED else ""
     from gainproof.verify.judge.replay import replay_json
 
     reason = replay_json(claim)

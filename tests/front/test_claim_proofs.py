@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from gainproof import claim_proofs, cli, judgements
-from gainproof.claim_proofs import checked, recheck, to_recheck
+from gainproof.claim_proofs import NOT_AGAIN, checked, recheck, to_recheck
 from gainproof.proof_text import proof_lines
 from gainproof.workshop import open_workshop
 
@@ -113,7 +113,8 @@ def test_a_judgement_without_proofs_on_matrices_has_nothing_to_check(judged: Pla
     for claim in judged["claims"]:
         claim["evidence"] = {"method": "towers", "certificate": None, "witness": None}
     assert to_recheck(judged) is None
-    assert checked(judged["claims"][0]) == (True, "")
+    assert checked(judged["claims"][0]) == (True, NOT_AGAIN)
+    assert checked({**judged["claims"][0], "verdict": "held"}) == (True, "")
 
 
 def test_the_page_of_a_proof_numbers_its_statements(judged: Plain) -> None:

@@ -9,11 +9,15 @@ parts are limited.
 from __future__ import annotations
 
 import tomllib
-import unicodedata
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from gainproof.verify.judge.claim.characters import (
+    refuse_characters,
+    refuse_escaped_latex,
+    refuse_escapes,
+)
 from gainproof.verify.judge.claim.declarations import read_declarations
 from gainproof.verify.judge.claim.errors import ClaimFileError, FileText
 from gainproof.verify.judge.claim.fields import Fields
@@ -33,12 +37,6 @@ from gainproof.verify.judge.dimensions.declared import shared_fault
 
 FORMAT = "gainproof claims 1"
 MOST_BYTES = 2**20
-MOST_LINE = 8000
-"""Characters of one line, which holds one formula at most."""
-MOST_DOTS = 200
-"""Dots in one line: the keys of TOML nest at dots, and reading them takes time that grows with the
-square.
-"""
 MOST_AUTHORS = 50
 TABLES = ("format", "source", "symbols", "settings", "claims")
 SOURCE_FIELDS = (
@@ -100,10 +98,11 @@ def read_claim_text(
     if len(text) > MOST_BYTES:
         raise ClaimFileError(path, "", f"more than {MOST_BYTES} characters")
     text = text.replace("\r\n", "\n")
-    _refuse_characters(text, path)
+    refuse_characters(text, path)
+    refuse_escaped_latex(text, path)
     file_text = FileText(path, text)
     parsed = _parse(text, path)
-    _refuse_escapes(parsed, path)
+    refuse_escapes(parsed, path)
     document = Fields(file_text, "file", parsed, TABLES)
     version = document.required_text("format")
     if version != FORMAT:
@@ -118,44 +117,6 @@ def read_claim_text(
     settings = read_settings(file_text, document.take("settings"), symbols, models)
     claims = read_claims(file_text, document.take("claims"), settings)
     return ClaimFile(path, source, symbols, settings, claims)
-
-
-def _refuse_characters(text: str, path: str) -> None:
-    """Invisible and directional characters could make a file look like another."""
-    for number, line in enumerate(text.split("\n"), start=1):
-        if len(line) > MOST_LINE:
-            raise ClaimFileError(path, "", f"more than {MOST_LINE} characters in a line", number)
-        if line.count(".") > MOST_DOTS:
-            raise ClaimFileError(path, "", f"more than {MOST_DOTS} dots in a line", number)
-        for column, character in enumerate(line, start=1):
-            problem = _invisible(character)
-            if problem is not None:
-                raise ClaimFileError(path, "", problem, number, column)
-
-
-def _refuse_escapes(value: object, path: str) -> None:
-    """The same characters as escapes of TOML: they would reach a terminal as they are."""
-    if isinstance(value, str):
-        problem = next((p for c in value if c != "\n" and (p := _invisible(c))), None)
-        if problem is not None:
-            raise ClaimFileError(path, "", f"{problem}, written as an escape")
-    elif isinstance(value, Mapping):
-        for key, inner in value.items():
-            _refuse_escapes(key, path)
-            _refuse_escapes(inner, path)
-    elif isinstance(value, list):
-        for inner in value:
-            _refuse_escapes(inner, path)
-
-
-def _invisible(character: str) -> str | None:
-    """What is wrong with a character, if it cannot be seen."""
-    if character.isascii() and (character.isprintable() or character == "\t"):
-        return None
-    if unicodedata.category(character) not in ("Cc", "Cf", "Cn", "Co", "Cs", "Zl", "Zp"):
-        return None
-    name = unicodedata.name(character, "no name")
-    return f"the invisible character U+{ord(character):04X} ({name})"
 
 
 def _parse(text: str, path: str) -> Mapping[str, Any]:

@@ -215,6 +215,22 @@ def test_invisible_characters(character: str) -> None:
     assert character not in str(error)
 
 
+@pytest.mark.parametrize(
+    ("latex", "escape", "column"),
+    [(r"\theta = a", r"\t", 10), (r"\nu = a", r"\n", 10), (r"\\alpha = \beta", r"\b", 20)],
+)
+def test_latex_in_double_quotes(latex: str, escape: str, column: int) -> None:
+    r"""TOML makes a tab and `heta` of \theta: the symbol heta was said not to be declared."""
+    with pytest.raises(ClaimFileError) as caught:
+        read_claim_text(TEXT.replace(r"'\alpha = a'", f'"{latex}"'))
+    assert f"in double quotes {escape} is an escape" in str(caught.value)
+    assert f"line 27, column {column}" in str(caught.value)
+
+
+def test_latex_in_double_quotes_with_each_backslash_doubled() -> None:
+    assert len(read_claim_text(TEXT.replace(r"'\alpha = a'", r'"\\alpha = a"')).claims) == 2
+
+
 def test_names_in_any_script_are_fine() -> None:
     assert read_claim_text(TEXT.replace("A. Someone", "小菅義夫")).source.authors == ("小菅義夫",)
 
