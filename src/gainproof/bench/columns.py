@@ -61,10 +61,17 @@ OVER_KERNEL = (
     ),
     Column(
         "lambdify",
+        "shared",
+        "lambdify / threads",
+        "l/thr",
+        "the same over that of the kernel where threads share the blocks",
+    ),
+    Column(
+        "lambdify",
         "fresh",
         "lambdify / fresh",
         "fresh",
-        "the same where the kernel makes new output arrays too, as lambdify does",
+        "the same where the kernel makes new output arrays too, as lambdify does; one thread",
     ),
     Column(
         "numexpr", "kernel", "numexpr / kernel", None, "numexpr's over the kernel's, one thread"

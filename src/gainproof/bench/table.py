@@ -26,9 +26,10 @@ def opening(results: Results) -> Iterator[str]:
     )
     yield from _filled(
         f"{found['points']:,} points, outputs given but in `fresh`, guards in the kernel only, "
-        f"{settings['workers']} threads in thr/C; each the best of up to {found['rounds']} runs in "
-        f"turn, of fewer where they take more than {found['seconds a call']:g} s; processor time "
-        "of the thread, in thr/C the time that passes"
+        f"{settings['workers']} threads in thr/C and l/thr; each the best of up to "
+        f"{found['rounds']} runs in turn, of fewer where they take more than "
+        f"{found['seconds a call']:g} s; processor time of the thread, "
+        "of the threads the time that passes"
     )
     yield ""
     for short, meaning in explained():
