@@ -26,6 +26,11 @@ def begin_from(tex: str, out: str | None) -> str:
     path = None if out is None else _new_file(out)
     source = Path(tex)
     found = draft(_text(source), source.name, (path or source).stem)
+    if not found.equations:
+        raise BadInputError(
+            f"{places.shown(source)}: no displayed equation found (between \\[ and \\], $$, or in "
+            "environments such as equation and align); nothing is drafted"
+        )
     if path is None:
         return found.text
     _write(path, found.text)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import textwrap
+
 from gainproof.toml_text import quoted
+from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
 
 FORMAT_LINE = 'format = "gainproof claims 1"'
 
@@ -14,6 +17,7 @@ SETTINGS_COMMENT = """\
 #   growing_memory  least squares over all samples, with degree = 0, 1 or 2
 #   fixed_gain      a filter with any gains, with states = 1, 2 or 3
 #   algebra         no filter: the claims follow from the definitions of their symbols
+#   matrices        letters that are matrices of any size, with sizes = ['n', 'm']
 """
 SYMBOLS_COMMENT = r"""# Every symbol is declared once, by its LaTeX in single quotes, as one of
 #   { quantity = "filter_gain.1", meaning = "..." }       a quantity of the setting's filter
@@ -21,11 +25,16 @@ SYMBOLS_COMMENT = r"""# Every symbol is declared once, by its LaTeX in single qu
 #   { unit = "m s^-1", domain = 'a > 0', meaning = "..." }     any such number
 #   { undefined = true, meaning = "..." }                 printed, but never defined
 """
-KINDS_COMMENT = """\
-# Claims in the order of the source. kind is one of identity, inequality, definition,
-# recursion, limit, asymptotics, value, monotone, location, steady_state, implication,
-# equivalence, determines, remark; docs/claim-files.md says what each means.
-"""
+KINDS_COMMENT = (
+    textwrap.fill(
+        f"Claims in the order of the source. kind is one of {', '.join(CLAIM_KINDS)}; "
+        "docs/claim-files.md says what each means.",
+        width=95,
+        initial_indent="# ",
+        subsequent_indent="# ",
+    )
+    + "\n"
+)
 _HEAD = f"""\
 # Claims of one source: replace what stands here, then: gainproof check THIS-FILE
 {FORMAT_LINE}

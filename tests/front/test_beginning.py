@@ -7,6 +7,9 @@ from pathlib import Path
 import pytest
 
 from gainproof import cli
+from gainproof.claim_template import template
+from gainproof.verify.judge.claim.settings import SETTING_KINDS
+from gainproof.verify.judge.claim.vocabulary import CLAIM_KINDS
 
 Capture = pytest.CaptureFixture[str]
 TEX = r"\begin{equation} \beta = \frac{\alpha^2}{2 - \alpha} \end{equation}"
@@ -19,6 +22,21 @@ def test_the_template_checks_as_it_is(tmp_path: Path, capsys: Capture) -> None:
     assert f"gainproof check {path}" in capsys.readouterr().out
     assert cli.main(["check", str(path)]) == 0
     assert "2 claims: 2 proved" in capsys.readouterr().out
+
+
+def test_the_template_names_every_kind() -> None:
+    begun = template("paper")
+    words = begun.replace("\n# ", " ")
+    assert all(f"\n#   {kind} " in begun for kind in SETTING_KINDS)
+    assert f"kind is one of {', '.join(CLAIM_KINDS)};" in words
+
+
+def test_a_claim_file_is_no_paper(tmp_path: Path, capsys: Capture) -> None:
+    path, out = tmp_path / "claims.toml", tmp_path / "new.toml"
+    path.write_text(template("paper"))
+    assert cli.main(["check", "--draft", str(path), "--out", str(out)]) == 2
+    assert "no displayed equation found" in capsys.readouterr().err
+    assert not out.exists()
 
 
 def test_a_draft_is_written_or_printed(tmp_path: Path, capsys: Capture) -> None:
@@ -72,7 +90,8 @@ def test_what_cannot_be_begun(
 def test_a_file_that_is_no_text_is_no_danger(tmp_path: Path, capsys: Capture) -> None:
     tex = tmp_path / "image.tex"
     tex.write_bytes(bytes(range(256)) * 100)
-    assert cli.main(["check", "--draft", str(tex)]) == 0
+    assert cli.main(["check", "--draft", str(tex)]) == 2
+    assert "no displayed equation found" in capsys.readouterr().err
     tex.write_bytes(b"x" * (2**20 + 1))
     assert cli.main(["check", "--draft", str(tex)]) == 2
     assert "more than 1048576 bytes" in capsys.readouterr().err
