@@ -132,7 +132,10 @@ def noise_in_units(
     diagonal = [row[i].get(shared, Fraction(0)) for i, row in enumerate(entries)]
     last = next((c for c in reversed(diagonal) if c), None)
     if last is None or last < 0:
-        raise Undecided("the process noise of the model is no covariance")
+        found = "all 0" if last is None else "negative"
+        raise Undecided(
+            f"the process noise of the model is no covariance: on its diagonal is what is {found}"
+        )
     ratio, intensity = _intensity(shared, last)
     rows = [
         [str(found.get(shared, Fraction(0)) / (last * ratio)) for found in row] for row in entries

@@ -11,8 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import combinations
 from typing import Any
 
+from gainproof.verify.judge.claim.models import positive_semidefinite
 from gainproof.verify.judge.claim.record import Setting
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, number, power, symbols_of
@@ -22,6 +25,7 @@ from gainproof.verify.judge.freed.monomials import monomials
 from gainproof.verify.judge.setting.environment import DEVIATION, INDEX, INTERVAL, Environment
 from gainproof.verify.judge.setting.own_matrices import (
     SIGMA,
+    Rows,
     T,
     in_units,
     interval_symbol,
@@ -76,14 +80,41 @@ def scaled_model(setting: Setting) -> Scaled:
     is_one = r[0][0] == number(1)
     deviation = number(1) if is_one else SIGMA
     noise, intensity = noise_in_units(q, interval, deviation)
+    _require_covariance([[Fraction(x) for x in row] for row in noise])
     data = {
         "name": setting.name,
         "transition": in_units(f, (1, -1), interval, "transition"),
         "process_noise": noise,
-        "measurement": in_units(h, (0, -1), interval, "measurement"),
+        "measurement": _measured(h, interval),
         "measurement_noise": [["1"]],
     }
     return Scaled(data, {**assigned, **intensity}, is_one and bool(intensity), intensity)
+
+
+def _measured(h: Rows, interval: Expr) -> list[list[str]]:
+    try:
+        return in_units(h, (0, -1), interval, "measurement")
+    except Undecided:
+        if monomials(h[0][0]):
+            raise
+        raise Undecided(
+            "the measurement of the model leaves out the first state, in whose unit the others and "
+            "the noise are counted: that is not covered"
+        ) from None
+
+
+def _require_covariance(q: list[list[Fraction]]) -> None:
+    """Undecided where the process noise, in numbers, is not symmetric and nowhere negative."""
+    for i, j in combinations(range(len(q)), 2):
+        if q[i][j] != q[j][i]:
+            raise Undecided(
+                f"the process noise of the model is not symmetric: row {i + 1}, column {j + 1} and "
+                f"row {j + 1}, column {i + 1} differ"
+            )
+    if not positive_semidefinite(q):
+        raise Undecided(
+            "the process noise of the model is no covariance: it is not positive semidefinite"
+        )
 
 
 def _noise(r: Expr) -> dict[str, Expr]:

@@ -209,3 +209,35 @@ ONE_OF_A_KIND = [OF_OWN_MODEL[n] for n in (1, 3, 5, 8)]
 )
 def test_own_model(kind: str, fields: str, wanted: str) -> None:
     check(judged(kind, fields, OWN_SYMBOLS, WHITE), wanted)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "wanted"),
+    [
+        (r"\frac{q T^3}{6}']", r"\frac{q T^3}{5}']", "row 1, column 3 and row 3, column 1"),
+        (r"\frac{q T^5}{20}", r"\frac{q T^5}{80}", "it is not positive semidefinite"),
+        ("'q T']", "'-q T']", "what is negative"),
+        ("[['1', '0', '0']]", "[['0', '1', '0']]", "leaves out the first state"),
+    ],
+)
+def test_matrices_that_are_no_model_say_why(old: str, new: str, wanted: str) -> None:
+    assert old in WHITE
+    said = judged("inequality", "a < 1", OWN_SYMBOLS, WHITE.replace(old, new))
+    assert said.verdict == "undecided"
+    assert wanted in said.reason
+
+
+def test_states_may_be_counted_from_the_last() -> None:
+    reversed_states = """kind = 'steady_state'
+transition = [['1', '0'], ['1', '1']]
+process_noise = [['q', '0'], ['0', '0']]
+measurement = [['0', '1']]
+measurement_noise = [['1']]
+"""
+    symbols = {
+        "q": "{ unit = '1', domain = 'q > 0', meaning = 'variance' }",
+        "a": "{ quantity = 'filter_gain.2', meaning = 'gain of the position' }",
+        "b": "{ quantity = 'filter_gain.1', meaning = 'gain of the velocity' }",
+    }
+    check(judged("identity", r"b = \frac{a^2}{2 - a}", symbols, reversed_states), "proved")
+    check(judged("identity", r"b = \frac{a^2}{3 - a}", symbols, reversed_states), "refuted")
