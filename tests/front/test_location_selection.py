@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from gainproof.location import locate
-from gainproof.location.example import example_observations, example_stations
+from gainproof.location.example import STATIONS, example_observations, example_stations
 from gainproof.location.noise import diagonal, whitening
 from gainproof.location.selection import detection, exceeded, threshold
+from gainproof.location.stations import Observations, observations, stations
 
 
 @pytest.mark.parametrize("false_alarm", [1e-200, 1e-12, 1e-3, 0.05, 0.5, 0.999])
@@ -61,7 +63,49 @@ def test_the_example_finds_its_two_biased_ranges() -> None:
     rare = locate(example_stations(), example_observations(), false_alarm=1e-30)
     assert rare.selection is not None
     assert rare.selection.clean == ("B1", "B2", "B3", "B4")
-    assert any("residuals are larger than their noise" in each for each in rare.warnings)
+    (told,) = [each for each in rare.warnings if "residuals are larger than their noise" in each]
+    assert told.endswith("bias-detection gives every range a bias of its own")
+
+
+@pytest.mark.parametrize(
+    ("method", "next_step"),
+    [
+        ("range-doppler", "The method unknown-reduction looks for such biases"),
+        ("common-bias", "The method unknown-reduction looks for such biases"),
+        ("range-only", "The method unknown-reduction, with range rates, looks for such biases"),
+        ("bias-detection", "the range rates do not fit each other"),
+        ("doppler-only", "the range rates do not fit each other"),
+    ],
+)
+def test_residuals_that_are_too_large_come_with_a_next_step(method: str, next_step: str) -> None:
+    """A fifth station whose range rate is wrong by thirty deviations."""
+    given = stations([*STATIONS, (20e3, 0.0)])
+    seen = example_observations().values
+    five = observations(
+        given, [*seen[:4], 14142.0], [*seen[4:], -138.4], diagonal([10.0] * 5 + [0.1] * 5)
+    )
+    (told,) = [each for each in locate(given, five, method).warnings if "larger than" in each]
+    assert told.endswith(next_step)
+
+
+def test_ranges_too_short_for_multipath_are_named() -> None:
+    short = example_observations(biases=(-5000.0, 0.0, 120.0, -12000.0))
+    found = locate(example_stations(), short)
+    (told,) = [each for each in found.warnings if "too short" in each]
+    # within five of their deviations, which are below 20 m
+    first, fourth = map(float, re.findall(r"B1 by (\d+) m, B4 by (\d+) m\. Multipath", told)[0])
+    assert abs(first - 5000) < 100
+    assert abs(fourth - 12000) < 100
+    assert not any(
+        "too short" in each for each in locate(example_stations(), four_deviations()).warnings
+    )
+    common = locate(example_stations(), example_observations(biases=(-5e3,) * 4), "common-bias")
+    assert not any("too short" in each for each in common.warnings)
+
+
+def four_deviations() -> Observations:
+    """Noise of four deviations, no bias."""
+    return example_observations(biases=(0.0,) * 4, range_noise=(-4.0, 0.0, 0.0, 0.0))
 
 
 def test_white_is_white() -> None:

@@ -20,7 +20,7 @@ from gainproof.location.settling import Settled, settle
 from gainproof.location.starts import starts
 from gainproof.location.stations import Observations, Stations, bounded, from_the_first
 from gainproof.location.unsettled import UNSETTLED, unsettled_words
-from gainproof.location.warning_words import AMBIGUOUS, few_clean, refuted, warnings
+from gainproof.location.warning_words import AMBIGUOUS, few_clean, refuted, too_short, warnings
 
 DEFAULT = "unknown-reduction"
 FALSE_ALARM = 0.05
@@ -129,7 +129,11 @@ def _told(settled: Settled) -> Location:
         report(asked, settled.iterated, best.number, rank.ratio),
         rank.rank,
         tuple(Place(*_split(asked, each.unknowns), each.cost) for each in others),
-        (*_open(settled), *warnings(asked, best, others, covariance)),
+        (
+            *_open(settled),
+            *warnings(asked, best, others, covariance),
+            *too_short(asked.method, biases),
+        ),
     )
 
 

@@ -10,9 +10,10 @@ import numpy as np
 from gainproof.fixed_gain.arguments import Reals
 from gainproof.location.ambiguity import Candidate, mirror_words
 from gainproof.location.gauss_newton import rounding
+from gainproof.location.methods import CHOSEN, EACH, Method
 from gainproof.location.observability import bending
 from gainproof.location.problem import Problem
-from gainproof.location.result import Location
+from gainproof.location.result import Bias, Location
 from gainproof.location.selection import exceeded
 
 AMBIGUOUS = "ambiguous"
@@ -23,6 +24,8 @@ REFUTED = 1e-6
 NO_COST = 1e-12
 DILUTED = 100.0
 """Deviation of a velocity over the largest of a range rate: beyond it the geometry is told."""
+SHORT = 5.0
+"""Deviations of a bias below 0 that are told: noise gives one in three million ranges."""
 BENT = 0.5
 """Deviations that residuals may bend within one deviation of the estimate, untold."""
 
@@ -53,9 +56,35 @@ def warnings(
         found.append(
             f"the residuals are larger than their noise: noise alone gives a cost beyond "
             f"{best.cost:.4g} in {_share(exceeded(best.cost, freedom))} of all cases; a bias that "
-            "is not in the model, or deviations that are too small"
+            f"is not in the model, or deviations that are too small. {_next(asked.method)}"
         )
     return tuple(found)
+
+
+def _next(method: Method) -> str:
+    """What may tell more where residuals are too large."""
+    if method.bias == CHOSEN:
+        return "The method bias-detection gives every range a bias of its own"
+    if method.uses_ranges and method.bias != EACH:
+        rates = "" if method.uses_rates else ", with range rates,"
+        return f"The method unknown-reduction{rates} looks for such biases"
+    return "No bias of a range explains it here: the range rates do not fit each other"
+
+
+def too_short(method: Method, biases: Sequence[Bias]) -> tuple[str, ...]:
+    """Where a range is shorter than multipath can make it."""
+    if method.bias not in (EACH, CHOSEN):
+        return ()
+    found = [each for each in biases if each.value < -SHORT * each.deviation]
+    if not found:
+        return ()
+    named = ", ".join(f"{each.station} by {_metres(-each.value)} m" for each in found)
+    return (
+        (
+            f"ranges come out too short: {named}. Multipath makes ranges longer: a unit in the "
+            "first line of a file, a clock or a station's place may be wrong"
+        ),
+    )
 
 
 def refuted(found: Location, first: Location) -> tuple[str, ...]:
@@ -105,6 +134,10 @@ def _share(probability: float) -> str:
     """To one digit; one that is no normal number is below the least there is."""
     least = sys.float_info.min
     return f"{probability:.1g}" if probability >= least else f"less than {least:.1g}"
+
+
+def _metres(value: float) -> str:
+    return f"{value:.4g}" if value < 1e4 else f"{value:.0f}"
 
 
 def _cost(cost: float) -> str:
