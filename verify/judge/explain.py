@@ -116,6 +116,7 @@ def _steps(certificate: Certificate) -> list[str]:
             f"the numbers with that are separated by {fences}",
             f"the value at {certificate['evaluated at']} says which of them it is",
         ]
+    lines += certificate.get("slopes", [])
     candidates = certificate.get("candidates") or []
     if candidates:
         shown = ", ".join(_named(candidate, names) for candidate in candidates)

@@ -34,14 +34,21 @@ def candidates(statement: Statement, parameter: str | None) -> list[str | None]:
 
 
 def settle(
-    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+    *,
+    only_proof: bool = False,
 ) -> Outcome:
     """Decides with the first symbol that can play the one real parameter, then over cells of all
     symbols, then by the relations of roots, then at points. Raises Undecided with the last reason.
+
+    With `only_proof` nothing that is not proved is told in full: where it holds takes long to say.
     """
     labels = with_tokens(labels, statement.symbols())
     known = tuple(sorted(boxes.items(), key=itemgetter(0)))
-    found = _settled(statement, known, parameter, tuple(sorted(labels.items())))
+    found = _settled(statement, known, parameter, tuple(sorted(labels.items())), only_proof)
     if isinstance(found, str):
         raise Undecided(found)
     return found
@@ -53,16 +60,21 @@ def _settled(
     boxes: tuple[tuple[str, Box], ...],
     parameter: str | None,
     labels: tuple[tuple[str, str], ...],
+    only_proof: bool,
 ) -> Outcome | str:
     """The outcome, or why there is none; it depends on nothing but what is given."""
     try:
-        return _decided(statement, dict(boxes), parameter, dict(labels))
+        return _decided(statement, dict(boxes), parameter, dict(labels), only_proof)
     except Undecided as reason:
         return str(reason)
 
 
 def _decided(
-    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+    only_proof: bool,
 ) -> Outcome:
     last = Undecided("no variable")
     for choice in candidates(statement, parameter):
@@ -72,7 +84,7 @@ def _decided(
             last = reason
     if 1 < len(statement.symbols()) <= DEFAULT_LIMITS.parameters:
         try:
-            return decide_in_cells(statement, boxes, labels)
+            return decide_in_cells(statement, boxes, labels, only_proof=only_proof)
         except Undecided as reason:
             last = reason
     try:

@@ -15,6 +15,19 @@ from gainproof.verify.judge.exact.certificate import statement_from
 from gainproof.verify.judge.exact.decision import decide
 from gainproof.verify.judge.exact.formal import decide_formally
 from gainproof.verify.judge.exact.limits import Malformed, Undecided
+from gainproof.verify.judge.freed.deciding import decided
+
+FIELDS = (
+    "tower",
+    "candidates",
+    "places",
+    "projection",
+    "of one sign",
+    "count",
+    "borders",
+    "slopes",
+)
+"""Of a certificate what has to come out again."""
 
 
 def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
@@ -25,13 +38,15 @@ def replay(certificate: Mapping[str, Any], verdict: str) -> str | None:
             outcome = decide_in_cells(statement, boxes, labels)
         elif certificate.get("engine") == "formal":
             outcome = decide_formally(statement, boxes, labels)
+        elif certificate.get("engine") == "functions":
+            outcome = decided(statement, boxes, parameter, labels)
         else:
             outcome = decide(statement, boxes, parameter, labels)
     except (KeyError, TypeError, ValueError, Malformed, Undecided) as reason:
         return f"cannot be replayed: {reason}"
     if outcome.verdict != verdict:
         return f"wanted {verdict}, got {outcome.verdict}"
-    for field in ("tower", "candidates", "places", "projection", "of one sign", "count", "borders"):
+    for field in FIELDS:
         if outcome.certificate.get(field) != certificate.get(field):
             return f"{field} differ"
     return None

@@ -30,8 +30,13 @@ def decide_in_cells(
     boxes: Mapping[str, Box],
     labels: Mapping[str, str] | None = None,
     limits: Limits = DEFAULT_LIMITS,
+    *,
+    only_proof: bool = False,
 ) -> Outcome:
-    """The verdict on a statement; all its symbols are real parameters. Raises Undecided."""
+    """The verdict on a statement; all its symbols are real parameters. Raises Undecided.
+
+    With `only_proof` whatever fails somewhere is `refuted`, without a witness or a domain.
+    """
     labels = labels or {}
     original = {name: boxes.get(name, unstated()) for name in sorted(statement.symbols())}
     for name, box in original.items():
@@ -43,7 +48,7 @@ def decide_in_cells(
     stated = frozenset(name for name, box in original.items() if box.stated)
     budget = Budget(limits)
     found = list(parts(task, budget, stated))
-    outcome = _outcome(task, found, budget, stated, labels)
+    outcome = _outcome(task, found, budget, stated, labels, only_proof)
     if outcome.verdict != "proved" and any(box.integer for box in original.values()):
         outcome = _for_integers(task, outcome, original, labels, limits)
     certificate = cells_certificate(statement, original, found, labels)
@@ -113,6 +118,7 @@ def _outcome(
     budget: Budget,
     stated: frozenset[str],
     labels: Mapping[str, str],
+    only_proof: bool,
 ) -> Outcome:
     pieces = all_pieces(found)
     present = [p for p in pieces if p.truth != SKIPPED]
@@ -134,6 +140,8 @@ def _outcome(
             raise Undecided("the formula has a value on a thin set only")
         domain, _ = domain_text(task, found, budget, stated, labels)
         return Outcome("proved", domain, "holds on the whole domain", method)
+    if only_proof:
+        return Outcome("refuted", "", "fails somewhere", method)
     witness, tried = counterexample(task, failed, labels)
     if wide:
         domain, whole = domain_text(task, found, budget, stated, labels)

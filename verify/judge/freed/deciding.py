@@ -7,14 +7,16 @@ from dataclasses import replace
 from itertools import combinations
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
+from gainproof.verify.judge.exact.expression import Expr, number, walk
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.induction import induction, open_sums
 from gainproof.verify.judge.freed.numbers import at_number, first_numbers
 from gainproof.verify.judge.freed.rewriting import Freed, freed, has_functions
+from gainproof.verify.judge.freed.rising import rising
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.sequences import is_term
 
@@ -43,6 +45,11 @@ def decided(
         except Undecided as reason:
             reasons.append(str(reason))
     points = try_points(statement, boxes, labels)
+    if not sums and (points is None or points.verdict == "held"):
+        try:
+            return rising(statement, boxes, parameter, labels, _freely)
+        except Undecided as reason:
+            reasons.append(str(reason))
     if points is None:
         raise Undecided("; ".join(dict.fromkeys(r for r in reasons if r)))
     return points
@@ -70,7 +77,7 @@ def _freely(
         except Undecided:
             _refuse_without_value(statement, boxes, parameter, labels)
             exclusions = (*exclusions, "where every part has a value")
-    domain = ", ".join([_domain_text(statement, boxes, labels), *exclusions])
+    domain = ", ".join([domain_text(statement, boxes, labels), *exclusions])
     return replace(
         outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")
     )
@@ -93,7 +100,8 @@ def _settled(
 
     def proved(opened: Freed) -> Outcome:
         where = {n: replace(b, stated=stated or b.stated) for n, b in opened.boxes.items()}
-        found = settle(opened.statement, where, parameter, {**labels, **opened.labels})
+        names = {**labels, **opened.labels}
+        found = settle(opened.statement, where, parameter, names, only_proof=True)
         if found.verdict != "proved":
             raise Undecided(f"not true of {FREED}, which refutes nothing")
         return found
@@ -131,7 +139,8 @@ def _refuse_without_value(
 
 def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: str | None) -> bool:
     try:
-        outcome = settle(Statement((rel,), statement.conditions), boxes, parameter, {})
+        part = Statement((rel,), statement.conditions)
+        outcome = settle(part, boxes, parameter, {}, only_proof=True)
     except Undecided:
         return False
     return outcome.verdict == "proved"
@@ -148,7 +157,7 @@ def _inductively(
         if found.verdict != "proved":
             raise Undecided(f"an induction fails {words}, which refutes nothing: {found.reason}")
         certificate[words] = dict(found.certificate)
-    domain = _domain_text(statement, boxes, labels)
+    domain = domain_text(statement, boxes, labels)
     return Outcome("proved", domain, "holds on the whole domain", "induction", None, certificate)
 
 
@@ -170,10 +179,3 @@ def _for_numbers(
             reason = f"fails {witness.text()}; where it may hold is not determined"
             return replace(found, verdict="refuted", domain="", reason=reason, witness=witness)
     raise Undecided("")
-
-
-def _domain_text(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]) -> str:
-    over = {s.parts[1].name for s in open_sums(statement)}
-    named = sorted(n for n in symbols_of(*statement.exprs()) - over if n in boxes)
-    bounded = [n for n in named if boxes[n].lower is not None or boxes[n].upper is not None]
-    return ", ".join(boxes[n].text(labels.get(n, n)) for n in bounded) or "everywhere"

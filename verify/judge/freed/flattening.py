@@ -66,8 +66,8 @@ def _power(base: Expr, exponent: Expr, is_positive: Positive) -> Expr | None:
         if each.name == "exp":
             factors.append(Expr("call", "exp", (times,)))
         else:
-            (simple, *others) = monomials(times).items()
-            whole = times if others else _scaled(*simple)
+            simple = [_scaled(*term) for term in monomials(times).items()] or [number(0)]
+            whole = simple[0] if len(simple) == 1 else times
             factors.append(general_power(each.parts[0], whole))
     return mul(*factors)
 

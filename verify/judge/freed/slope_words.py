@@ -1,0 +1,43 @@
+"""A proof by slopes, line by line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
+from gainproof.verify.judge.exact.expression_text import written
+from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.freed.slopes import Rising
+from gainproof.verify.judge.readable import readable
+
+LONGEST = 300
+
+
+def slope_lines(
+    found: Iterable[Rising], told: Mapping[Rel, Rising], labels: Mapping[str, str]
+) -> list[str]:
+    """What is above 0, then each slope on which it rests, if not all its signs are plain."""
+    return list(dict.fromkeys(_lines(found, told, labels)))
+
+
+def _lines(
+    found: Iterable[Rising], told: Mapping[Rel, Rising], labels: Mapping[str, str]
+) -> Iterator[str]:
+    for each in found:
+        name = labels.get(each.name, each.name)
+        where = f"{name} = {each.point}"
+        value = _text(each.value, labels)
+        known = " and ".join(
+            f"{_text(rel.left, labels)} {rel.operator} 0" for rel in dict.fromkeys(each.slopes)
+        )
+        stated = f"{_text(each.relation.left, labels)} {each.relation.operator} 0"
+        yield f"{stated}: it is {value} at {where}; slope away from there: {known}"
+        yield from _lines((told[rel] for rel in each.slopes if rel in told), told, labels)
+
+
+def _text(expr: Expr, labels: Mapping[str, str]) -> str:
+    names = {name: symbol(labels.get(name, name)) for name in symbols_of(expr)}
+    lines, (text,) = written(readable(substituted(expr, names)))
+    text = "; ".join([text, *lines])
+    return text if len(text) <= LONGEST else "(a long formula)"
