@@ -87,6 +87,6 @@ def fraction(expr: Expr) -> tuple[Expr, Expr]:
         case "pow" if expr.fraction.denominator == 1 and abs(expr.fraction) <= MOST_POWER:
             top, bottom = fraction(expr.parts[0])
             times = int(abs(expr.fraction))
-            found = whole_power(top, times), whole_power(bottom, times)
-            return found if expr.fraction >= 0 else found[::-1]
+            first, second = (top, bottom) if expr.fraction >= 0 else (bottom, top)
+            return whole_power(first, times), whole_power(second, times)
     return expr, number(1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gainproof.verify.judge.matrices.lexer import RELATIONS, WIDE
+from gainproof.verify.judge.matrices.notation import RELATIONS, WIDE
 from gainproof.verify.judge.matrices.size import Sizes
 from gainproof.verify.judge.matrices.size_text import read_size
 from gainproof.verify.judge.matrices.symbol import skip_blanks

@@ -14,7 +14,7 @@ from gainproof.verify.judge.matrices.letter import (
     Letter,
     MatrixSetting,
 )
-from gainproof.verify.judge.matrices.lexer import RELATIONS
+from gainproof.verify.judge.matrices.notation import RELATIONS
 from gainproof.verify.judge.matrices.reader import read_matrix
 from gainproof.verify.judge.matrices.shapes import ShapeFault, Shapes
 from gainproof.verify.judge.matrices.size import ONE, Shape, Size, Sizes, sizes_of

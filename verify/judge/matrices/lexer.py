@@ -7,6 +7,17 @@ from collections.abc import Collection
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from gainproof.verify.judge.matrices.notation import (
+    ARROWS,
+    COVERED,
+    MATRICES,
+    POWERS,
+    RELATIONS,
+    SILENT,
+    TIMES,
+    WIDE,
+    WORD,
+)
 from gainproof.verify.judge.matrices.size import Shape, Sizes
 from gainproof.verify.judge.matrices.size_text import read_size
 from gainproof.verify.judge.matrices.symbol import (
@@ -22,48 +33,6 @@ from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.limits import MOST_CHARACTERS, MOST_DIGITS
 
 MOST_TOKENS = 1500
-RELATIONS = {
-    "=": "=",
-    "<": "<",
-    ">": ">",
-    "\\lt": "<",
-    "\\gt": ">",
-    "\\le": "<=",
-    "\\leq": "<=",
-    "\\leqq": "<=",
-    "\\leqslant": "<=",
-    "\\preceq": "<=",
-    "\\prec": "<",
-    "\\ge": ">=",
-    "\\geq": ">=",
-    "\\geqq": ">=",
-    "\\geqslant": ">=",
-    "\\succeq": ">=",
-    "\\succ": ">",
-}
-ARROWS = {
-    "\\Rightarrow": "=>",
-    "\\implies": "=>",
-    "\\Longrightarrow": "=>",
-    "\\Leftrightarrow": "<=>",
-    "\\iff": "<=>",
-    "\\Longleftrightarrow": "<=>",
-}
-WIDE = ("\\quad", "\\qquad")
-_SILENT = frozenset(("\\left", "\\right", "\\bigl", "\\bigr", "\\Bigl", "\\Bigr", "\\big", "\\Big"))
-_TIMES = frozenset(("\\cdot", "\\times"))
-_MATRICES = ("{pmatrix}", "{bmatrix}", "{array}", "{matrix}")
-_POWERS = {
-    "T": "T",
-    "{T}": "T",
-    "\\top": "T",
-    "{\\top}": "T",
-    "{\\mathsf{T}}": "T",
-    "{\\mathrm{T}}": "T",
-    "{-1}": "-1",
-    "{-T}": "-T",
-}
-
 # 0 with accents and no more: what has a subscript besides is a letter of its own
 _ZERO = re.compile(r"(?:\\[a-z]+\{)+0\}+", re.ASCII)
 
@@ -115,7 +84,7 @@ def _token(
         return Token("arrow", position, ARROWS[command]), after
     if command in WIDE:
         return Token("wide", position), after
-    if command in _SILENT or command in _TIMES:
+    if command in SILENT or command in TIMES:
         return None, after
     if command == "\\\\":
         return Token("row", position), after
@@ -138,7 +107,7 @@ def _token(
 
 def _environment(text: str, position: int, command: str) -> tuple[Token, int]:
     place = skip_blanks(text, position + len(command))
-    for name in _MATRICES:
+    for name in MATRICES:
         if text.startswith(name, place):
             end = place + len(name)
             if command == "\\begin" and name == "{array}":
@@ -188,14 +157,23 @@ def _power(text: str, position: int) -> tuple[Token, int]:
                 break
         end += 1
     elif text[place : place + 1] == "\\":
-        end = place + len(command_at(text, place))
+        end = place + len(command := command_at(text, place))
+        if command in ("\\mathsf", "\\mathrm") and text.startswith("{T}", end):
+            end += len("{T}")
     inner = "".join(text[place:end].split())
-    if inner not in _POWERS:
+    if inner not in POWERS:
         raise ReaderError("a power of a matrix is ^T or ^{-1}", text, place, inner)
-    return Token("power", position, _POWERS[inner]), end
+    return Token("power", position, POWERS[inner]), end
 
 
 def _symbol(text: str, position: int, letters: Collection[str], sizes: Sizes) -> tuple[Token, int]:
+    word = WORD.match(text, position)
+    if word is not None:
+        name = word[1] or word[2]
+        problem = f"{name} of a matrix is not covered: {COVERED}"
+        raise ReaderError(problem, text, position, word[0])
+    if text[position] == "|" or text.startswith("\\|", position):
+        raise ReaderError(f"bars of a matrix are not covered: {COVERED}", text, position)
     found = scan_symbol(text, position)
     if found is None:
         raise ReaderError("this is not read here", text, position, text[position : position + 10])
@@ -227,5 +205,8 @@ def _symbol(text: str, position: int, letters: Collection[str], sizes: Sizes) ->
         return Token("number", position), end
     if name == "E":
         return Token("expect", position), end
+    if base in ("I", "\\mathbf{I}", "\\mathrm{I}", "\\boldsymbol{I}") and base == name:
+        problem = f"the matrix {name} is not declared; the unit matrix has its size, as I_{{n}}"
+        raise ReaderError(problem, text, position, name)
     near = nearest_names(name, letters)
     raise ReaderError(f"the matrix {name} is not declared", text, position, name, near)

@@ -65,6 +65,8 @@ class _Parser:
         return token
 
     def end(self) -> None:
+        if self.kind == "unequal":
+            raise self._error("\\neq is read after \\det(...) only, else =, <, <=, > and >=")
         if self.kind != "end of the formula":
             raise self._error("the formula should end here")
 
@@ -90,7 +92,9 @@ class _Parser:
             if self.kind not in ("(", "["):
                 raise self._error("\\det is followed by brackets")
             inner = self._bracket(self.take())
-            self._want("unequal")
+            if self.kind != "unequal":
+                raise self._error("of a determinant only \\det(...) \\neq 0 is read")
+            self.take()
             if self._want("number").number != 0:
                 raise self._error("of a determinant only \\det(...) \\neq 0 is read")
             return Chain((inner,), (REGULAR,))
