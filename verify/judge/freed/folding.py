@@ -37,8 +37,20 @@ def folded(expr: Expr) -> Expr:
 
 
 def plain(expr: Expr) -> Expr:
-    """A sum of monomials of the same value wherever that of the expression exists."""
-    expr = folded(expr)
+    """A sum of monomials of the same value wherever that of the expression exists, in functions and
+    roots too.
+    """
+
+    def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
+        is_root = node.kind == "pow" and node.fraction.denominator != 1
+        if not is_root and node.kind != "call":
+            return None
+        return Expr(node.kind, node.value, tuple(map(_sum_of_monomials, parts)))
+
+    return _sum_of_monomials(rebuilt(folded(expr), change))
+
+
+def _sum_of_monomials(expr: Expr) -> Expr:
     try:
         return folded(terms_expr(monomials(expr)))
     except Undecided:

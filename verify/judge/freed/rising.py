@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
-from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.certificate import statement_data
-from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
-from gainproof.verify.judge.exact.enclosure import enclosure
-from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import try_points
-from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.points import failure_at, try_points
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.domain_words import domain_text
-from gainproof.verify.judge.freed.folding import folded
+from gainproof.verify.judge.freed.equal_sides import equal_somewhere, fails_near
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.slope_words import slope_lines
-from gainproof.verify.judge.freed.slopes import Rising, by_slopes, points, sides
+from gainproof.verify.judge.freed.slopes import Rising, by_slopes
 from gainproof.verify.judge.freed.smooth import Boxes, Proves
 from gainproof.verify.judge.hypothesis import settle
 
@@ -57,10 +50,12 @@ def rising(
     try:
         found = by_slopes(statement, boxes, proves)
     except Undecided:
-        equal = _equal(statement, boxes, labels, proves)
-        if equal is None:
+        fails = fails_near(statement, boxes, labels) or equal_somewhere(
+            statement, boxes, labels, proves
+        )
+        if fails is None:
             raise
-        return equal
+        return fails
     where = domain_text(statement, boxes, labels)
     own = {name: box for name, box in boxes.items() if name in statement.symbols()}
     certificate = {
@@ -88,6 +83,8 @@ def _prover(parameter: str | None, freely: Decides, most: int, told: dict[Rel, R
         where = {name: boxes[name] for name in part.symbols()}
         if not has_functions(part):
             return _is_proved(partial(settle, only_proof=True), part, where, parameter)
+        if not where and _seen(rel):
+            return True
         seen = try_points(part, where, {})
         if seen is not None and seen.verdict == "refuted":
             return False
@@ -97,65 +94,16 @@ def _prover(parameter: str | None, freely: Decides, most: int, told: dict[Rel, R
     return proves
 
 
+def _seen(rel: Rel) -> bool:
+    """Whether balls show an inequality between numbers."""
+    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">"}.get(rel.operator)
+    if opposite is None:
+        return False
+    return failure_at(Statement((Rel(opposite, rel.left, rel.right),)), {}, {}) is not None
+
+
 def _is_proved(way: Decides, part: Statement, boxes: Boxes, parameter: str | None) -> bool:
     try:
         return way(part, boxes, parameter, {}).verdict == "proved"
     except Undecided:
         return False
-
-
-def _equal(
-    statement: Statement, boxes: Boxes, labels: Mapping[str, str], proves: Proves
-) -> Outcome | None:
-    """A strict inequality in one symbol that is an equality at a point."""
-    names = sorted(statement.symbols())
-    if len(names) != 1 or statement.connective != "if" or statement.domain or statement.needed:
-        return None
-    (name,) = names
-    box = replace(boxes.get(name, Box()), stated=True)
-    for point in filter(box.holds, points(box)):
-        for rel in statement.relations:
-            witness = _equal_at(rel, name, point, labels, proves)
-            if witness is not None:
-                return _but_there(statement, name, point, box, witness, labels, proves)
-    return None
-
-
-def _equal_at(
-    rel: Rel, name: str, point: Fraction, labels: Mapping[str, str], proves: Proves
-) -> Witness | None:
-    if rel.operator not in ("<", ">", "!="):
-        return None
-    here = {name: number(point)}
-    both = (folded(substituted(side, here)) for side in (rel.left, rel.right))
-    if not proves(Rel("=", *both), {}):
-        return None
-    try:
-        ball = enclosure(Balls({name: point}, PRECISION).round(rel.left), 12)
-    except (NoValue, Unresolved):
-        return None
-    where = {labels.get(name, name): str(point)}
-    note = "both sides are equal, exactly"
-    return Witness(where, rel.operator, ball, ball, exact=True, note=note)
-
-
-def _but_there(
-    statement: Statement,
-    name: str,
-    point: Fraction,
-    box: Box,
-    witness: Witness,
-    labels: Mapping[str, str],
-    proves: Proves,
-) -> Outcome:
-    """Conditional where it is proved on both sides of the point, else refuted."""
-    beside = [replace(side, integer=box.integer) for _, side in sides(box, point)]
-    try:
-        for side in beside:
-            by_slopes(statement, {name: side}, proves)
-    except Undecided:
-        reason = f"fails {witness.text()}; where it may hold is not determined"
-        return Outcome("refuted", "", reason, "both sides at an exact point", witness, {}, 1)
-    held = " or ".join(side.text(labels.get(name, name)) for side in reversed(beside))
-    reason = f"fails {witness.text()}; holds exactly for {held}"
-    return Outcome("conditional", f"for {held}", reason, METHOD, witness, {}, 1)

@@ -32,7 +32,8 @@ def _lines(
             f"{_text(rel.left, labels)} {rel.operator} 0" for rel in dict.fromkeys(each.slopes)
         )
         stated = f"{_text(each.relation.left, labels)} {each.relation.operator} 0"
-        yield f"{stated}: it is {value} at {where}; slope away from there: {known}"
+        turned = f"with 1/{name} in the place of {name}, " if each.turned else ""
+        yield f"{turned}{stated}: it is {value} at {where}; slope away from there: {known}"
         yield from _lines((told[rel] for rel in each.slopes if rel in told), told, labels)
 
 

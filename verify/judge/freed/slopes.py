@@ -17,7 +17,7 @@ from fractions import Fraction
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, neg, number, symbols_of, walk
+from gainproof.verify.judge.exact.expression import Expr, div, neg, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import ORDERS, Rel, Statement
@@ -32,12 +32,14 @@ INNER = (Fraction(0), Fraction(1), Fraction(-1))
 SEEN = (Fraction(1), Fraction(1, 3), Fraction(7))
 """Where a slope is looked at whether it is other than 0."""
 ZERO = number(0)
+POSITIVE = Box(lower=Fraction(0))
+"""Of such a symbol the reciprocal lies there too: what vanishes far out vanishes at 0 then."""
 
 
 @dataclass(frozen=True)
 class Rising:
     """How a relation is proved: of what sign g is, its value at the point of a symbol, and what is
-    known of slopes beside it, one for each side.
+    known of slopes beside it, one for each side; `turned` with the reciprocal for the symbol.
     """
 
     relation: Rel
@@ -45,6 +47,7 @@ class Rising:
     point: Fraction
     value: Expr
     slopes: tuple[Rel, ...]
+    turned: bool = False
 
 
 def by_slopes(statement: Statement, boxes: Boxes, proves: Proves) -> list[Rising]:
@@ -66,11 +69,17 @@ def _one(rel: Rel, boxes: Boxes, proves: Proves) -> Rising:
         top = _multiplied_out(g, name, within, proves)
         if sum(1 for _ in walk(top)) > MOST_NODES:
             raise Undecided("a formula too large for slopes")
+        strict = rel.operator in ("<", ">")
         for point in points(within[name]):
-            side = _From(top, name, point, within, rel.operator in ("<", ">"), proves)
-            found = side.rising()
+            found = _From(top, name, point, within, strict, proves).rising()
             if found is not None:
                 return found
+        if within[name] == POSITIVE:
+            turned = substituted(top, {name: div(number(1), symbol(name))})
+            top = _multiplied_out(turned, name, within, proves)
+            found = _From(top, name, Fraction(0), within, strict, proves).rising()
+            if found is not None:
+                return replace(found, turned=True)
     raise Undecided("no point was found from which slopes show it, which refutes nothing")
 
 

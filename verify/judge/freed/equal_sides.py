@@ -1,0 +1,102 @@
+"""Inequalities with functions that fail at or beside a simple point, where slopes would begin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
+from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.expression import number
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.points import failure_at
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.freed.folding import folded
+from gainproof.verify.judge.freed.slopes import by_slopes, points, sides
+from gainproof.verify.judge.freed.smooth import Boxes, Proves
+
+PRECISION = 128
+SIDES = "both sides at an exact point, slopes away from it"
+NEAR = tuple(Fraction(sign, 10**n) for n in (3, 6, 9, 12) for sign in (1, -1))
+"""How far beside a point is looked: what agrees with a series there may fail close to it only."""
+
+
+def fails_near(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) -> Outcome | None:
+    """Refuted by balls at a simple point of its one symbol, or close to one."""
+    names = sorted(statement.symbols())
+    if len(names) != 1:
+        return None
+    (name,) = names
+    for tried, point in enumerate(_near(boxes.get(name, Box())), start=1):
+        witness = failure_at(statement, {name: point}, labels)
+        if witness is not None:
+            reason = f"fails {witness.text()}; where it may hold is not determined"
+            method = "balls at an exact point"
+            return Outcome("refuted", "", reason, method, witness, {}, tried)
+    return None
+
+
+def _near(box: Box) -> Iterator[Fraction]:
+    simple = list(points(box))
+    yield from filter(box.holds, simple)
+    yield from (at for point in simple for step in NEAR if box.holds(at := point + step))
+
+
+def equal_somewhere(
+    statement: Statement, boxes: Boxes, labels: Mapping[str, str], proves: Proves
+) -> Outcome | None:
+    """A strict inequality in one symbol that is an equality at a point."""
+    names = sorted(statement.symbols())
+    if len(names) != 1 or statement.connective != "if" or statement.domain or statement.needed:
+        return None
+    (name,) = names
+    box = replace(boxes.get(name, Box()), stated=True)
+    for point in filter(box.holds, points(box)):
+        for rel in statement.relations:
+            witness = _equal_at(rel, name, point, labels, proves)
+            if witness is not None:
+                return _but_there(statement, name, point, box, witness, labels, proves)
+    return None
+
+
+def _equal_at(
+    rel: Rel, name: str, point: Fraction, labels: Mapping[str, str], proves: Proves
+) -> Witness | None:
+    if rel.operator not in ("<", ">", "!="):
+        return None
+    here = {name: number(point)}
+    both = (folded(substituted(side, here)) for side in (rel.left, rel.right))
+    if not proves(Rel("=", *both), {}):
+        return None
+    try:
+        ball = enclosure(Balls({name: point}, PRECISION).round(rel.left), 12)
+    except (NoValue, Unresolved):
+        return None
+    where = {labels.get(name, name): str(point)}
+    note = "both sides are equal, exactly"
+    return Witness(where, rel.operator, ball, ball, exact=True, note=note)
+
+
+def _but_there(
+    statement: Statement,
+    name: str,
+    point: Fraction,
+    box: Box,
+    witness: Witness,
+    labels: Mapping[str, str],
+    proves: Proves,
+) -> Outcome:
+    """Conditional where it is proved on both sides of the point, else refuted."""
+    beside = [replace(side, integer=box.integer) for _, side in sides(box, point)]
+    try:
+        for side in beside:
+            by_slopes(statement, {name: side}, proves)
+    except Undecided:
+        reason = f"fails {witness.text()}; where it may hold is not determined"
+        return Outcome("refuted", "", reason, "both sides at an exact point", witness, {}, 1)
+    held = " or ".join(side.text(labels.get(name, name)) for side in reversed(beside))
+    reason = f"fails {witness.text()}; holds exactly for {held}"
+    return Outcome("conditional", f"for {held}", reason, SIDES, witness, {}, 1)
