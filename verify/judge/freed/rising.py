@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
-from typing import Any
 
 from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.limits import Undecided
@@ -38,15 +37,9 @@ def rising(
     """Proved by slopes; false where both sides of a strict one are equal at a point. `freely`
     decides what holds for whatever values functions take. Raises Undecided.
     """
-    count = iter(range(MOST_QUESTIONS))
-
-    def limited(*question: Any) -> Outcome:
-        if next(count, None) is None:
-            raise Undecided("too many slopes")
-        return freely(*question)
-
     told: dict[Rel, Rising] = {}
-    proves = _prover(parameter, limited, MOST_SLOPES, told)
+    questions = iter(range(MOST_QUESTIONS))
+    proves = _prover(parameter, freely, MOST_SLOPES, told, questions)
     try:
         found = by_slopes(statement, boxes, proves)
     except Undecided:
@@ -67,15 +60,22 @@ def rising(
     return Outcome("proved", where, "holds on the whole domain", METHOD, None, certificate)
 
 
-def _prover(parameter: str | None, freely: Decides, most: int, told: dict[Rel, Rising]) -> Proves:
-    """What is proved without points, with at most so many slopes in one another; how is `told`."""
+def _prover(
+    parameter: str | None,
+    freely: Decides,
+    most: int,
+    told: dict[Rel, Rising],
+    questions: Iterator[int],
+) -> Proves:
+    """What is proved without points, with at most so many slopes in one another; how is `told`.
+    When the `questions` are used up nothing more is.
+    """
 
     def by_more_slopes(
         part: Statement, boxes: Boxes, parameter: str | None, _labels: Mapping[str, str]
     ) -> Outcome:
-        told[part.relations[0]], *_ = by_slopes(
-            part, boxes, _prover(parameter, freely, most - 1, told)
-        )
+        inner = _prover(parameter, freely, most - 1, told, questions)
+        told[part.relations[0]], *_ = by_slopes(part, boxes, inner)
         return Outcome("proved", "", "", METHOD)
 
     def proves(rel: Rel, boxes: Boxes) -> bool:
@@ -86,7 +86,7 @@ def _prover(parameter: str | None, freely: Decides, most: int, told: dict[Rel, R
         if not where and _seen(rel):
             return True
         seen = try_points(part, where, {})
-        if seen is not None and seen.verdict == "refuted":
+        if (seen is not None and seen.verdict == "refuted") or next(questions, None) is None:
             return False
         ways: list[Decides] = [freely, by_more_slopes] if most > 1 else [freely]
         return any(_is_proved(way, part, where, parameter) for way in ways)
