@@ -29,6 +29,7 @@ from gainproof.derive.catalogue import CATALOGUE
 from gainproof.derive.filter_step import subject
 from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.c_language.loop import c_loop
+from gainproof.derive.printer.c_language.module import c_function
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
@@ -75,7 +76,7 @@ def test_a_kernel_of_two_inputs_is_measured(
     monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
     found = measure.figures(item(), tmp_path, measure.Options())
     wanted = {"kernel", "shared", "fresh", "passes", "memory", "lambdify", "SciPy"}
-    assert set(found.seconds) == wanted | ({"C"} if compiler() else set())
+    assert set(found.seconds) == wanted | ({"C", "C function"} if compiler() else set())
     assert all(0 < seconds < math.inf for seconds in found.seconds.values()), found.seconds
     assert ("C" in found.missing) == (compiler() is None)
     assert found.ratio("kernel", "kernel") == 1
@@ -134,7 +135,7 @@ def test_numbers_in_place_of_arrays(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     given = with_constants(made.signature, sample(made.signature, 5), "track")
     assert [np.shape(each) for each in given] == [(), (5,)]
     found = measure.figures(made, tmp_path, measure.Options(constant="track"))
-    assert "C" in found.missing, "C reads arrays"
+    assert {"C", "C function"} <= set(found.missing), "C reads arrays"
     assert {"lambdify", "fresh"} <= set(found.seconds)
 
 
@@ -186,6 +187,15 @@ def test_what_is_compared_computes_the_same(tmp_path: Path) -> None:
         compiled(c_loop(made.kernel), "kernel", tmp_path)(given, outputs)
         for found, reference in zip(outputs, expected, strict=True):
             np.testing.assert_array_equal(found, reference)
+            found.fill(np.nan)
+        guarded = compiled(*c_function(made.kernel, made.bound), tmp_path, guarded=True)
+        guarded(given, outputs)
+        for found, reference in zip(outputs, expected, strict=True):
+            np.testing.assert_array_equal(found, reference)
+            found.fill(np.nan)
+        with pytest.raises(ValueError, match="refuses"):
+            guarded([given[0], np.array([16.0, 2.0, -1.0])], outputs)
+        assert np.isnan(outputs).all(), "nothing is written"
 
 
 def test_a_wrong_value_is_seen() -> None:

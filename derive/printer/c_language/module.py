@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from gainproof.derive.printer.bound import KernelBound
 from gainproof.derive.printer.c_language.body import near_cbrt
-from gainproof.derive.printer.c_language.flavour import FLAVOURS
+from gainproof.derive.printer.c_language.flavour import DOUBLE, FLAVOURS
 from gainproof.derive.printer.c_language.functions import definitions, prototypes
 from gainproof.derive.printer.c_language.names import Names, codes, names_of
 from gainproof.derive.printer.docstring import mathematics
@@ -47,6 +47,18 @@ def c_files(module: Module, bounds: Bounds) -> dict[str, str]:
         f"{module.name}.h": "\n".join(_header(module, bounds)) + "\n",
         f"{module.name}.c": "\n".join(_source(module, bounds)) + "\n",
     }
+
+
+def c_function(kernel: Kernel, bound: KernelBound) -> tuple[str, str]:
+    """One kernel's function of double arrays as `c_files` has it, guards included: the source that
+    it needs, and its name.
+    """
+    names = names_of("one", kernel)
+    lines, near = definitions(kernel, names, DOUBLE, bound)
+    headers = [f"#include <{name}.h>" for name in ("math", "stddef", "stdint", "string")]
+    start = near_cbrt(DOUBLE) if near else []
+    source = [*headers, "", *_enumeration(kernel, names), "", *start, *lines]
+    return "\n".join(source) + "\n", names.function(DOUBLE, "_array")
 
 
 def _comment(lines: Sequence[str]) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""A C loop of a kernel's graph, compiled on this machine."""
+"""C loops of a kernel's graph, bare and with guards, compiled on this machine."""
 
 from __future__ import annotations
 
@@ -35,10 +35,12 @@ def compiler() -> str | None:
     return None
 
 
-def compiled(source: str, function: str, folder: Path) -> Loop:
-    """Compile `source` and wrap `function`(size_t n, const double *in0, ..., double *out0, ...).
+def compiled(source: str, function: str, folder: Path, *, guarded: bool = False) -> Loop:
+    """Compile `source` and wrap `function`(size_t n, const double *in0, ..., double *out0, ...); a
+    `guarded` one takes ``size_t *first`` too, and returns 0 unless it refuses an input.
 
-    Raises subprocess.CalledProcessError when the compiler refuses the source.
+    Raises subprocess.CalledProcessError when the compiler refuses the source; the wrapped function
+    ValueError for what a guarded one refuses.
     """
     command = compiler()
     if command is None:
@@ -52,10 +54,12 @@ def compiled(source: str, function: str, folder: Path) -> Loop:
         text=True,
     )
     loop = getattr(ctypes.CDLL(str(library)), function)
-    loop.restype = None
+    loop.restype = ctypes.c_int if guarded else None
+    first = [None] if guarded else []
 
     def call(given: Arrays, outputs: Arrays) -> None:
         pointers = [ctypes.c_void_p(array.ctypes.data) for array in (*given, *outputs)]
-        loop(ctypes.c_size_t(given[0].size), *pointers)
+        if loop(ctypes.c_size_t(given[0].size), *pointers, *first):
+            raise ValueError(f"{function} refuses an input that the kernel takes")
 
     return call

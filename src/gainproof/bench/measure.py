@@ -17,12 +17,14 @@ from gainproof.bench.solver import solver_seconds
 from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
 from gainproof.derive.printer.c_language.loop import c_loop
+from gainproof.derive.printer.c_language.module import c_function
 from gainproof.generated._blocks import Parts, cut
 
 SIZE = 1_000_000
 BLOCK = 16384
 SECONDS = 1.0
 """How long one call is repeated at most."""
+COMPILED = ("C", "C function")
 THREADED = ("shared", "JAX")
 """Calls that threads share: the time that passes, of all others that of the one thread."""
 
@@ -48,8 +50,9 @@ class Figures:
     kernel: fills given arrays; shared: the same with threads; fresh: makes its own arrays, as
     lambdify does; passes: the bare NumPy calls on one block that stays in the cache, without guards
     and memory traffic, which no NumPy kernel of this graph can beat in one thread; memory: the
-    arrays read and filled once; C; lambdify, numexpr, Numba, JAX: the textbook form; SciPy: its
-    Riccati solver, a call a point.
+    arrays read and filled once; C: a bare loop of the graph; C function: the one that is shipped,
+    which looks at all inputs first as the kernel does; lambdify, numexpr, Numba, JAX: the textbook
+    form; SciPy: its Riccati solver, a call a point.
     """
 
     seconds: Mapping[str, float]
@@ -83,11 +86,11 @@ def figures(item: Measured, folder: Path, options: Options) -> Figures:
     }
     missing: dict[str, str] = {}
     if options.constant is not None:
-        missing["C"] = "reads arrays only: beside numbers it would be told too slow"
+        missing |= dict.fromkeys(COMPILED, "arrays only: beside numbers it would be told too slow")
     elif compiler() is None:
-        missing["C"] = "no compiler"
+        missing |= dict.fromkeys(COMPILED, "no compiler")
     else:
-        calls["C"] = _c_call(item, columns, folder)
+        calls |= _c_calls(item, columns, folder)
     with np.errstate(all="ignore"):  # textbook forms cancel, divide by zero and overflow
         if item.textbook is not None:
             _add_rivals(calls, missing, item, given, folder, options.every_rival)
@@ -99,13 +102,14 @@ def figures(item: Measured, folder: Path, options: Options) -> Figures:
     return Figures(seconds, missing, worst_errors(item))
 
 
-def _c_call(item: Measured, columns: Arrays, folder: Path) -> Callable[[], object]:
+def _c_calls(item: Measured, columns: Arrays, folder: Path) -> Calls:
     # a library of its own for each kernel: the loader knows libraries by their path
     place = folder / item.subject
     place.mkdir(exist_ok=True)
     loop = compiled(c_loop(item.kernel), item.kernel.name, place)
+    function = compiled(*c_function(item.kernel, item.bound), place, guarded=True)
     targets = [np.empty(SIZE) for _ in item.kernel.outputs]
-    return lambda: loop(columns, targets)
+    return {"C": lambda: loop(columns, targets), "C function": lambda: function(columns, targets)}
 
 
 def _add_rivals(

@@ -5,13 +5,14 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterator
 
-from gainproof.bench.columns import RATIOS, Row, explained, ratio_text, worst_output
+from gainproof.bench.columns import ERRORS, RATIOS, Row, explained, ratio_text, worst_output
 from gainproof.bench.results import Results
 
 WIDTH = 98
-CELL = 7
+CELL = 6
+ERROR = 7
 SHOWN = tuple(column for column in RATIOS if column.short is not None)
-NAME = WIDTH - CELL * (len(SHOWN) + 2)
+NAME = WIDTH - CELL * len(SHOWN) - ERROR * len(ERRORS)
 
 
 def opening(results: Results) -> Iterator[str]:
@@ -25,8 +26,8 @@ def opening(results: Results) -> Iterator[str]:
         f"memory of one thread, GB/s: {speeds}; processes that want to run: {results.load}"
     )
     yield from _filled(
-        f"{found['points']:,} points, outputs given but in `fresh`, guards in the kernel only, "
-        f"{settings['workers']} threads in thr/C and l/thr; each the best of up to "
+        f"{found['points']:,} points, outputs given but in `fresh`, guards in the kernel and the C "
+        f"function, {settings['workers']} threads in t/Cg, thr/C and l/thr; each the best of up to "
         f"{found['rounds']} runs in turn, of fewer where they take more than "
         f"{found['seconds a call']:g} s; processor time of the thread, "
         "of the threads the time that passes"
@@ -35,19 +36,21 @@ def opening(results: Results) -> Iterator[str]:
     for short, meaning in explained():
         yield from textwrap.wrap(f"{short:<7} {meaning}", WIDTH, subsequent_indent=" " * 8)
     yield ""
-    yield f"{'kernel':<{NAME}}" + "".join(f"{short:>{CELL}}" for short, _ in explained())
+    headings = [f"{column.short:>{CELL}}" for column in SHOWN]
+    headings += [f"{short:>{ERROR}}" for _, short, _ in ERRORS]
+    yield f"{'kernel':<{NAME}}" + "".join(headings)
 
 
 def line(row: Row) -> str:
     """One kernel; a long name stands in a line of its own."""
     worst = worst_output(row)
-    cells = [ratio_text(column.value(row)) for column in SHOWN]
-    cells += [f"{float(worst['worst']):.2f}", f"{float(worst['proved']):.2f}"]
-    name = f"  {row['kernel']}"
+    cells = [f"{ratio_text(column.value(row)):>{CELL}}" for column in SHOWN]
+    cells += [f"{float(worst[key]):{ERROR}.2f}" for key, *_ in ERRORS]
+    name = f" {row['kernel']}"
     if len(name) >= NAME:
         name = f"{name}\n{'':<{NAME}}"
     mark = "  <-- OUTSIDE ITS BOUND" if worst["outside"] else ""
-    return f"{name:<{NAME}}" + "".join(f"{cell:>{CELL}}" for cell in cells) + mark
+    return f"{name:<{NAME}}" + "".join(cells) + mark
 
 
 def alarm(results: Results) -> str:
