@@ -21,9 +21,11 @@ class Unresolved(ArithmeticError):
 
 
 class Balls:
-    """Balls round the values of expressions at one point; what several share is enclosed once."""
+    """Balls round the values of expressions at one point, or at all points of a ball; what several
+    share is enclosed once.
+    """
 
-    def __init__(self, values: Mapping[str, Fraction], precision: int) -> None:
+    def __init__(self, values: Mapping[str, Fraction | Ball], precision: int) -> None:
         self.values, self.precision = values, precision
         self._known: dict[bytes, Ball] = {}
 
@@ -41,14 +43,15 @@ def enclosed(expr: Expr, values: Mapping[str, Fraction], precision: int) -> Ball
     return Balls(values, precision).round(expr)
 
 
-def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction]) -> Ball:
+def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction | Ball]) -> Ball:
     match node.kind:
         case "number":
             return flint.arb(rational(node.fraction))
         case "symbol":
             if node.name not in values:
                 raise Unresolved(node.name)
-            return flint.arb(rational(values[node.name]))
+            value = values[node.name]
+            return flint.arb(rational(value)) if isinstance(value, Fraction) else value
         case "add" | "mul":
             total = parts[0]
             for part in parts[1:]:

@@ -14,8 +14,9 @@ from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import failure_at
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.freed.away import sides
 from gainproof.verify.judge.freed.folding import folded
-from gainproof.verify.judge.freed.slopes import by_slopes, points, sides
+from gainproof.verify.judge.freed.slopes import by_slopes, points
 from gainproof.verify.judge.freed.smooth import Boxes, Proves
 
 PRECISION = 128
@@ -50,16 +51,25 @@ def equal_somewhere(
 ) -> Outcome | None:
     """A strict inequality in one symbol that is an equality at a point."""
     names = sorted(statement.symbols())
-    if len(names) != 1 or statement.connective != "if" or statement.domain or statement.needed:
+    if len(names) != 1 or statement.connective != "if" or statement.needed:
+        return None
+    without = {rel.right.fraction for rel in statement.domain if _takes_out_a_number(rel)}
+    if len(without) != len(set(statement.domain)):
         return None
     (name,) = names
     box = replace(boxes.get(name, Box()), stated=True)
     for point in filter(box.holds, points(box)):
+        if point in without:
+            continue
         for rel in statement.relations:
             witness = _equal_at(rel, name, point, labels, proves)
             if witness is not None:
                 return _but_there(statement, name, point, box, witness, labels, proves)
     return None
+
+
+def _takes_out_a_number(rel: Rel) -> bool:
+    return rel.operator == "!=" and (rel.left.kind, rel.right.kind) == ("symbol", "number")
 
 
 def _equal_at(
@@ -92,6 +102,8 @@ def _but_there(
     """Conditional where it is proved on both sides of the point, else refuted."""
     beside = [replace(side, integer=box.integer) for _, side in sides(box, point)]
     try:
+        if statement.domain:
+            raise Undecided("where it holds would be more than two intervals")
         for side in beside:
             by_slopes(statement, {name: side}, proves)
     except Undecided:

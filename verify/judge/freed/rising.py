@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
 from gainproof.verify.judge.exact.certificate import statement_data
@@ -11,9 +11,11 @@ from gainproof.verify.judge.exact.points import failure_at, try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.equal_sides import equal_somewhere, fails_near
+from gainproof.verify.judge.freed.parts import Part
+from gainproof.verify.judge.freed.pieces import by_pieces
 from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.freed.slope_words import slope_lines
-from gainproof.verify.judge.freed.slopes import Rising, by_slopes
+from gainproof.verify.judge.freed.slopes import by_slopes
 from gainproof.verify.judge.freed.smooth import Boxes, Proves
 from gainproof.verify.judge.hypothesis import settle
 
@@ -21,7 +23,6 @@ MOST_SLOPES = 5
 """Slopes of slopes: a function beside its series up to that power."""
 MOST_QUESTIONS = 20
 """With functions in them. What was proved in trials needed ten at most, one may take seconds."""
-PRECISION = 128
 METHOD = "its value at a point and slopes away from it"
 
 Decides = Callable[[Statement, Boxes, str | None, Mapping[str, str]], Outcome]
@@ -37,7 +38,7 @@ def rising(
     """Proved by slopes; false where both sides of a strict one are equal at a point. `freely`
     decides what holds for whatever values functions take. Raises Undecided.
     """
-    told: dict[Rel, Rising] = {}
+    told: dict[Rel, Sequence[Part]] = {}
     questions = iter(range(MOST_QUESTIONS))
     proves = _prover(parameter, freely, MOST_SLOPES, told, questions)
     try:
@@ -64,7 +65,7 @@ def _prover(
     parameter: str | None,
     freely: Decides,
     most: int,
-    told: dict[Rel, Rising],
+    told: dict[Rel, Sequence[Part]],
     questions: Iterator[int],
 ) -> Proves:
     """What is proved without points, with at most so many slopes in one another; how is `told`.
@@ -75,7 +76,7 @@ def _prover(
         part: Statement, boxes: Boxes, parameter: str | None, _labels: Mapping[str, str]
     ) -> Outcome:
         inner = _prover(parameter, freely, most - 1, told, questions)
-        told[part.relations[0]], *_ = by_slopes(part, boxes, inner)
+        told[part.relations[0]] = by_slopes(part, boxes, inner)
         return Outcome("proved", "", "", METHOD)
 
     def proves(rel: Rel, boxes: Boxes) -> bool:
@@ -88,6 +89,10 @@ def _prover(
         seen = try_points(part, where, {})
         if (seen is not None and seen.verdict == "refuted") or next(questions, None) is None:
             return False
+        pieces = by_pieces(rel, *where.values()) if len(where) == 1 else None
+        if pieces is not None:
+            told[rel] = [pieces]
+            return True
         ways: list[Decides] = [freely, by_more_slopes] if most > 1 else [freely]
         return any(_is_proved(way, part, where, parameter) for way in ways)
 

@@ -48,6 +48,15 @@ TRUE = [
     (r"2^x \geq x + 1", r"x \geq 1"),
     # what vanishes far out
     (r"\ln(1 + \frac{1}{x}) < \frac{1}{x}", R),
+    # least between simple points: balls over pieces there, slopes farther out
+    (r"e^x > x^2", R),
+    (r"e^x > 2.71828 x", R),
+    (r"x^2 - \ln x > 0.84656", R),
+    (r"\sin x > \frac{2 x}{5}", "0 < x < 2"),
+    # a number is taken out
+    (r"\ln x^2 \leq x^2 - 1", r"x \neq 0"),
+    (r"\frac{\sin x}{x} \leq 1", r"x \neq 0"),
+    (r"\cos x > 1 - \frac{x^2}{2}", r"x \neq 0"),
 ]
 FALSE = [
     (r"e^x > 1 + x + \frac{x^2}{2} + \frac{x^3}{5}", R, "refuted"),
@@ -59,12 +68,15 @@ FALSE = [
     # close to 0 alone
     (r"e^x > 1 + x + \frac{x^2}{1.9999999}", R, "refuted"),
     (r"e^x \geq 1.000000001 + x", WHOLE, "refuted"),
+    (r"e^x > 2.71829 x", R, "refuted"),
+    (r"x^2 - \ln x > 0.84658", R, "held"),
+    (r"\ln x^2 < x^2 - 1", r"x \neq 0", "refuted"),
     # equal at one point only
     (r"\ln x < x - 1", R, "conditional"),
     (r"e^x > 1 + x", WHOLE, "conditional"),
     (r"\cos x > 1 - \frac{x^2}{2}", r"x \geq 0", "conditional"),
 ]
-KINDS = (0, 1, 6, 9, 12, 14, 15, 17, 18)
+KINDS = (0, 1, 6, 9, 12, 14, 15, 17, 18, 19, 21, 23)
 
 
 def claim(latex: str, domain: str | None) -> str:
@@ -89,6 +101,21 @@ def test_false(latex: str, domain: str | None, wanted: str) -> None:
 
 def test_where_a_strict_one_holds_is_told() -> None:
     assert judged("inequality", claim(r"\ln x < x - 1", R)).domain == "for 0 < x < 1 or x > 1"
+
+
+def test_the_parts_of_a_proof_are_told() -> None:
+    found = judged("inequality", claim(r"\ln x < x - 1", R + r", x \neq 1"))
+    assert found.domain == "x > 0, x != 1"
+    assert found.certificate is not None
+    above, below = found.certificate["slopes"]
+    assert above.startswith("x > 1: -1 - log(x) + x > 0: it is 0 at x = 1;")
+    assert below.startswith("0 < x < 1: -1 - log(x) + x > 0: it is 0 at x = 1;")
+    found = judged("inequality", claim(r"x^2 - \ln x > 0.84", R))
+    assert found.certificate is not None
+    lines = [line.split(": ")[0] for line in found.certificate["slopes"]]
+    assert lines[:2] == ["0 < x <= 1/2", "1/2 <= x <= 3"]
+    assert "x >= 3" in lines
+    assert replay(found.certificate, "proved") is None
 
 
 def test_the_proof_is_told_and_gone_through_again() -> None:
