@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from decimal import Context, Decimal
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from typing import Any
 
 _DIGITS = 6
@@ -93,11 +93,12 @@ def _shown(side: Mapping[str, Any], digits: int) -> str:
     if side.get("undefined"):
         return str(side["undefined"])
     try:
-        rounded = Context(prec=digits).create_decimal(str(side["midpoint"]))
+        context = Context(prec=digits, Emax=MAX_EMAX, Emin=MIN_EMIN)
+        rounded = context.create_decimal(str(side["midpoint"]))
     except ArithmeticError:
         return str(side["midpoint"])
     if rounded == 0:
         return "0"
-    plain = rounded.normalize()
+    plain = rounded.normalize(context)
     exponent = plain.adjusted()
     return f"{plain:f}" if -5 < exponent < 16 else str(Decimal(plain))

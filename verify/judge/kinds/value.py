@@ -13,7 +13,7 @@ import flint
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import NoValue, Unresolved, enclosed
-from gainproof.verify.judge.exact.enclosure import enclosure
+from gainproof.verify.judge.exact.enclosure import enclosure, is_long
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import rational
@@ -101,6 +101,8 @@ def _against_printed(found: Finding, shown: PrintedNumber) -> Finding:
     """The finding with its witness told of the number as printed, not of an end of its interval."""
     witness = found.witness
     if witness is None or witness.left.undefined or witness.right.undefined:
+        return found
+    if is_long(witness.left) or is_long(witness.right):
         return found
     # what fails is low <= value or value <= high: the left side is below the number in the first
     is_low = Fraction(witness.left.midpoint) < shown.value

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.constant_value import constant_value
+from gainproof.verify.judge.exact.enclosure import is_long
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.repair.construct import opposite
 from gainproof.verify.judge.repair.edit import PLAIN
@@ -30,6 +31,8 @@ def rounded(claim: Claim, formula: Printed, judge: Judge) -> Iterator[Change]:
         if link is None:
             break
         side, decimals = link
+        if is_long(finding.witness.left):
+            break
         exact = Fraction(finding.witness.left.midpoint)
         before, after = formula.sides[side], _written(exact, decimals)
         formula = formula.with_side(side, after)
