@@ -1,4 +1,4 @@
-"""Inequalities with functions that fail at or beside a simple point, where slopes would begin."""
+"""Inequalities with functions that fail at or beside a simple point, or where they are lowest."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from gainproof.verify.judge.exact.enclosure import enclosure
 from gainproof.verify.judge.exact.expression import number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.points import failure_at
-from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import ORDERS, Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.freed.away import sides
 from gainproof.verify.judge.freed.folding import folded
-from gainproof.verify.judge.freed.slopes import by_slopes, points
+from gainproof.verify.judge.freed.lowest import lowest
+from gainproof.verify.judge.freed.slopes import above_zero, by_slopes, points
 from gainproof.verify.judge.freed.smooth import Boxes, Proves
 
 PRECISION = 128
@@ -26,12 +27,19 @@ NEAR = tuple(Fraction(sign, 10**n) for n in (3, 6, 9, 12) for sign in (1, -1))
 
 
 def fails_near(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) -> Outcome | None:
-    """Refuted by balls at a simple point of its one symbol, or close to one."""
+    """Refuted by balls at a simple point of its one symbol, close to one, or where it is lowest."""
     names = sorted(statement.symbols())
     if len(names) != 1:
         return None
     (name,) = names
-    for tried, point in enumerate(_near(boxes.get(name, Box())), start=1):
+    box = boxes.get(name, Box())
+    below = [
+        point
+        for rel in statement.relations
+        if rel.operator in ORDERS
+        for point in lowest(above_zero(rel), name, box)
+    ]
+    for tried, point in enumerate([*_near(box), *below], start=1):
         witness = failure_at(statement, {name: point}, labels)
         if witness is not None:
             reason = f"fails {witness.text()}; where it may hold is not determined"

@@ -77,10 +77,15 @@ def _told_within(part: Part, box: Box | None) -> Part:
     return replace(part, within=box)
 
 
+def above_zero(rel: Rel) -> Expr:
+    """What an inequality says is above 0, or not below it."""
+    return rel.left - rel.right if rel.operator in (">", ">=") else rel.right - rel.left
+
+
 def _one(rel: Rel, boxes: Boxes, proves: Proves) -> tuple[Part, ...]:
     if rel.operator not in ORDERS:
         raise Undecided("a slope for anything but inequalities")
-    g = rel.left - rel.right if rel.operator in (">", ">=") else rel.right - rel.left
+    g = above_zero(rel)
     for name in _variables(g):
         within = {**boxes, name: replace(boxes[name], integer=False)}
         top = _multiplied_out(g, name, within, proves)

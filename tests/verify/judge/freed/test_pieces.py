@@ -5,6 +5,7 @@ What is asked for here is known by calculus: the least values stand beside the c
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -16,6 +17,7 @@ from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.freed import deciding, rising
 from gainproof.verify.judge.freed.equal_sides import equal_somewhere
 from gainproof.verify.judge.freed.folding import plain
+from gainproof.verify.judge.freed.lowest import lowest
 from gainproof.verify.judge.freed.pieces import Pieces, by_pieces, seen_above
 from gainproof.verify.judge.freed.smooth import Boxes
 
@@ -155,3 +157,26 @@ def test_an_equality_at_a_number_that_is_taken_out_refutes_nothing() -> None:
 def _no_proof(rel: Rel, _boxes: Boxes) -> bool:
     """Of equalities between the same numbers alone."""
     return rel.operator == "=" and plain(rel.left).key == plain(rel.right).key
+
+
+@pytest.mark.parametrize(
+    ("g", "box", "wanted"),
+    [
+        (LEAST, Box(Fraction(0)), 0.5**0.5),
+        (X * LOG, Box(Fraction(0), Fraction(1)), math.exp(-1)),
+        (COS + X * X * number(Fraction(1, 10)), Box(Fraction(1)), 2.59574),
+        (EXP - 2 * X, Box(), math.log(2)),
+        (call("exp", -X) + 2 * X, Box(upper=Fraction(0)), -math.log(2)),
+        # no inner point is lowest, or there is no value, or one too large for a float
+        (EXP, Box(Fraction(0)), None),
+        (call("log", X), Box(upper=Fraction(-1)), None),
+        (call("exp", EXP), Box(), None),
+        (-call("exp", call("exp", X * X)), Box(), None),
+    ],
+)
+def test_points_where_a_formula_is_lowest(g: Expr, box: Box, wanted: float | None) -> None:
+    found = list(lowest(g, "x", box))
+    assert all(box.holds(point) for point in found)
+    if wanted is not None:
+        assert abs(float(found[-1]) - wanted) < 1e-5
+        assert [point.denominator for point in found] == sorted(p.denominator for p in found)

@@ -69,7 +69,11 @@ FALSE = [
     (r"e^x > 1 + x + \frac{x^2}{1.9999999}", R, "refuted"),
     (r"e^x \geq 1.000000001 + x", WHOLE, "refuted"),
     (r"e^x > 2.71829 x", R, "refuted"),
-    (r"x^2 - \ln x > 0.84658", R, "held"),
+    # where it is lowest, between simple points
+    (r"x^2 - \ln x > 0.84658", R, "refuted"),
+    (r"x \ln x > -0.3678", UNIT, "refuted"),
+    (r"e^{-1000000 (x - 0.3333)^2} < 0.99", UNIT, "refuted"),
+    (r"\frac{\ln x}{x} < 0.36787", R, "refuted"),
     (r"\ln x^2 < x^2 - 1", r"x \neq 0", "refuted"),
     # equal at one point only
     (r"\ln x < x - 1", R, "conditional"),
