@@ -34,7 +34,7 @@ from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
 from gainproof.generated import filter_step
-from gainproof.generated._blocks import Span
+from gainproof.generated._blocks import BLOCK, Span
 from gainproof.generated._runtime import Call, run
 from gainproof.generated._signature import Signature
 
@@ -73,7 +73,7 @@ def item() -> Measured:
 def test_a_kernel_of_two_inputs_is_measured(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(measure, "SIZE", 2 * BLOCK)
     found = measure.figures(item(), tmp_path, measure.Options())
     wanted = {"kernel", "shared", "fresh", "passes", "memory", "lambdify", "SciPy"}
     assert set(found.seconds) == wanted | ({"C", "C function"} if compiler() else set())
@@ -129,7 +129,7 @@ def test_time_against_length_and_number_of_points(monkeypatch: pytest.MonkeyPatc
 
 
 def test_numbers_in_place_of_arrays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(measure, "SIZE", 2 * BLOCK)
     monkeypatch.setattr(errors, "POINTS", 3)
     made = replace(item(), model=None)
     given = with_constants(made.signature, sample(made.signature, 5), "track")
@@ -140,7 +140,7 @@ def test_numbers_in_place_of_arrays(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 def test_a_few_numbers_each_with_each(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(measure, "SIZE", 2 * BLOCK)
     monkeypatch.setattr(errors, "POINTS", 3)
     made = replace(item(), model=None)
     columns = sample(made.signature, 8)
@@ -233,7 +233,7 @@ def test_a_kernel_of_signed_inputs_is_measured_over_its_terms(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A filter step: arguments of either sign inside the domain, errors over what may cancel."""
-    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(measure, "SIZE", 2 * BLOCK)
     monkeypatch.setattr(errors, "POINTS", 20)
     step = subject.build().module.kernels[0]
     measured = Measured(
@@ -310,7 +310,7 @@ def test_an_unknown_subject() -> None:
 def test_every_kernel_is_measured(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(measure, "SIZE", 2 * measure.BLOCK)
+    monkeypatch.setattr(measure, "SIZE", 2 * BLOCK)
     monkeypatch.setattr(errors, "POINTS", 3)
     for item in measured_kernels([name]):
         found = measure.figures(item, tmp_path, measure.Options())

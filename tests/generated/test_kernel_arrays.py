@@ -16,7 +16,7 @@ from one_of_each import cases
 from printed_kernels import DTYPES, PrintedKernel
 from samples import samples
 
-BLOCK = 65536  # elements that are computed at a time: sizes round it are tried
+from gainproof.generated._blocks import BLOCK
 
 
 def sample(kernel: PrintedKernel, count: int, dtype: Any = np.float64) -> Any:

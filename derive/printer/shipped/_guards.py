@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from gainproof.derive.printer.shipped._blocks import BLOCK
+
 if TYPE_CHECKING:
     from gainproof.derive.printer.shipped._blocks import Blocks, Parts, Span
     from gainproof.derive.printer.shipped._signature import (
@@ -17,11 +19,6 @@ if TYPE_CHECKING:
         Signature,
     )
 
-SIZE = 65536
-"""Elements of a block of many arrays: calls cost little beside it, and they stay in the cache."""
-MANY = 17
-LEG = SIZE // 2
-"""Elements of a leg at once: its three passes find it in the second-level cache."""
 ROW = 1024
 """Numbers of a sum of squares: of more, numbers of the domain would often add up to too much, and
 from 8193 on libraries take threads, which may have to wait.
@@ -76,22 +73,11 @@ def admit(
             _require(kernel, required, parts.all(begin, end), begin, end, shape)
 
 
-def block_length(kernel: Signature) -> int:
-    """Elements of a block: a few arrays stay in the cache where it is half as long again.
-
-    By `gainproof bench --against length`, with 1 MB of second-level and 32 MB of last-level cache:
-    of 4,096 elements kernels take 60 to 80 % more time, of 16,384 10 to 20 %, of 32,768 4 to 8 %,
-    of 65,536 to 131,072 the same within 3 %, of 262,144 3 to 12 % more.
-    """
-    arrays = len(kernel.inputs) + len(kernel.outputs) + kernel.work
-    return SIZE if arrays >= MANY else 3 * SIZE // 2
-
-
 def _inside(domain: Domain, x: Array) -> bool:
     """`_within` of an array of any shape, without a copy of the whole."""
     if x.flags.c_contiguous:
         return _within(domain, x.reshape(-1))
-    pieces: Any = np.nditer(x, ["external_loop", "buffered"], buffersize=SIZE)
+    pieces: Any = np.nditer(x, ["external_loop", "buffered"], buffersize=BLOCK)
     return all(_within(domain, piece) for piece in pieces)
 
 
@@ -103,8 +89,8 @@ def _within(domain: Domain, x: Array) -> bool:
     if domain.signed and not low and _small(x, high):
         return True
     least = -high if domain.signed and not low else low
-    for start in range(0, x.size, 2 * SIZE):  # what is looked at twice is still in the cache
-        came = x[start : start + 2 * SIZE]
+    for start in range(0, x.size, 2 * BLOCK):  # what is looked at twice is still in the cache
+        came = x[start : start + 2 * BLOCK]
         if domain.whole and np.any(came != np.floor(came)):
             return False
         y = np.abs(came) if domain.signed and low else came
@@ -138,12 +124,12 @@ def _apart(required: Required, leg: Arrays, size: int) -> bool:
     many, one = sorted(leg, key=np.size, reverse=True)
     if one.size == 1 and abs(one[0]) * np.finfo(kind).epsneg >= least:
         # what is not this number itself is at least so far from it, and comparing is faster
-        pieces = (many[start : start + LEG] for start in range(0, many.size, LEG))
+        pieces = (many[start : start + BLOCK] for start in range(0, many.size, BLOCK))
         return not any(np.equal(piece, one).any() for piece in pieces)
-    value: Array = np.empty(min(size, LEG), kind)
-    for start in range(0, size, LEG):
-        one, other = (x if x.size == 1 else x[start : start + LEG] for x in leg)
-        apart = np.subtract(one, other, value[: min(LEG, size - start)])
+    value: Array = np.empty(min(size, BLOCK), kind)
+    for start in range(0, size, BLOCK):  # its three passes find it in the cache
+        one, other = (x if x.size == 1 else x[start : start + BLOCK] for x in leg)
+        apart = np.subtract(one, other, value[: min(BLOCK, size - start)])
         if not np.minimum.reduce(np.absolute(apart, apart)) >= least:
             return False
     return True

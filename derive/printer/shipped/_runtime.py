@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from gainproof.derive.printer.shipped._blocks import Blocks, Parts, cut
-from gainproof.derive.printer.shipped._guards import admit, block_length, doubted
+from gainproof.derive.printer.shipped._blocks import BLOCK, Blocks, Parts, cut, rows
+from gainproof.derive.printer.shipped._guards import admit, doubted
 from gainproof.derive.printer.shipped._inputs import as_real, common_shape
 from gainproof.derive.printer.shipped._outputs import checked, overlap
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     Spans: TypeAlias = Sequence[Span]
 
-LONG = 8
+LONG = 16
 """Blocks looked at together where all are looked at first: two at a time, looking at many inputs
 takes a twentieth more time.
 """
@@ -76,7 +76,7 @@ def evaluate(
         else:
             results = checked(kernel, out, shape, kind)
         straight = all(y.flags.c_contiguous for y in results)
-        blocks = cut(inputs, shape, block_length(kernel), in_one_piece=straight)
+        blocks = cut(inputs, shape, BLOCK, in_one_piece=straight)
         call = Call(kernel, inputs, blocks, results, out is None)
         spans = blocks.spans
         count = max(1, min(int(workers), len(spans)))
@@ -132,8 +132,7 @@ def _fill(call: Call, doubtful: Sequence[int], kept: Sequence[int], spans: Spans
     # an output that is not contiguous is filled through a buffer
     direct = [y.flags.c_contiguous for y in results]
     count = kernel.work + len(kept) + direct.count(False)
-    # in one piece, which the allocator keeps for the next call: its pages are mapped but once
-    work: list[Array] = [*np.empty((count, length), kind)]
+    work = rows(count, length, kind)
     copies = [work.pop() for _ in kept]
     targets: list[Array] = [
         np.asarray(y).reshape(-1) if straight else work.pop()

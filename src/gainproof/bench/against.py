@@ -11,8 +11,7 @@ from gainproof.bench.arguments import Arguments, sample, with_constants
 from gainproof.bench.measure import SIZE
 from gainproof.bench.subjects import Measured, measured_kernels
 from gainproof.bench.timing import best_times
-from gainproof.generated._blocks import cut
-from gainproof.generated._guards import block_length
+from gainproof.generated._blocks import BLOCK, cut
 from gainproof.generated._runtime import Call, run
 
 LENGTHS = (4096, 8192, 16384, 32768, 65536, 98304, 131072, 262144)
@@ -33,9 +32,8 @@ def print_against(options: argparse.Namespace) -> None:
             subject = item.subject
             print(subject)
         if by_length:
-            chosen = block_length(item.signature)
             times = lengths(item, options.constant)
-            cells = [f"{'*' if at == chosen else ''}{time:.2f}" for at, time in times.items()]
+            cells = [f"{'*' if at == BLOCK else ''}{time:.2f}" for at, time in times.items()]
             print(_row(f"  {item.kernel.name}", cells), flush=True)
         else:
             for name, found in sizes(item, options.workers, options.constant):

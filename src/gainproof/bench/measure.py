@@ -18,10 +18,9 @@ from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
 from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.c_language.module import c_function
-from gainproof.generated._blocks import Parts, cut
+from gainproof.generated._blocks import BLOCK, Parts, cut, rows
 
 SIZE = 1_000_000
-BLOCK = 16384
 SECONDS = 1.0
 """How long one call is repeated at most."""
 COMPILED = ("C", "C function")
@@ -141,8 +140,9 @@ def bare_passes(item: Measured, given: Arguments) -> Callable[[], object]:
     inputs = [np.asarray(each) for each in given]
     blocks = cut(inputs, np.broadcast_shapes(*(x.shape for x in inputs)), BLOCK)
     parts, length = Parts(blocks).all(*blocks.spans[0]), blocks.length
-    outputs = [np.empty(length) for _ in item.kernel.outputs]
-    work = [np.empty(length) for _ in range(item.signature.work)]
+    given_back = len(item.kernel.outputs)
+    buffers = rows(given_back + item.signature.work, length, np.dtype(np.float64))
+    outputs, work = buffers[:given_back], buffers[given_back:]
 
     def call() -> None:
         for _ in range(SIZE // length):

@@ -17,8 +17,8 @@ where they are installed (the extra `bench`), the domains, and the subtractions 
 are written as kernels are measured; --resume continues from the data.
 
 With --against it prints nanoseconds a point instead: `length`, against the elements of a block, of
-which the runtime chooses the marked one (block_length in generated/_guards.py); `size`, against
-the number of points, with given arrays, with fresh ones, and with threads.
+which the runtime takes the marked one (BLOCK in generated/_blocks.py); `size`, against the number
+of points, with given arrays, with fresh ones, and with threads.
 
 The columns: {"; ".join(f"`{short}`, {meaning}" for short, meaning in explained())}."""
 

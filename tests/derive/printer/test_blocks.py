@@ -17,9 +17,9 @@ from samples import samples
 
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.shipped import _runtime
-from gainproof.derive.printer.shipped._blocks import FEW, Parts, cut
+from gainproof.derive.printer.shipped._blocks import FEW, Parts, cut, rows
 from gainproof.generated import range_doppler
-from gainproof.generated._guards import SIZE
+from gainproof.generated._blocks import BLOCK
 
 Reals = NDArray[np.float64]
 LENGTHS = (1, 2, 7, 24, 1000)
@@ -93,7 +93,7 @@ def test_calls_give_what_numpy_gives(
     x, z = (data.draw(layouts(shape)) for _ in range(2))
     out = tuple(data.draw(results(np.broadcast_shapes(x.shape, z.shape))) for _ in range(2))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(_runtime, "block_length", lambda _: length)
+        patch.setattr(_runtime, "BLOCK", length)
         fresh = pair()(x, z, workers=workers)
         pair()(x, z, out=out, workers=workers)
     for found in (fresh, out):
@@ -118,7 +118,7 @@ def test_the_first_wrong_element_is_told_by_its_own_place(
         x = np.asfortranarray(x)
     out = tuple(np.full((5, 9), -7.0) for _ in range(2))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(_runtime, "block_length", lambda _: length)
+        patch.setattr(_runtime, "BLOCK", length)
         for options in ({}, {"out": out}):
             told = None
             try:
@@ -158,9 +158,19 @@ def test_an_output_may_be_an_input_read_in_another_order(shape: tuple[int, int])
     x, total = pool.reshape(shape[::-1]).T, pool.reshape(shape)
     expected = x + 1
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(_runtime, "block_length", lambda _: shape[1])
+        patch.setattr(_runtime, "BLOCK", shape[1])
         pair()(x, 1.0, out=(total, np.empty(shape)))
     assert np.array_equal(total, expected)
+
+
+@pytest.mark.parametrize("kind", [np.float64, np.float32])
+@pytest.mark.parametrize("length", [1, 7, 16, 1000])
+def test_buffers_begin_at_lines_of_the_cache(kind: Any, length: int) -> None:
+    buffers = rows(5, length, np.dtype(kind))
+    assert [(y.shape, y.dtype, y.ctypes.data % 64) for y in buffers] == [((length,), kind, 0)] * 5
+    for number, y in enumerate(buffers):
+        y[:] = number
+    assert all((y == number).all() for number, y in enumerate(buffers))
 
 
 def test_of_nothing_nothing_is_asked() -> None:
@@ -184,7 +194,7 @@ def test_no_input_is_written_out(each_its_own: bool) -> None:
     _, most = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     # work, what is spread, and what the guards take
-    assert most < 8 * SIZE * (9 + 12 + 4) < 2 * out[0].nbytes
+    assert most < 8 * BLOCK * (9 + 12 + 4) < 2 * out[0].nbytes
     sites = sites.reshape(-1, stations, 6)[0]
     alone = range_doppler.range_doppler(*states[7], *sites[2])
     assert [y[7, 2] for y in out] == list(alone)

@@ -11,17 +11,15 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gainproof.derive.printer.shipped._blocks import Parts, cut
-from gainproof.derive.printer.shipped._guards import ROW, SIZE, admit, doubted
+from gainproof.derive.printer.shipped._blocks import BLOCK, Parts, cut
+from gainproof.derive.printer.shipped._guards import ROW, admit, doubted
 from gainproof.derive.printer.shipped._runtime import LONG
 from gainproof.derive.printer.shipped._signature import Domain, Signature
 from gainproof.generated import filter_step, range_doppler
-from gainproof.generated._guards import block_length
 
 HIGHS = (5e-324, 1e-200, 0.5, 1.0, 3.0, 1e4, 1e30, 1e40, 1e153, 1e160, 1.7e308)
 SINGLE_HIGHS = (1e-45, 1e-30, 0.5, 1.0, 3.0, 1e4, 1e8, 1e18, 1e20, 3e38)
-BLOCK = block_length(filter_step._STEP_TWO_STATES)
-SIZES = (1, 2, ROW - 1, ROW, ROW + 1, SIZE + 3)
+SIZES = (1, 2, ROW - 1, ROW, ROW + 1, BLOCK + 3)
 
 
 def admitted(domain: Domain, x: NDArray[Any]) -> bool:
@@ -115,9 +113,8 @@ def test_points_that_meet_are_found_among_many(one: str) -> None:
     """Where a first difference is 0 the distance itself is asked for, block by block; one of the
     points is a number and not an array.
     """
-    assert block_length(range_doppler._RANGE_DOPPLER_IN_PLANE) == SIZE < BLOCK
-    far = LONG * SIZE + 5 - LONG * SIZE % 5
-    count = (LONG + 1) * SIZE + 5
+    far = LONG * BLOCK + 5 - LONG * BLOCK % 5
+    count = (LONG + 1) * BLOCK + 5
     place = np.full((2, count), 5.0)
     place[0, ::5] = 1.0  # along x where the station is, and 4 from it
     out: Any = tuple(np.full(count, -7.0) for _ in range(6))
@@ -130,7 +127,7 @@ def test_points_that_meet_are_found_among_many(one: str) -> None:
     assert seen().slant_range[[0, far]].tolist() == [4, 4]
     for y in out:
         y[:] = -7
-    where = (LONG + 1) * SIZE
+    where = (LONG + 1) * BLOCK
     place[:, where] = 1.0
     with pytest.raises(ValueError, match=rf"distance .* got 0.0 at index {where}$"):
         seen()

@@ -15,7 +15,7 @@ from numpy.lib.stride_tricks import as_strided
 
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.shipped._bits import choose, mask_of
-from gainproof.derive.printer.shipped._guards import SIZE
+from gainproof.derive.printer.shipped._blocks import BLOCK
 
 
 @cache
@@ -44,7 +44,7 @@ def test_numbers_give_numbers() -> None:
 
 
 def test_arrays_keep_shape_and_type() -> None:
-    for shape in ((), (0,), (3,), (2, 0), (2, 3, 4), (SIZE + 1,), (3, SIZE)):
+    for shape in ((), (0,), (3,), (2, 0), (2, 3, 4), (BLOCK + 1,), (3, BLOCK)):
         for kind in (np.float32, np.float64):
             x = np.full(shape, 4, kind)
             root, square = two()(x)
@@ -58,7 +58,7 @@ def test_arrays_keep_shape_and_type() -> None:
 
 
 def test_every_layout_gives_the_same() -> None:
-    x = np.linspace(1, 2, 6 * SIZE).reshape(3, 2 * SIZE)
+    x = np.linspace(1, 2, 6 * BLOCK).reshape(3, 2 * BLOCK)
     plain = two()(x)
     for view, back in ((x.T, (1, 0)), (np.asfortranarray(x), (0, 1))):
         for found, wanted in zip(two()(view), plain, strict=True):
@@ -72,8 +72,8 @@ def test_inputs_outside_the_domain(bad: float, kind: type[Any]) -> None:
     with pytest.raises(ValueError, match="x must be a number above 0 and finite, got") as caught:
         two()(kind(bad))
     assert "index" not in str(caught.value)
-    for place in (0, 5, SIZE, 2 * SIZE + 3):
-        x = np.ones(2 * SIZE + 4, kind)
+    for place in (0, 5, BLOCK, 2 * BLOCK + 3):
+        x = np.ones(2 * BLOCK + 4, kind)
         x[place] = bad
         with pytest.raises(ValueError, match=rf"got {kind(bad)!s} at index {place}$"):
             two()(x)
@@ -84,7 +84,7 @@ def test_inputs_outside_the_domain(bad: float, kind: type[Any]) -> None:
 
 
 def test_no_output_is_touched_by_bad_input() -> None:
-    x = np.ones(3 * SIZE)
+    x = np.ones(3 * BLOCK)
     x[-1] = np.nan
     out = (np.full(x.shape, 7.0), np.full(x.shape, 7.0))
     with pytest.raises(ValueError, match="got nan"):
@@ -160,7 +160,7 @@ def test_whole_numbers() -> None:
 
 
 def test_given_outputs() -> None:
-    x = np.linspace(1, 3, 2 * SIZE + 5)
+    x = np.linspace(1, 3, 2 * BLOCK + 5)
     plain = two()(x)
     out = (np.empty_like(x), np.empty((x.size, 2))[:, 0])
     found = two()(x, out=out)
@@ -179,7 +179,7 @@ def test_given_outputs() -> None:
 
 
 def test_an_output_may_be_the_input() -> None:
-    x = np.linspace(1, 3, 2 * SIZE + 5)
+    x = np.linspace(1, 3, 2 * BLOCK + 5)
     plain = two()(x)
     for shift in (0, 3):
         whole = np.concatenate([x, np.ones(shift)])
@@ -213,10 +213,10 @@ def test_outputs_that_do_not_fit() -> None:
 
 def test_outputs_in_any_order_with_gaps_and_of_a_subclass() -> None:
     """A matrix and a masked array are arrays; their own ways are not what fills them."""
-    x = np.linspace(1, 3, 6 * SIZE).reshape(6, SIZE)
+    x = np.linspace(1, 3, 6 * BLOCK).reshape(6, BLOCK)
     plain = two()(x)
-    swapped = np.empty((SIZE, 6)).T
-    gaps = np.empty((12, 2 * SIZE))[::-2, ::2]
+    swapped = np.empty((BLOCK, 6)).T
+    gaps = np.empty((12, 2 * BLOCK))[::-2, ::2]
     masked: Any = np.ma.masked_array(np.zeros(x.shape), mask=x > 2)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", PendingDeprecationWarning)
@@ -258,7 +258,7 @@ def test_no_warning_escapes() -> None:
 
 def test_threads_do_not_meet() -> None:
     def run(seed: int) -> bool:
-        x = np.random.default_rng(seed).uniform(1, 2, 5 * SIZE)
+        x = np.random.default_rng(seed).uniform(1, 2, 5 * BLOCK)
         return np.array_equal(two()(x).root, np.sqrt(x))
 
     with ThreadPoolExecutor(4) as pool:

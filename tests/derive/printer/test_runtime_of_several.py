@@ -15,7 +15,7 @@ from gainproof.derive.printer.bound import prove
 from gainproof.derive.printer.formats import FLOAT64
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.kernel import closed
-from gainproof.derive.printer.shipped._guards import SIZE
+from gainproof.derive.printer.shipped._blocks import BLOCK
 
 
 @cache
@@ -56,7 +56,7 @@ def test_numbers_give_numbers() -> None:
         ((2, 1, 3), (4, 1), (2, 4, 3)),
         ((0,), (1,), (0,)),
         ((), (2, 0), (2, 0)),
-        ((3, SIZE), (3, 1), (3, SIZE)),
+        ((3, BLOCK), (3, 1), (3, BLOCK)),
     ],
 )
 def test_shapes_are_broadcast(
@@ -102,7 +102,7 @@ def test_shapes_that_do_not_fit() -> None:
 @pytest.mark.parametrize("bad", [np.nan, 0.0, -1.0, np.inf, 1e-10, 1e10])
 @pytest.mark.parametrize("name", ["x", "z"])
 def test_either_input_is_guarded_before_an_output_is_touched(name: str, bad: float) -> None:
-    count = 2 * SIZE + 5
+    count = 2 * BLOCK + 5
     given = {"x": np.ones(count), "z": np.ones(count)}
     place = count - 2
     given[name][place] = bad
@@ -137,7 +137,7 @@ def test_float32_has_its_own_domain() -> None:
 
 def test_outputs_may_be_the_inputs() -> None:
     generator = np.random.default_rng(2)
-    x, z = (generator.uniform(1, 9, SIZE + 7) for _ in range(2))
+    x, z = (generator.uniform(1, 9, BLOCK + 7) for _ in range(2))
     expected = wanted(x, z)
     for order in (0, 1):
         own = [x.copy(), z.copy()]

@@ -18,10 +18,9 @@ from graph_kernels import function_of, kernel_of, several_of
 
 from gainproof.derive.printer.graph import GraphBuilder
 from gainproof.derive.printer.shipped import _threads
-from gainproof.derive.printer.shipped._blocks import Span
-from gainproof.derive.printer.shipped._guards import SIZE
+from gainproof.derive.printer.shipped._blocks import BLOCK, Span
 
-COUNT = 7 * SIZE + 5
+COUNT = 7 * BLOCK + 5
 """Elements of five blocks."""
 WORKERS = (2, 3, 4, 9)
 
@@ -76,7 +75,7 @@ def test_an_output_may_take_the_place_of_an_input(workers: int) -> None:
     """
     x, z = drawn(np.float64)
     wanted = bits(pair()(x, z))
-    for shift in (0, 3, SIZE):
+    for shift in (0, 3, BLOCK):
         whole = np.concatenate([x, np.ones(shift)])
         out = (whole[shift:], np.empty_like(x))
         assert bits(pair()(whole[:COUNT], z, out=out, workers=workers)) == wanted
@@ -116,7 +115,7 @@ def test_no_warning_escapes_a_thread() -> None:
 def test_no_thread_is_started_for_one_block(monkeypatch: pytest.MonkeyPatch) -> None:
     x, z = drawn(np.float64)
     monkeypatch.setattr(_threads, "start_new_thread", None)
-    for count in (0, 1, SIZE):
+    for count in (0, 1, BLOCK):
         assert bits(pair()(x[:count], z[:count], workers=4)) == bits(pair()(x[:count], z[:count]))
     pair()(x, z, workers=np.int64(1))
     assert pair()(4.0, 2.0, workers=8) == (8, 1)
@@ -217,4 +216,4 @@ def test_memory_beside_inputs_and_outputs_does_not_grow(workers: int) -> None:
         return peak - (0 if given else 2 * x.nbytes)
 
     for given in (False, True):
-        assert beside(24 * SIZE, given) < workers * 12 * SIZE + 50_000
+        assert beside(24 * BLOCK, given) < workers * 12 * BLOCK + 50_000
