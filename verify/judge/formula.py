@@ -18,7 +18,7 @@ Calls made by the reader: `abs(x)`, `sum(summand, index, lower, upper)`, `produc
 `integral(integrand, variable, lower, upper)` likewise, `expectation(x)`, `order(x)` for O(x),
 `power(base, exponent)` where the exponent is no number, the named functions of `reader.words`, and
 the functions that a claim file declares. `["symbol", "infinity"]` may be a bound or the value of an
-`at`.
+`at`, `["call", "pi"]` is the number.
 """
 
 from __future__ import annotations

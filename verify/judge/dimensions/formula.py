@@ -172,6 +172,8 @@ def _call(name: str, parts: list[Dimensions], names: Names) -> Dimensions:
             return ONE if parts[0] == ONE else ANY
     if name in names.setting.symbols:
         return names.called(name, parts)
+    if name == "pi" and not parts:
+        return ONE
     if name in OF_NUMBERS:
         without_dimension(parts[0], f"the argument of {name}")
         return ONE

@@ -88,4 +88,4 @@ def _call(name: str, inner: list[str]) -> str:
         (index,) = inner
         plain = index.isalnum()
         return name.removeprefix(TERM).replace(HOLE, index if plain else "{" + index + "}")
-    return f"{name}({', '.join(inner)})"
+    return f"{name}({', '.join(inner)})" if inner else name

@@ -1,8 +1,9 @@
 """Functions that are not algebraic: their slopes, and balls round their values.
 
 `power` is base^exponent with symbols in the exponent: any base for a whole exponent, else a
-positive one. `log` is the natural logarithm. `erf` is the error function, `erfinv` its inverse
-between -1 and 1: |x| < s 2^(1/2) erfinv(p) has probability p for a normal x of deviation s.
+positive one. `log` is the natural logarithm, `pi` the number, of no argument. `erf` is the error
+function, `erfinv` its inverse between -1 and 1: |x| < s 2^(1/2) erfinv(p) has probability p for a
+normal x of deviation s.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from types import MappingProxyType
+
+import flint
 
 from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number, power
 from gainproof.verify.judge.exact.poly import Ball
@@ -43,7 +46,7 @@ SLOPES: Mapping[str, Callable[[Expr], Expr]] = MappingProxyType(
 
 def is_known(name: str, count: int) -> bool:
     """Whether this is a function with so many arguments."""
-    return (name in SLOPES and count == 1) or (name == "power" and count == 2)
+    return (name in SLOPES and count == 1) or (name, count) in (("power", 2), ("pi", 0))
 
 
 def slope_of(node: Expr, inner: list[Expr | None]) -> Expr | None:
@@ -65,6 +68,8 @@ def ball_of(name: str, parts: list[Ball]) -> Ball | None:
     """A ball round the value, at the precision of the context; None where it is not resolved."""
     if name == "power" and len(parts) == 2:
         return _power(*parts)
+    if name == "pi" and not parts:
+        return flint.arb.pi()
     if name not in SLOPES or len(parts) != 1:
         return None
     (x,) = parts

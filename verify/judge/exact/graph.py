@@ -134,7 +134,7 @@ def _node(
                 )
             made = Expr(kind, exponent, (part(rest[0]),))
         case "call":
-            count(2)
+            count(1 if rest == ["pi"] else 2)
             name, arguments = _text(rest[0], position), tuple(part(p) for p in rest[1:])
             made = (
                 absolute(arguments[0])

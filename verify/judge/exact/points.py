@@ -59,6 +59,14 @@ def failure_at(
     return found if isinstance(found, Witness) else None
 
 
+def is_seen(rel: Rel) -> bool:
+    """Whether balls show an inequality between numbers."""
+    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">"}.get(rel.operator)
+    if opposite is None:
+        return False
+    return failure_at(Statement((Rel(opposite, rel.left, rel.right),)), {}, {}) is not None
+
+
 def _points(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
     """Simple points inside the boxes, then the same with halves and thirds, and far out."""
     made: set[tuple[Fraction, ...]] = set()

@@ -128,8 +128,9 @@ class Witness:
 
     def text(self) -> str:
         """Readable."""
-        where = ", ".join(f"{name} = {value}" for name, value in self.point.items()) or "always"
-        return f"at {where}: left {self.left.text()}, right {self.right.text()}" + (
+        where = ", ".join(f"{name} = {value}" for name, value in self.point.items())
+        place = f"at {where}:" if where else "with"
+        return f"{place} left {self.left.text()}, right {self.right.text()}" + (
             f" ({self.note})" if self.note else ""
         )
 

@@ -19,7 +19,9 @@ from gainproof.verify.judge.exact.expression import (
 )
 from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.freed.bases import bases_of
+from gainproof.verify.judge.freed.circle import VARIABLE
 from gainproof.verify.judge.freed.monomials import (
     UNIT,
     Monomial,
@@ -27,7 +29,7 @@ from gainproof.verify.judge.freed.monomials import (
     monomials,
     terms_expr,
 )
-from gainproof.verify.judge.freed.ranges import EULER, HALF, Positive, Ranges
+from gainproof.verify.judge.freed.ranges import EULER, Positive, Ranges
 from gainproof.verify.judge.meaning.domains import is_whole
 from gainproof.verify.judge.meaning.sequences import is_term
 
@@ -124,7 +126,21 @@ class Atoms:
             key
             for key, name in self.names.items()
             if key[0] == "angle" and (unstated or self.made[name].stated)
-            if not self.ranges.within(HALF, key[2], self.divisors[key])
+            if not self.ranges.is_below_half_turn(key[2], self.divisors[key])
+        ]
+
+    def quarter_turns(self) -> list[Rel]:
+        """That arc tangents lie between -pi/2 and pi/2."""
+        found = [
+            symbol(name)
+            for (kind, node, _), name in self.names.items()
+            if kind == "value" and node.name == "atan"
+        ]
+        quarter = VARIABLE / 2
+        return [
+            Rel(operator, each, bound)
+            for each in found
+            for operator, bound in (("<", quarter), (">", -quarter))
         ]
 
     @property

@@ -7,16 +7,19 @@ from dataclasses import replace
 from itertools import combinations
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.expression import Expr, number, walk
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import try_points
+from gainproof.verify.judge.exact.points import is_seen, try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.freed.circle import LABEL, PI, VARIABLE, as_variable, pi_box
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.induction import induction, open_sums
 from gainproof.verify.judge.freed.numbers import at_number, first_numbers
-from gainproof.verify.judge.freed.rewriting import Freed, freed, has_functions
+from gainproof.verify.judge.freed.rewriting import Freed, arguments, freed, has_functions
 from gainproof.verify.judge.freed.rising import rising
+from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.hypothesis import settle
 from gainproof.verify.judge.meaning.sequences import is_term
 
@@ -35,6 +38,10 @@ def decided(
     labels = with_tokens(labels, statement.symbols())
     if not has_functions(statement):
         return settle(statement, boxes, parameter, labels)
+    if not statement.symbols() and _is_between_numbers(statement):
+        data = statement_data(statement, {}, parameter, labels)
+        certificate = {"checked": "replayed", "engine": "functions", "statement": data}
+        return Outcome("proved", "everywhere", "", "balls round both sides", None, certificate)
     reasons: list[str] = []
     sums = open_sums(statement)
     ways = [_freely] if all(_is_total(s.parts[0]) for s in sums) else []
@@ -45,6 +52,8 @@ def decided(
         except Undecided as reason:
             reasons.append(str(reason))
     points = try_points(statement, boxes, labels)
+    if points is None and (turned := scaled(statement, boxes, labels)).words:
+        points = try_points(turned.statement, turned.boxes, turned.labels)
     if not sums and (points is None or points.verdict == "held"):
         try:
             return rising(statement, boxes, parameter, labels, _freely)
@@ -53,6 +62,13 @@ def decided(
     if points is None:
         raise Undecided("; ".join(dict.fromkeys(r for r in reasons if r)))
     return points
+
+
+def _is_between_numbers(statement: Statement) -> bool:
+    """Whether balls show all its inequalities, which hold no symbols."""
+    if statement.connective != "if" or statement.domain or statement.needed:
+        return False
+    return all(map(is_seen, statement.relations))
 
 
 def _is_total(summand: Expr) -> bool:
@@ -68,6 +84,8 @@ def _is_total(summand: Expr) -> bool:
 def _freely(
     statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
 ) -> Outcome:
+    turned = scaled(statement, boxes, labels)
+    statement, boxes, labels = turned.statement, turned.boxes, turned.labels
     opened, outcome = _settled(statement, boxes, parameter, labels, stated=False)
     exclusions = opened.exclusions
     if not all(box.stated for box in opened.boxes.values()):
@@ -77,7 +95,7 @@ def _freely(
         except Undecided:
             _refuse_without_value(statement, boxes, parameter, labels)
             exclusions = (*exclusions, "where every part has a value")
-    domain = ", ".join([domain_text(statement, boxes, labels), *exclusions])
+    domain = ", ".join([domain_text(statement, boxes, labels), *turned.words, *exclusions])
     return replace(
         outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")
     )
@@ -94,6 +112,10 @@ def _settled(
     """The freed statement, which must be proved; with `stated` no divisor at all may vanish. Raises
     Undecided.
     """
+    if PI in walk(*statement.exprs()):
+        statement = replace(statement, needed=(*statement.needed, *arguments(statement)))
+        statement, boxes = statement.mapped(as_variable), {**boxes, VARIABLE.name: pi_box()}
+        labels = {**labels, VARIABLE.name: LABEL}
 
     def is_positive(expr: Expr) -> bool:
         return _holds(Rel(">", expr, number(0)), statement, boxes, parameter)

@@ -24,10 +24,14 @@ PRECISION = 128
 SIDES = "both sides at an exact point, slopes away from it"
 NEAR = tuple(Fraction(sign, 10**n) for n in (3, 6, 9, 12) for sign in (1, -1))
 """How far beside a point is looked: what agrees with a series there may fail close to it only."""
+FAR = tuple(Fraction(sign * 10**n) for n in (4, 6, 9, 12) for sign in (1, -1))
+"""How far out: what comes close to a limit may fail there only."""
 
 
 def fails_near(statement: Statement, boxes: Boxes, labels: Mapping[str, str]) -> Outcome | None:
-    """Refuted by balls at a simple point of its one symbol, close to one, or where it is lowest."""
+    """Refuted by balls at a simple point of its one symbol, close to one, far out, or where it is
+    lowest.
+    """
     names = sorted(statement.symbols())
     if len(names) != 1:
         return None
@@ -52,6 +56,7 @@ def _near(box: Box) -> Iterator[Fraction]:
     simple = list(points(box))
     yield from filter(box.holds, simple)
     yield from (at for point in simple for step in NEAR if box.holds(at := point + step))
+    yield from filter(box.holds, FAR)
 
 
 def equal_somewhere(
@@ -86,11 +91,12 @@ def _equal_at(
     if rel.operator not in ("<", ">", "!="):
         return None
     here = {name: number(point)}
-    both = (folded(substituted(side, here)) for side in (rel.left, rel.right))
-    if not proves(Rel("=", *both), {}):
+    left, right = (folded(substituted(side, here)) for side in (rel.left, rel.right))
+    if not proves(Rel("=", left, right), {}):
         return None
     try:
-        ball = enclosure(Balls({name: point}, PRECISION).round(rel.left), 12)
+        Balls({name: point}, PRECISION).round(rel.left)  # which must have a value as it is printed
+        ball = enclosure(Balls({}, PRECISION).round(left), 12)
     except (NoValue, Unresolved):
         return None
     where = {labels.get(name, name): str(point)}

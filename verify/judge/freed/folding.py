@@ -7,8 +7,17 @@ from types import MappingProxyType
 
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, whole_power
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    add,
+    mul,
+    neg,
+    number,
+    symbols_of,
+    whole_power,
+)
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.freed.circle import exact_angles
 from gainproof.verify.judge.freed.monomials import monomials, terms_expr
 
 AT_ZERO: Mapping[str, int] = MappingProxyType(
@@ -19,8 +28,8 @@ MOST_POWER = 8
 
 
 def folded(expr: Expr) -> Expr:
-    """The same with every rational value of numbers written out, also of functions at 0, and of the
-    logarithm at 1. What has no value keeps none.
+    """The same with every rational value of numbers written out, also of functions at 0, of the
+    logarithm at 1 and of angles without a symbol. What has no value keeps none.
     """
 
     def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
@@ -29,7 +38,10 @@ def folded(expr: Expr) -> Expr:
             inner = constant_value(parts[0]) if len(parts) == 1 else None
             if inner == 0 and node.name in AT_ZERO:
                 return number(AT_ZERO[node.name])
-            return number(0) if inner == 1 and node.name == "log" else made
+            if inner == 1 and node.name == "log":
+                return number(0)
+            exact = made if symbols_of(made) else exact_angles(made)
+            return exact if exact == made else folded(exact)
         value = constant_value(made) if parts else None
         return made if value is None else number(value)
 

@@ -13,7 +13,8 @@ from fractions import Fraction
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
 from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of, walk
-from gainproof.verify.judge.freed.half_tangent import half_tangent
+from gainproof.verify.judge.freed.circle import VARIABLE
+from gainproof.verify.judge.freed.half_tangent import half_tangent, half_tangent_of_turns
 from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr
 from gainproof.verify.judge.meaning.sequences import is_term
 
@@ -52,6 +53,10 @@ class Ranges:
         """Of tan(monomial/(2 divisor)): between -1 and 1 less than a quarter of a turn from 0."""
         angle = monomial_expr(monomial)
         box = self._any(angle)
+        turns = self.turns(monomial, divisor)
+        if turns is not None:
+            known = _half_a_turn_on(turns) if turned else turns
+            return replace((known and half_tangent_of_turns(known)) or box, stated=box.stated)
         if turned:
             return box
         known = self.boxes.get(angle.name) if angle.kind == "symbol" else None
@@ -59,6 +64,26 @@ class Ranges:
         if found is None and self.within(QUARTER, monomial, divisor):
             found = Box(lower=Fraction(-1), upper=Fraction(1))
         return replace(found or box, stated=box.stated)
+
+    def turns(self, monomial: Monomial, divisor: int) -> Box | None:
+        """Where the angle over pi lives, if it is pi times a symbol."""
+        names = [base.name for base, n in monomial if base.kind == "symbol" and n == 1]
+        if len(monomial) != 2 or len(names) != 2 or VARIABLE.name not in names:
+            return None
+        (name,) = set(names) - {VARIABLE.name}
+        box = self.boxes.get(name)
+        if box is None:
+            return None
+        lower, upper = (None if e is None else e / divisor for e in (box.lower, box.upper))
+        return replace(box, lower=lower, upper=upper, integer=False)
+
+    def is_below_half_turn(self, monomial: Monomial, divisor: int) -> bool:
+        """Whether the angle monomial/divisor is known to lie between -pi and pi."""
+        turns = self.turns(monomial, divisor)
+        if turns is None or turns.lower is None or turns.upper is None:
+            return self.within(HALF, monomial, divisor)
+        above = turns.lower > -1 or (turns.lower == -1 and turns.lower_open)
+        return above and (turns.upper < 1 or (turns.upper == 1 and turns.upper_open))
 
     def within(self, bound: Fraction, monomial: Monomial, divisor: int) -> bool:
         """Whether the angle monomial/divisor is known to lie between -bound and bound."""
@@ -93,3 +118,11 @@ class Ranges:
             and any(is_term(n) for n in walk(summand))
             and self.is_positive(high - low + 1)
         )
+
+
+def _half_a_turn_on(turns: Box) -> Box | None:
+    """Where an angle and half a turn more, or less, lies between half a turn back and one on."""
+    if turns.lower is None or turns.upper is None:
+        return None
+    by = 1 if turns.upper <= 0 else -1
+    return replace(turns, lower=turns.lower + by, upper=turns.upper + by)

@@ -11,6 +11,7 @@ from gainproof.verify.judge.exact.expression import Expr, mul, number, power, sy
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.freed.atoms import Atoms, Key, angle_terms, is_opaque
+from gainproof.verify.judge.freed.circle import VARIABLE
 from gainproof.verify.judge.freed.flattening import flattened
 from gainproof.verify.judge.freed.ranges import Positive
 
@@ -54,7 +55,7 @@ def freed(
     """
     if statement.connective != "if":
         raise Undecided("an equivalence between function values is not covered")
-    statement = replace(statement, needed=(*statement.needed, *_arguments(statement)))
+    statement = replace(statement, needed=(*statement.needed, *arguments(statement)))
     statement = statement.mapped(lambda e: flattened(e, is_positive))
     atoms = Atoms(boxes, is_positive, turned)
     atoms.collect(*statement.exprs())
@@ -68,6 +69,8 @@ def freed(
         return node.kind == "call" and (node.name == "sum" or not symbols_of(node) & bound)
 
     moved = statement.mapped(changed)
+    if VARIABLE.name in moved.symbols():
+        moved = replace(moved, given=(*moved.given, *atoms.quarter_turns()))
     if atoms.has_angles:
         _refuse_conditions(statement)
     # what holds at all other angles holds at this one by continuity, but for strict relations
@@ -84,7 +87,7 @@ def bound_names(statement: Statement) -> set[str]:
     return {n.parts[1].name for n in calls if n.name == "sum"}
 
 
-def _arguments(statement: Statement) -> list[Expr]:
+def arguments(statement: Statement) -> list[Expr]:
     """What functions are taken of: it must have a value, of which the new variables say nothing."""
     calls = [n for n in walk(*statement.exprs()) if n.kind == "call"]
     bound = bound_names(statement)

@@ -7,13 +7,14 @@ from functools import partial
 
 from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import failure_at, try_points
+from gainproof.verify.judge.exact.points import is_seen, try_points
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.equal_sides import equal_somewhere, fails_near
 from gainproof.verify.judge.freed.parts import Part
 from gainproof.verify.judge.freed.pieces import by_pieces
 from gainproof.verify.judge.freed.rewriting import has_functions
+from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.freed.slope_words import slope_lines
 from gainproof.verify.judge.freed.slopes import by_slopes
 from gainproof.verify.judge.freed.smooth import Boxes, Proves
@@ -41,22 +42,22 @@ def rising(
     told: dict[Rel, Sequence[Part]] = {}
     questions = iter(range(MOST_QUESTIONS))
     proves = _prover(parameter, freely, MOST_SLOPES, told, questions)
+    turned = scaled(statement, boxes, labels)
     try:
-        found = by_slopes(statement, boxes, proves)
+        found = by_slopes(turned.statement, turned.boxes, proves)
     except Undecided:
-        fails = fails_near(statement, boxes, labels) or equal_somewhere(
-            statement, boxes, labels, proves
-        )
+        told_of = turned.statement, turned.boxes, turned.labels
+        fails = fails_near(*told_of) or equal_somewhere(*told_of, proves)
         if fails is None:
             raise
         return fails
-    where = domain_text(statement, boxes, labels)
+    where = domain_text(turned.statement, turned.boxes, turned.labels)
     own = {name: box for name, box in boxes.items() if name in statement.symbols()}
     certificate = {
         "checked": "replayed",
         "engine": "functions",
         "statement": statement_data(statement, own, parameter, labels),
-        "slopes": slope_lines(found, told, labels),
+        "slopes": slope_lines(found, told, turned.labels),
     }
     return Outcome("proved", where, "holds on the whole domain", METHOD, None, certificate)
 
@@ -84,7 +85,7 @@ def _prover(
         where = {name: boxes[name] for name in part.symbols()}
         if not has_functions(part):
             return _is_proved(partial(settle, only_proof=True), part, where, parameter)
-        if not where and _seen(rel):
+        if not where and is_seen(rel):
             return True
         seen = try_points(part, where, {})
         if (seen is not None and seen.verdict == "refuted") or next(questions, None) is None:
@@ -97,14 +98,6 @@ def _prover(
         return any(_is_proved(way, part, where, parameter) for way in ways)
 
     return proves
-
-
-def _seen(rel: Rel) -> bool:
-    """Whether balls show an inequality between numbers."""
-    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">"}.get(rel.operator)
-    if opposite is None:
-        return False
-    return failure_at(Statement((Rel(opposite, rel.left, rel.right),)), {}, {}) is not None
 
 
 def _is_proved(way: Decides, part: Statement, boxes: Boxes, parameter: str | None) -> bool:

@@ -5,7 +5,7 @@ For g > 0 on an interval and a point c of it or one of its ends: g is continuous
 derivative beside it, g(c) >= 0, and beyond c the slope away from c is above 0; by the mean value
 theorem g(x) > g(c). Where c belongs to the interval, g(c) > 0 is shown, and a slope of 0 will do.
 The slope is an inequality of the same form, which may take the same way again. Divisors of one sign
-are multiplied out first.
+are multiplied out first. What has the slope 0 throughout and is 0 at a point is 0.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
-from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, div, neg, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import ORDERS, Rel, Statement
-from gainproof.verify.judge.freed.away import ZERO, From, opened, sides
-from gainproof.verify.judge.freed.folding import fraction, plain, without_common
+from gainproof.verify.judge.freed.away import ZERO, From, Rising, opened, sides
+from gainproof.verify.judge.freed.folding import folded, fraction, plain, without_common
 from gainproof.verify.judge.freed.parts import INNER, Part, in_parts
 from gainproof.verify.judge.freed.pieces import Pieces
 from gainproof.verify.judge.freed.smooth import Boxes, Proves, is_smooth
@@ -83,8 +83,10 @@ def above_zero(rel: Rel) -> Expr:
 
 
 def _one(rel: Rel, boxes: Boxes, proves: Proves) -> tuple[Part, ...]:
+    if rel.operator == "=":
+        return (_level(rel, boxes, proves),)
     if rel.operator not in ORDERS:
-        raise Undecided("a slope for anything but inequalities")
+        raise Undecided("a slope for anything but equations and inequalities")
     g = above_zero(rel)
     for name in _variables(g):
         within = {**boxes, name: replace(boxes[name], integer=False)}
@@ -106,6 +108,24 @@ def _one(rel: Rel, boxes: Boxes, proves: Proves) -> tuple[Part, ...]:
             if found is not None:
                 return (replace(found, turned=True),)
     raise Undecided("no point was found from which slopes show it, which refutes nothing")
+
+
+def _level(rel: Rel, boxes: Boxes, proves: Proves) -> Rising:
+    """An equation between sides of one slope that are equal at a point. Raises Undecided."""
+    g = plain(rel.left - rel.right)
+    for name in _variables(g):
+        box = replace(boxes[name], integer=False)
+        within, inner = {**boxes, name: box}, {**boxes, name: opened(box)}
+        slope = plain(differentiated(g, name))
+        level = Rel("=", slope, ZERO)
+        if not is_smooth(g, inner, within, proves) or not proves(level, inner):
+            continue
+        others = {n: b for n, b in boxes.items() if n != name}
+        for point in filter(box.holds, points(box)):
+            value = folded(substituted(g, {name: number(point)}))
+            if proves(Rel("=", value, ZERO), others):
+                return Rising(Rel("=", g, ZERO), name, point, value, (level,))
+    raise Undecided("no symbol was found by which both sides have one slope")
 
 
 def _multiplied_out(g: Expr, name: str, boxes: Boxes, proves: Proves) -> Expr:

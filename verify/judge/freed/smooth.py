@@ -8,7 +8,7 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, number, walk
 from gainproof.verify.judge.exact.statement import Rel
 
-EVERYWHERE = ("exp", "sin", "cos", "atan", "erf")
+EVERYWHERE = ("exp", "sin", "cos", "atan", "erf", "pi")
 """Functions that are analytic on the whole line."""
 
 Boxes = Mapping[str, Box]

@@ -23,11 +23,14 @@ _PAIRS = {
     "CONDITION_OPEN": "CONDITION_CLOSE",
 }
 _CLOSES = frozenset(_PAIRS.values())
-_ARGUMENTS = frozenset(("SYMBOL", "FRAC", "SQRT", "LEFT_BRACE", "BAR_OPEN", "MATRIX_OPEN"))
+_ARGUMENTS = frozenset(
+    ("SYMBOL", "CONSTANT", "FRAC", "SQRT", "LEFT_BRACE", "BAR_OPEN", "MATRIX_OPEN")
+)
 """What an argument without brackets may be."""
 _UNCLEAR_AFTER = frozenset(
     (
-        *("SYMBOL", "NUMBER", "FUNCTION", "FRAC", "SQRT", "SLASH", "TRANSPOSE", "AT", "UNDER"),
+        *("SYMBOL", "NUMBER", "CONSTANT", "FUNCTION", "FRAC", "SQRT"),
+        *("SLASH", "TRANSPOSE", "AT", "UNDER"),
         *("OPEN", "LEFT_BRACE", "OVER_OPEN", "ROW_OPEN", "BAR_OPEN", "MATRIX_OPEN"),
     )
 )

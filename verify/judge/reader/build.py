@@ -58,6 +58,8 @@ class Builder:
                 return add("number", str(Fraction(str(tree.children[0]))))
             case "symbol":
                 return add("symbol", str(tree.children[0]))
+            case "constant":
+                return add("call", str(tree.children[0]))
             case "group" | "braced" | "single" | "bound":
                 inner = children(tree)
                 return self.value(inner[0]) if inner else add("symbol", "infinity")

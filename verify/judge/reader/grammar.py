@@ -56,6 +56,7 @@ evaluated: AT LEFT_BRACE statements RIGHT_BRACE
       | INTEGRAL POWER bound UNDER bound expression DIFFERENTIAL SYMBOL -> integral_from_above
 ?atom: NUMBER -> number
      | SYMBOL -> symbol
+     | CONSTANT -> constant
      | OPEN expression CLOSE -> group
      | OPEN expression CLOSE UNDER index_range POWER bound -> family
      | DOTS -> dots
@@ -83,11 +84,12 @@ arguments: OPEN listed (COMMA listed)* CLOSE | ARGUMENT_OPEN product ARGUMENT_CL
 ?listed: expression | infinity
 ?argument: NUMBER -> number
          | SYMBOL -> symbol
+         | CONSTANT -> constant
          | LEFT_BRACE expression RIGHT_BRACE -> group
          | OVER_OPEN expression OVER expression OVER_CLOSE -> over
          | FRAC argument argument -> fraction
 
-%declare NUMBER SYMBOL FUNCTION NAMED WORD EXPECT ORDER EULER FRAC FRAC_PARTIAL
+%declare NUMBER SYMBOL CONSTANT FUNCTION NAMED WORD EXPECT ORDER EULER FRAC FRAC_PARTIAL
 %declare PARTIAL_OPERATOR PARTIAL SQRT ROOT_OPEN ROOT_CLOSE SUM INTEGRAL DIFFERENTIAL LIM UNDER
 %declare OVER AT TRANSPOSE ONE_SIDED DOTS
 %declare PLUS MINUS DOT DOT_BEFORE_BIG KRON SLASH POWER COMMA AND IF CONNECTIVE EQUAL RELATION

@@ -27,6 +27,8 @@ def call_text(name: str, arguments: Sequence[Printed]) -> Printed:
     """A function of its arguments, or what has signs of its own."""
     texts = [argument.text for argument in arguments]
     match name, len(arguments):
+        case "pi", 0:
+            return Printed("\\pi", ATOM)
         case "abs", 1:
             return Printed(f"\\left| {texts[0]} \\right|", ATOM)
         case (("sum" | "product"), 4):

@@ -13,7 +13,7 @@ from gainproof.verify.judge.reader.tokens import FormulaToken
 
 _RELATIONS = frozenset(("EQUAL", "RELATION"))
 _SEPARATORS = frozenset(("COMMA", "WIDE", "GAP"))
-_SINGLE = frozenset(("SYMBOL", "NUMBER", "GAP"))
+_SINGLE = frozenset(("SYMBOL", "NUMBER", "CONSTANT", "GAP"))
 
 
 def settle_brackets(

@@ -26,6 +26,7 @@ from gainproof.verify.judge.reader.scan import (
     scan_sized,
 )
 from gainproof.verify.judge.reader.special import (
+    circle_number,
     declared_kind,
     function_named,
     sign_in_braces,
@@ -186,6 +187,8 @@ class _Lexer:
             self._add(mark, *base)
         elif (special := special_name(text, *base) or function_named(*base)) is not None:
             self._add(*special)
+        elif (number := circle_number(text, *base, self.vocabulary)) is not None:
+            self._add(*number)
         else:
             raise self.names.undeclared(base[0], start, base[1], self.tokens.single)
 

@@ -135,6 +135,8 @@ def _power(base: Printed, exponent: Fraction) -> Printed:
 def _call(name: str, arguments: Sequence[Printed]) -> Printed:
     texts = [argument.text for argument in arguments]
     match name:
+        case "pi" if not texts:
+            return Printed("pi", ATOM)
         case "expectation":
             return Printed(f"E[{texts[0]}]", ATOM)
         case "order":

@@ -8,7 +8,7 @@ from gainproof.verify.judge.reader.alphabet import DIGITS, is_letter, skip_space
 from gainproof.verify.judge.reader.errors import ReaderError, nearest_names
 from gainproof.verify.judge.reader.line_end import LineEnds
 from gainproof.verify.judge.reader.scan import scan_number
-from gainproof.verify.judge.reader.special import declared_kind, special_name
+from gainproof.verify.judge.reader.special import circle_number, declared_kind, special_name
 from gainproof.verify.judge.reader.tokens import MARKS, FormulaToken
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import FUNCTION_WORDS, JOINING_WORDS, PLAIN_FORMS
@@ -92,6 +92,8 @@ class _PlainLexer:
             self._add("WORD", FUNCTION_WORDS[word], end)
         elif (special := special_name(text, word, end)) is not None:
             self._add(*special)
+        elif (number := circle_number(text, word, end, self.vocabulary)) is not None:
+            self._add(*number)
         else:
             known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
             problem = f"the symbol {word[:40]} is not declared"

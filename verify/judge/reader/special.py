@@ -1,5 +1,5 @@
-"""Names that mean something where nobody declared them: E[...], O(...), e^x, named functions; the
-mark of a transpose; the sign of a branch.
+"""Names that mean something where nobody declared them: E[...], O(...), e^x, pi, named functions;
+the mark of a transpose; the sign of a branch.
 """
 
 from __future__ import annotations
@@ -10,6 +10,8 @@ from gainproof.verify.judge.reader.scan import Scanned
 from gainproof.verify.judge.reader.tokens import SIZES
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (
+    CIRCLE,
+    CIRCLE_NAMES,
     EULER_NAMES,
     EXPECTATION_NAMES,
     FUNCTION_WORDS,
@@ -30,6 +32,18 @@ def special_name(text: str, name: str, end: int) -> Scanned | None:
     if name in EULER_NAMES and following == "^":
         return Scanned("EULER", "exp", end)
     return None
+
+
+def circle_number(text: str, name: str, end: int, vocabulary: Vocabulary) -> Scanned | None:
+    """The number pi, where nothing is declared that is called so, with marks or without, and none
+    stand here.
+    """
+    marked = text.startswith(("_", "'"), skip_space(text, end))
+    if name not in CIRCLE_NAMES or marked:
+        return None
+    if any(each.startswith(tuple(CIRCLE_NAMES)) for each in vocabulary.symbols):
+        return None
+    return Scanned("CONSTANT", CIRCLE, end)
 
 
 def declared_kind(text: str, name: str, end: int, vocabulary: Vocabulary) -> str:

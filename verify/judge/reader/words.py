@@ -30,9 +30,14 @@ CARRIES_SHAPE = frozenset(("expectation", "covariance", "sum", "product", "integ
 BINDERS = frozenset(("sum", "product", "integral", "family"))
 """Functions whose second argument is a symbol that means something in the first one only."""
 
+CIRCLE = "pi"
+"""What the number is called in graphs: a call without arguments."""
+CIRCLE_NAMES = frozenset(("\\pi", "\\mathrm{\\pi}", CIRCLE))
+
 MADE_BY_READER = frozenset(
     (
         *("abs", "sum", "product", "integral", "expectation", "order", "power", "family"),
+        CIRCLE,
         *FUNCTION_WORDS.values(),
     )
 )
