@@ -17,6 +17,10 @@ _NO_VALUE = "a side has no value"
 """The note of a witness at which a side is not defined."""
 
 
+_NOT_COMPARED = "not compared"
+"""Of a side where the note alone says what fails."""
+
+
 def at_point(witness: Mapping[str, Any]) -> str:
     """`at r = 1`, `as r -> infinity`, or nothing for a formula that holds no symbols."""
     places = [(name, str(value)) for name, value in witness["point"].items()]
@@ -38,6 +42,8 @@ def sides(witness: Mapping[str, Any]) -> str:
             return f"the left side is {first}, the right {second}"
         if witness.get("note") and not missing:
             return f"the left side is {first}, the right {second} ({witness['note']})"
+    if len(missing) == 2 and left["undefined"] == _NOT_COMPARED and witness.get("note"):
+        return str(witness["note"])
     for name in missing:
         return f"the {name} side has no value ({witness[name]['undefined']})"
     if witness.get("exact"):

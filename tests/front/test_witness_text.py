@@ -101,3 +101,10 @@ def test_a_side_without_value() -> None:
 def test_against_a_trend_stands_the_derivative(changed: dict[str, Any], shown: str) -> None:
     witness = {**WITNESS, "right": {"midpoint": "0", "radius": "0"}, **changed}
     assert shown in witness_text.slope_in_words(witness)
+
+
+def test_an_equivalence_has_no_sides_to_compare() -> None:
+    none = {"midpoint": "", "radius": "", "undefined": "not compared"}
+    note = "one side of the equivalence holds there and the other does not"
+    text = witness_text.in_words({**WITNESS, "left": none, "right": none, "note": note})
+    assert text == f"at r = 1 {note}"

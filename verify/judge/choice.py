@@ -61,7 +61,8 @@ def _chosen(
         what = "convention" if trial.is_open else "reading of a definition"
         reason = f"no single {what} fits all claims of the setting: {clash}"
         fitting = next(n for n in findings if n in mine)
-        finding = replace(findings[fitting], verdict="conditional", reason=reason)
+        fit = findings[fitting]
+        finding = fit.told_as("conditional", reason, fit.domain)
         others = _others(findings, sorted(mine))
         return verdict_of(claim, finding, _named(trial, [fitting]), trial.seconds, others)
     finding, partly = _none_fits(trial, common, fits, excluded)

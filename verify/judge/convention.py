@@ -98,7 +98,8 @@ def _bases(
 
 def _models(setting: Setting, models: Sequence[Model]) -> Iterator[Model]:
     """Those that may be meant: a filter has as many gains as states, so that a source which speaks
-    of a second component, and of no third, means two states.
+    of a second component, and of no third, means two states. What is searched for is the process
+    noise: of models in which more than the position is measured a source says so.
     """
     if setting.model != "search":
         found = [m for m in models if m.get("name") == setting.model]
@@ -107,7 +108,12 @@ def _models(setting: Setting, models: Sequence[Model]) -> Iterator[Model]:
         yield from found
         return
     last = _last_component(setting)
-    found = [m for m in models if last < 2 or len(m.get("transition", ())) == last]
+    found = [
+        m
+        for m in models
+        if len(m.get("measurement_noise", ())) == 1
+        and (last < 2 or len(m.get("transition", ())) == last)
+    ]
     if not found:
         raise Undecided(f"no model with {last} states is known")
     yield from found

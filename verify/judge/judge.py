@@ -192,7 +192,7 @@ def _of_definition(claim: Claim, setting: Setting, compared: Trial | None) -> Cl
     token = compared_token(claim, setting)
     if findings and all(finding.verdict in FAILED for finding in findings):
         reason = f"not what {token} stands for in this setting: {findings[0].reason}"
-        found = replace(findings[0], verdict="refuted", reason=reason)
+        found = findings[0].told_as("refuted", reason, findings[0].domain)
         return verdict_of(claim, found, None, seconds)
     reason = WITHOUT_DECISION["definition"]
     method = None

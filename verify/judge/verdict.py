@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from gainproof.verify.judge.exact.statement import Outcome, Witness
@@ -36,6 +36,11 @@ class Finding:
     certificate: Mapping[str, Any] = field(default_factory=dict)
     reading: str | None = None
     reach: int = 0
+
+    def told_as(self, verdict: str, reason: str, domain: str | None = None) -> Finding:
+        """The same under another verdict; the certificate says what its own statement comes to."""
+        certificate = {**self.certificate, "decides": self.verdict}
+        return replace(self, verdict=verdict, reason=reason, domain=domain, certificate=certificate)
 
 
 @dataclass(frozen=True)

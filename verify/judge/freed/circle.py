@@ -14,9 +14,23 @@ import flint
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import rebuilt
-from gainproof.verify.judge.exact.expression import Expr, add, div, mul, neg, number, power, symbol
+from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    add,
+    div,
+    mul,
+    neg,
+    number,
+    power,
+    symbol,
+    symbols_of,
+    walk,
+)
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.statement import Rel, Statement
 from gainproof.verify.judge.freed.monomials import monomials, terms_expr
+from gainproof.verify.judge.hypothesis import settle
 
 PI = Expr("call", "pi", ())
 VARIABLE = symbol("freed pi")
@@ -46,8 +60,8 @@ def as_variable(expr: Expr) -> Expr:
 
 def exact_angles(expr: Expr) -> Expr:
     """Sines, cosines and tangents of angles with multiples of pi/12 in them as those of the rest,
-    arc tangents of 1 and of roots of 3 as multiples of pi. The same value wherever that of the
-    expression exists.
+    arc tangents that are such multiples as these. The same value wherever that of the expression
+    exists.
     """
 
     def change(node: Expr, parts: tuple[Expr, ...]) -> Expr | None:
@@ -96,19 +110,23 @@ def cosine_of(twelfths: int) -> Expr:
 
 
 def _arc_tangent(slope: Expr) -> Expr | None:
-    """Of 1, sqrt(3), 1/sqrt(3) and sqrt(3)/3, and of these with the other sign."""
-    if slope.kind == "neg":
-        found = _arc_tangent(slope.parts[0])
-        return None if found is None else neg(found)
-    root = power(number(3), Fraction(1, 2))
-    known = {
-        number(1): 4,
-        number(-1): -4,
-        root: 3,
-        div(number(1), root): 6,
-        div(root, number(3)): 6,
-        power(number(3), Fraction(-1, 2)): 6,
-    }
-    if slope not in known:
+    """The angle if it is a multiple of pi/12: balls say of which, and that its tangent is the slope
+    is decided exactly.
+    """
+    if symbols_of(slope) or any(node.kind == "call" for node in walk(slope)):
         return None
-    return div(PI, number(known[slope])) if known[slope] > 0 else neg(div(PI, number(4)))
+    with flint.ctx.workprec(PRECISION):
+        try:
+            turns = Balls({}, PRECISION).round(slope).atan() * PARTS / flint.arb.pi()
+        except (NoValue, Unresolved):
+            return None
+        twelfths = (turns + flint.arb("0.5")).floor().unique_fmpz()
+        if twelfths is None or not (turns - twelfths).contains(0):
+            return None
+    count = int(twelfths)
+    tangent = div(cosine_of(count - PARTS // 2), cosine_of(count))
+    try:
+        same = settle(Statement((Rel("=", slope, tangent),)), {}, None, {}, only_proof=True)
+    except Undecided:
+        return None
+    return mul(number(Fraction(count, PARTS)), PI) if same.verdict == "proved" else None

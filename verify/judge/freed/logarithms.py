@@ -1,7 +1,8 @@
 """Logarithms of products as sums of those of their factors, and angles that are an arc tangent.
 
 log(b^a c) = a log b + log c for positive b and c, numbers by their primes, log exp a = a;
-sin atan x = x (1 + x^2)^(-1/2), cos atan x = (1 + x^2)^(-1/2), tan atan x = x.
+sin atan x = x (1 + x^2)^(-1/2), cos atan x = (1 + x^2)^(-1/2), tan atan x = x, and of twice the arc
+tangent 2 x/(1 + x^2), (1 - x^2)/(1 + x^2) and their ratio.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from gainproof.verify.judge.exact.expression import Expr, add, mul, number, power
+from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power
 from gainproof.verify.judge.freed.bases import bases_of
 from gainproof.verify.judge.freed.ranges import Positive
 
@@ -54,9 +55,35 @@ def _factors(expr: Expr, exponent: Expr) -> Iterator[Factor]:
 
 
 def of_arc_tangent(name: str, argument: Expr) -> Expr | None:
-    """A sine, cosine or tangent of an arc tangent; None if it is of anything else."""
-    if argument.kind != "call" or argument.name != "atan":
+    """A sine, cosine or tangent of an arc tangent, or of twice one, of either sign; None if it is
+    of anything else.
+    """
+    found = _arc_tangent(argument)
+    if found is None or name not in ("sin", "cos", "tan"):
         return None
-    (x,) = argument.parts
-    below = power(add(number(1), power(x, 2)), Fraction(1, 2))
-    return {"sin": x / below, "cos": 1 / below, "tan": x}.get(name)
+    x, times = found
+    square = add(number(1), power(x, 2))
+    if abs(times) == 1:
+        below = power(square, Fraction(1, 2))
+        sine, cosine = x / below, 1 / below
+    else:
+        sine, cosine = 2 * x / square, (1 - power(x, 2)) / square
+    if name == "cos":
+        return cosine
+    value = x if name == "tan" and abs(times) == 1 else sine if name == "sin" else sine / cosine
+    return value if times > 0 else neg(value)
+
+
+def _arc_tangent(argument: Expr) -> tuple[Expr, int] | None:
+    """`m atan x` as x and m, one or two; what is written otherwise is left."""
+    match argument.kind:
+        case "call" if argument.name == "atan":
+            return argument.parts[0], 1
+        case "neg":
+            found = _arc_tangent(argument.parts[0])
+            return None if found is None else (found[0], -found[1])
+        case "mul" if len(argument.parts) == 2 and argument.parts[0].kind == "number":
+            found, times = _arc_tangent(argument.parts[1]), argument.parts[0].fraction
+            if found is not None and abs(times * found[1]) in (1, 2):
+                return found[0], int(times * found[1])
+    return None

@@ -111,7 +111,7 @@ def _compared(
             return Finding("refuted", reason, "nowhere", METHOD, better)
     if best.verdict == "refuted" or (best.verdict == "conditional" and found.verdict != "proved"):
         reason = f"the best gains do not satisfy it: {best.reason}; best are {told}"
-        return replace(best, verdict="refuted", reason=reason, domain="nowhere", method=METHOD)
+        return replace(best.told_as("refuted", reason, "nowhere"), method=METHOD)
     if best.verdict == "conditional":
         reason = f"the best gains satisfy it for some lags only: {best.reason}; best are {told}"
         return replace(best, reason=reason, method=METHOD)

@@ -68,7 +68,7 @@ def _exactly(stated: Sequence[Rel], stable: Sequence[Rel], frame: Frame) -> Find
     ):
         if finding.verdict not in ("proved", "held"):
             reason = f"{words}: {finding.reason.partition(';')[0]}; stable exactly where {region}"
-            return replace(finding, verdict="refuted", reason=reason, domain="nowhere")
+            return finding.told_as("refuted", reason, "nowhere")
     if inside.verdict == outside.verdict == "proved":
         certificate = {
             "stable where they hold": dict(inside.certificate),

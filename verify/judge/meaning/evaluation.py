@@ -10,7 +10,6 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
     Expr,
     absolute,
-    neg,
     power,
     symbol,
     symbols_of,
@@ -19,6 +18,7 @@ from gainproof.verify.judge.exact.expression import (
 from gainproof.verify.judge.exact.functions import is_known
 from gainproof.verify.judge.exact.limits import DEFAULT_LIMITS, Undecided
 from gainproof.verify.judge.meaning.bindings import Bindings
+from gainproof.verify.judge.meaning.elementary import elementary
 from gainproof.verify.judge.meaning.names import Names
 from gainproof.verify.judge.meaning.square import determinant, inverse, raised, trace
 from gainproof.verify.judge.meaning.value import (
@@ -41,7 +41,6 @@ SAME: Mapping[str, str] = MappingProxyType({"ln": "log", "arctan": "atan", "Tr":
 OF_MATRICES: Mapping[str, Callable[[Value], Value]] = MappingProxyType(
     {"det": determinant, "tr": trace, "trace": trace}
 )
-HYPERBOLIC = ("sinh", "cosh", "tanh")
 
 
 def evaluated(tree: Expr, names: Names, bindings: Bindings) -> Value:
@@ -160,8 +159,8 @@ def _call(node: Expr, names: Names, bindings: Bindings) -> Value:
     if name == "power" and len(numbers) == 2:
         return general_power(*numbers)
     name = SAME.get(name, name)
-    if name in HYPERBOLIC and len(numbers) == 1:
-        return _hyperbolic(name, numbers[0])
+    if (made := elementary(name, numbers)) is not None:
+        return made
     if is_known(name, len(numbers)):
         return Expr("call", name, tuple(numbers))
     raise Undecided(f"the function {name} is not covered")
@@ -175,13 +174,6 @@ def general_power(base: Expr, exponent: Expr) -> Expr:
     if max(abs(value.numerator), value.denominator) > DEFAULT_LIMITS.exponent:
         raise Undecided(f"an exponent beyond {DEFAULT_LIMITS.exponent}")
     return power(base, value)
-
-
-def _hyperbolic(name: str, x: Expr) -> Expr:
-    """In exponentials, so that identities between them are identities of these."""
-    up, down = Expr("call", "exp", (x,)), Expr("call", "exp", (neg(x),))
-    sinh, cosh = (up - down) / 2, (up + down) / 2
-    return {"sinh": sinh, "cosh": cosh}.get(name, sinh / cosh)
 
 
 def _bound(node: Expr, names: Names, bindings: Bindings) -> Value:

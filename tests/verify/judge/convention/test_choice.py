@@ -6,6 +6,7 @@ import pytest
 from claim_texts import algebra, claim_file
 
 from gainproof.verify.judge.choice import choose
+from gainproof.verify.judge.convention import _models
 from gainproof.verify.judge.trial import Trial
 from gainproof.verify.judge.verdict import Finding
 
@@ -47,3 +48,21 @@ def chosen(*verdicts: tuple[str, str]) -> list[str]:
 )
 def test_choice(findings: list[tuple[str, str]], expected: list[str]) -> None:
     assert chosen(*findings) == expected
+
+
+def test_models_of_more_than_a_measured_position_are_not_searched() -> None:
+    """They cannot have such gains: each left a false claim undecided."""
+    noises = {"position": [["1"]], "position and velocity": [["1", "0"], ["0", "1"]]}
+    models = [
+        {"name": name, "transition": [["1", "1"], ["0", "1"]], "measurement_noise": noise}
+        for name, noise in noises.items()
+    ]
+    fields = "kind = 'steady_state'\nmodel = '{}'\n[settings.s.symbols]"
+    gain = "'a' = {{ quantity = 'filter_gain.1', meaning = 'gain' }}"
+    for wanted, kept in (
+        ("search", "position"),
+        ("position and velocity", "position and velocity"),
+    ):
+        text = f"[settings.s]\ntitle = 's'\n{fields}\n{gain}\n".format(wanted)
+        setting = claim_file(text, [("identity", "a = 2")]).settings["s"]
+        assert [m["name"] for m in _models(setting, models)] == [kept]

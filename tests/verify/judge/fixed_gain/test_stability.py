@@ -10,6 +10,8 @@ import pytest
 from free_gains import radius, verdict
 from small_claims import check
 
+from gainproof.verify.judge.replay import replay
+
 TWO = r"0 < \alpha \text{ and } 0 < \beta < 4 - 2\alpha"
 THREE = TWO + r" \text{ and } \gamma (1 - \frac{\alpha}{2}) < \alpha\beta \text{ and } 0 < \gamma"
 GAINS = (r"\alpha", r"\beta", r"\gamma")
@@ -45,6 +47,10 @@ def test_false_neighbours(latex: str, states: int, stable: bool) -> None:
     assert found.witness is not None
     gains = [float(Fraction(found.witness["point"].get(name, "1"))) for name in GAINS[:states]]
     assert (radius(gains) < 1 - 1e-9) is stable, (gains, found.reason)
+    # one direction is false on a part of its domain, which refutes the claim
+    assert found.certificate is not None
+    assert replay(found.certificate, "refuted") is None
+    assert replay(found.certificate, "proved") is not None
 
 
 @pytest.mark.parametrize(("latex", "states"), [(TWO, 2), (THREE, 3)])
