@@ -60,7 +60,7 @@ def square_root(value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
     A value that holds roots already is left as it is under a root: a = 1.
     """
-    if not value.is_polynomial():
+    if not value.is_polynomial() or any(not p.exp.is_Integer for p in value.atoms(sp.Pow)):
         return sp.Integer(1), value
     constant, factors = sp.factor_list(sp.expand(value))
     constant = sp.Rational(constant)

@@ -30,6 +30,7 @@ def require_written_well(given: ExpressionSet) -> None:
     """Raise ExpressionError for names that cannot be, and symbols that nothing defines."""
     module = given.name.replace("-", "_")
     _require_name("the set", module)
+    require_tuple(given.name, "kernels", given.kernels, ExpressionError)
     if not given.kernels:
         raise ExpressionError(f"{given.name}: a kernel at least is wanted, there is none")
     names = [kernel.name for kernel in given.kernels]
@@ -40,10 +41,21 @@ def require_written_well(given: ExpressionSet) -> None:
     require_side_by_side(names)
 
 
+def require_tuple(place: str, name: str, value: object, error: type[ValueError]) -> None:
+    """Raise the error unless it is a tuple or a list: of one element a comma is soon forgotten."""
+    if not isinstance(value, tuple | list):
+        raise error(
+            f"{place}: {name} should be a tuple, it is of type {type(value).__name__}; a tuple of "
+            "one element is written with a comma, (x,)"
+        )
+
+
 def _require_kernel(kernel: ExpressionKernel) -> None:
     _require_name("a kernel", kernel.name)
     for text in (kernel.title, kernel.source):
         _require_line(kernel.name, text)
+    for name in ("inputs", "outputs"):
+        require_tuple(kernel.name, name, getattr(kernel, name), ExpressionError)
     for what, quantities in (
         ("inputs", [each.quantity for each in kernel.inputs]),
         ("outputs", [each.quantity for each in kernel.outputs]),

@@ -83,8 +83,14 @@ def _require_symmetric(model: Model, name: str) -> None:
 
 
 def _require_parameters(model: Model) -> None:
+    used = set[sp.Basic]().union(*(getattr(model, each).free_symbols for each in MATRICES))
     for entry in model.parameters:
         name = entry.quantity.name
+        if entry.quantity.symbol not in used:
+            raise ModelError(
+                f"model {model.name}: the parameter {name} occurs in no matrix: leave it out, or "
+                "use its quantity's .symbol"
+            )
         if not name.isidentifier() or keyword.iskeyword(name) or name == "out":
             raise ModelError(
                 f"model {model.name}: the parameter {name!r} should have the name of a Python "

@@ -5,11 +5,13 @@ from __future__ import annotations
 import sympy as sp
 
 from gainproof.derive.model import Model, ModelError
+from gainproof.derive.own_expressions.checks import require_tuple
 from gainproof.derive.own_expressions.dimensions import unit_of
 from gainproof.derive.own_expressions.expressions import ExpressionError
 from gainproof.derive.quantity import SAMPLING_INTERVAL, Quantity, Unit
 
 MATRICES = ("transition", "process_noise", "measurement", "measurement_noise")
+SEVERAL = ("quantities", "state_units", "measurement_units", "parameters", "ratios")
 
 
 def require_fields(model: Model) -> None:
@@ -23,6 +25,8 @@ def require_fields(model: Model) -> None:
                 f"model {model.name}: {name} should be a matrix of SymPy, "
                 f"sp.ImmutableDenseMatrix([[...], ...]), it is of type {type(value).__name__}"
             )
+    for name in SEVERAL:
+        require_tuple(f"model {model.name}", name, getattr(model, name), ModelError)
     own = [*model.quantities, *(entry.quantity for entry in model.parameters)]
     for quantity in own:
         if not isinstance(quantity, Quantity):

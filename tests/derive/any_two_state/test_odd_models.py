@@ -35,6 +35,12 @@ MODELS: dict[str, Model] = {
         [[3 * sp.Rational(1, 2), 1], [-6 * TENTH, 0]], [[1, 0], [0, TENTH]]
     ),
     "without a trend": own_model([[0, 1], [-sp.Rational(1, 4), 0]], [[0, 0], [0, 1]]),
+    # at a small index roots of roots of 1 + r, which no certificate states
+    "free strength": own_model(
+        [[1, 1], [0, 1]], [[0, 0], [0, 1 + R]], parameters=(free_number("r"),)
+    ),
+    # and 8 times the root of 2
+    "free place": own_model([[1, 1], [0, 1]], [[R / 4, 0], [0, 2]], parameters=(free_number("r"),)),
     "decay and ratio": own_model(
         [[1, 1 - R], [0, R]],
         [[S, 0], [0, 1]],
@@ -62,6 +68,7 @@ LIKE_OTHERS = {
     "pulling each other",
     "second remembers the first",
     "decay and ratio",
+    "free strength",
 }
 
 

@@ -83,6 +83,11 @@ def test_the_gallery_is_proved(path: Path) -> None:
     assert recheck(derived.certificate, expected_of(derived))["accepted"]
 
 
+def replaced(given: ExpressionSet, **changes: Any) -> ExpressionSet:
+    """The set with its kernel changed."""
+    return replace(given, kernels=(replace(given.kernels[0], **changes),))
+
+
 @pytest.mark.parametrize(
     ("given", "message"),
     [
@@ -110,6 +115,14 @@ def test_the_gallery_is_proved(path: Path) -> None:
         (one(sp.I * n, PURE), "are what a kernel computes, I came"),
         (one(n / (n - n + 1), PURE, PLACE), "the input x occurs in no output"),
         (one(n, PURE).__class__("s", "A set", ()), "a kernel at least is wanted"),
+        (
+            one(n, PURE).__class__("s", "A set", one(n, PURE).kernels[0]),  # type: ignore[arg-type]
+            "s: kernels should be a tuple, it is of type ExpressionKernel",
+        ),
+        (
+            replaced(one(n, PURE), inputs=PURE),
+            "inputs should be a tuple, it is of type Argument; a tuple of one element is",
+        ),
     ],
 )
 def test_each_mistake_is_told(given: ExpressionSet, message: str) -> None:

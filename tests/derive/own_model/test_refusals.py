@@ -58,6 +58,17 @@ REFUSED: list[tuple[Model, str]] = [
         for name in ("lambda", "out", "a b")
     ),
     (
+        own_model(KINEMATIC, LAST, parameters=(free_number("r"),)),
+        "the parameter r occurs in no matrix: leave it out, or use",
+    ),
+    *(
+        (
+            own_model([[1, 1], [0, R]], LAST, **{name: free_number("r")}),
+            rf"{name} should be a tuple, it is of type Parameter; .* with a comma, \(x,\)",
+        )
+        for name in ("parameters", "quantities", "state_units")
+    ),
+    (
         own_model([[1, 1], [0, sp.sqrt(2) / 2]], LAST),
         r"transition should hold rational numbers, its entry 2,2 holds sqrt\(2\)",
     ),
