@@ -24,7 +24,7 @@ ZERO = number(0)
 class Rising:
     """How a relation is proved: of what sign g is, its value at the point of a symbol, and what is
     known of slopes beside it, one for each side; `turned` with the reciprocal for the symbol;
-    `within`: on a part of the domain only.
+    `within`: on a part of the domain only; `ratio`: the symbols of which this one is the quotient.
     """
 
     relation: Rel
@@ -34,6 +34,7 @@ class Rising:
     slopes: tuple[Rel, ...]
     turned: bool = False
     within: Box | None = None
+    ratio: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True)

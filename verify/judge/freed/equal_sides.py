@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
@@ -64,7 +65,11 @@ def equal_somewhere(
 ) -> Outcome | None:
     """A strict inequality in one symbol that is an equality at a point."""
     names = sorted(statement.symbols())
-    if len(names) != 1 or statement.connective != "if" or statement.needed:
+    if statement.connective != "if" or statement.needed:
+        return None
+    if len(names) in (2, 3) and not statement.domain:
+        return _equal_for_several(statement, names, boxes, labels, proves)
+    if len(names) != 1:
         return None
     without = {rel.right.fraction for rel in statement.domain if _takes_out_a_number(rel)}
     if len(without) != len(set(statement.domain)):
@@ -75,9 +80,31 @@ def equal_somewhere(
         if point in without:
             continue
         for rel in statement.relations:
-            witness = _equal_at(rel, name, point, labels, proves)
+            witness = _equal_at(rel, {name: point}, labels, proves)
             if witness is not None:
                 return _but_there(statement, name, point, box, witness, labels, proves)
+    return None
+
+
+def _equal_for_several(
+    statement: Statement,
+    names: Sequence[str],
+    boxes: Boxes,
+    labels: Mapping[str, str],
+    proves: Proves,
+) -> Outcome | None:
+    """Refuted where all symbols are 1, -1 or 0."""
+    for values in product((Fraction(1), Fraction(0), Fraction(-1)), repeat=len(names)):
+        point = dict(zip(names, values, strict=True))
+        if not all(boxes.get(name, Box()).holds(value) for name, value in point.items()):
+            continue
+        for rel in statement.relations:
+            witness = _equal_at(rel, point, labels, proves)
+            if witness is not None:
+                reason = f"fails {witness.text()}; where it may hold is not determined"
+                return Outcome(
+                    "refuted", "", reason, "both sides at an exact point", witness, {}, 1
+                )
     return None
 
 
@@ -86,20 +113,20 @@ def _takes_out_a_number(rel: Rel) -> bool:
 
 
 def _equal_at(
-    rel: Rel, name: str, point: Fraction, labels: Mapping[str, str], proves: Proves
+    rel: Rel, point: Mapping[str, Fraction], labels: Mapping[str, str], proves: Proves
 ) -> Witness | None:
     if rel.operator not in ("<", ">", "!="):
         return None
-    here = {name: number(point)}
+    here = {name: number(value) for name, value in point.items()}
     left, right = (folded(substituted(side, here)) for side in (rel.left, rel.right))
     if not proves(Rel("=", left, right), {}):
         return None
     try:
-        Balls({name: point}, PRECISION).round(rel.left)  # which must have a value as it is printed
+        Balls(point, PRECISION).round(rel.left)  # which must have a value as it is printed
         ball = enclosure(Balls({}, PRECISION).round(left), 12)
     except (NoValue, Unresolved):
         return None
-    where = {labels.get(name, name): str(point)}
+    where = {labels.get(name, name): str(value) for name, value in point.items()}
     note = "both sides are equal, exactly"
     return Witness(where, rel.operator, ball, ball, exact=True, note=note)
 

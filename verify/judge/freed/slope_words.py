@@ -8,6 +8,7 @@ from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, symbol, symbols_of
 from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.freed.away import Rising
 from gainproof.verify.judge.freed.parts import Part
 from gainproof.verify.judge.freed.pieces import Pieces
 from gainproof.verify.judge.readable import readable
@@ -26,6 +27,9 @@ def _lines(
     found: Iterable[Part], told: Mapping[Rel, Sequence[Part]], labels: Mapping[str, str]
 ) -> Iterator[str]:
     for each in found:
+        if isinstance(each, Rising) and each.ratio is not None:
+            first, second = (labels.get(n, n) for n in each.ratio)
+            labels = {**labels, each.name: f"({first}/{second})"}
         name = labels.get(each.name, each.name)
         stated = f"{_text(each.relation.left, labels)} {each.relation.operator} 0"
         if isinstance(each, Pieces):

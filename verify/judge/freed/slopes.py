@@ -11,13 +11,23 @@ are multiplied out first. What has the slope 0 throughout and is 0 at a point is
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, div, neg, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.expression import (
+    Expr,
+    div,
+    mul,
+    neg,
+    number,
+    symbol,
+    symbols_of,
+    walk,
+)
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import ORDERS, Rel, Statement
 from gainproof.verify.judge.freed.away import ZERO, From, Rising, opened, sides
@@ -85,6 +95,8 @@ def above_zero(rel: Rel) -> Expr:
 def _one(rel: Rel, boxes: Boxes, proves: Proves) -> tuple[Part, ...]:
     if rel.operator == "=":
         return (_level(rel, boxes, proves),)
+    if rel.operator == "!=":
+        return _on_one_side(rel, boxes, proves)
     if rel.operator not in ORDERS:
         raise Undecided("a slope for anything but equations and inequalities")
     g = above_zero(rel)
@@ -101,6 +113,10 @@ def _one(rel: Rel, boxes: Boxes, proves: Proves) -> tuple[Part, ...]:
         parts = in_parts(top, name, within, strict, proves)
         if parts is not None:
             return parts
+        for other in _positive_beside(g, name, within):
+            found = _over(top, name, other, within, strict, proves)
+            if found is not None:
+                return (found,)
         if within[name] == POSITIVE:
             turned = substituted(top, {name: div(number(1), symbol(name))})
             top = _multiplied_out(turned, name, within, proves)
@@ -108,6 +124,34 @@ def _one(rel: Rel, boxes: Boxes, proves: Proves) -> tuple[Part, ...]:
             if found is not None:
                 return (replace(found, turned=True),)
     raise Undecided("no point was found from which slopes show it, which refutes nothing")
+
+
+def _on_one_side(rel: Rel, boxes: Boxes, proves: Proves) -> tuple[Part, ...]:
+    """Of unlike sides one is the greater throughout. Raises Undecided."""
+    with suppress(Undecided):
+        return _one(replace(rel, operator=">"), boxes, proves)
+    return _one(replace(rel, operator="<"), boxes, proves)
+
+
+def _positive_beside(g: Expr, name: str, boxes: Boxes) -> list[str]:
+    """Other symbols that are any number above 0, as this one is."""
+    others = sorted(symbols_of(g) - {name})
+    return [n for n in others if boxes[n] == boxes[name] == POSITIVE]
+
+
+def _over(
+    g: Expr, name: str, other: str, boxes: Boxes, strict: bool, proves: Proves
+) -> Rising | None:
+    """From the point where both symbols are equal, seen by their ratio; None if it is not shown."""
+    ratio = f"{name} over {other}"
+    put_in = substituted(g, {name: mul(symbol(other), symbol(ratio))})
+    within = {**{n: b for n, b in boxes.items() if n != name}, ratio: POSITIVE}
+    try:
+        top = _multiplied_out(put_in, ratio, within, proves)
+    except Undecided:
+        return None
+    found = From(top, ratio, Fraction(1), within, strict, proves).rising()
+    return None if found is None else replace(found, ratio=(name, other))
 
 
 def _level(rel: Rel, boxes: Boxes, proves: Proves) -> Rising:

@@ -22,7 +22,7 @@ from gainproof.verify.judge.freed.slopes import by_slopes
 from gainproof.verify.judge.freed.smooth import is_smooth
 from gainproof.verify.judge.replay import replay
 
-R, UNIT, WHOLE = "x > 0", "0 < x < 1", None
+R, UNIT, WHOLE, TWO = "x > 0", "0 < x < 1", None, "x > 0, y > 0"
 TRUE = [
     (r"e^x > 1 + x + \frac{x^2}{2} + \frac{x^3}{6}", R),
     (r"\ln x \leq x - 1", R),
@@ -57,6 +57,13 @@ TRUE = [
     (r"\ln x^2 \leq x^2 - 1", r"x \neq 0"),
     (r"\frac{\sin x}{x} \leq 1", r"x \neq 0"),
     (r"\cos x > 1 - \frac{x^2}{2}", r"x \neq 0"),
+    # from where two symbols are equal
+    (r"x \ln\frac{x}{y} \geq x - y", TWO),
+    (r"\ln\frac{x + y}{2} \geq \frac{\ln x + \ln y}{2}", TWO),
+    (r"x \ln\frac{x}{y} + z \geq x - y", TWO + ", z > 0"),
+    # unlike throughout
+    (r"e^x \neq x", WHOLE),
+    (r"e^x \neq 1 + x", r"x \neq 0"),
 ]
 FALSE = [
     (r"e^x > 1 + x + \frac{x^2}{2} + \frac{x^3}{5}", R, "refuted"),
@@ -79,8 +86,14 @@ FALSE = [
     (r"\ln x < x - 1", R, "conditional"),
     (r"e^x > 1 + x", WHOLE, "conditional"),
     (r"\cos x > 1 - \frac{x^2}{2}", r"x \geq 0", "conditional"),
+    (r"e^x \neq 1 + x", WHOLE, "conditional"),
+    # equal where several symbols are simple numbers
+    (r"x \ln\frac{x}{y} > x - y", TWO, "refuted"),
+    (r"e^x + e^y > 2 e^{(x + y)/2}", WHOLE, "refuted"),
+    (r"x + y > \ln(1 + x) + \ln(1 + y)", r"x \geq 0, y \geq 0", "refuted"),
+    (r"x \ln\frac{x}{y} \geq x - y + 0.001", TWO, "refuted"),
 ]
-KINDS = (0, 1, 6, 9, 12, 14, 15, 17, 18, 19, 21, 23)
+KINDS = (0, 1, 6, 9, 12, 14, 15, 17, 18, 19, 21, 23, 26, 29)
 
 
 def claim(latex: str, domain: str | None) -> str:
@@ -105,6 +118,15 @@ def test_false(latex: str, domain: str | None, wanted: str) -> None:
 
 def test_where_a_strict_one_holds_is_told() -> None:
     assert judged("inequality", claim(r"\ln x < x - 1", R)).domain == "for 0 < x < 1 or x > 1"
+
+
+def test_a_ratio_is_told_by_its_symbols() -> None:
+    found = judged("inequality", claim(r"x \ln\frac{x}{y} \geq x - y", TWO))
+    assert found.certificate is not None
+    assert found.certificate["slopes"][0].startswith(
+        "1 + (x/y) log((x/y)) - (x/y) >= 0: it is 0 at"
+    )
+    assert replay(found.certificate, "proved") is None
 
 
 def test_the_parts_of_a_proof_are_told() -> None:
@@ -228,7 +250,7 @@ def test_what_is_not_above_0_is_not_proved(g: Expr, box: Box) -> None:
         Statement((Rel(">", EXP, X),), (Rel(">", X, ZERO),)),
         Statement((Rel(">", EXP, X),), (Rel(">", X, ZERO),), "iff"),
         Statement((Rel(">", EXP, X),), needed=(call("log", X),)),
-        Statement((Rel("!=", EXP, X),)),
+        Statement((Rel("!=", EXP, 2 * X + 1),)),
     ],
 )
 def test_what_slopes_do_not_cover(statement: Statement) -> None:
