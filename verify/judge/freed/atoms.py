@@ -21,7 +21,7 @@ from gainproof.verify.judge.exact.expression_text import written
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.freed.bases import bases_of
-from gainproof.verify.judge.freed.circle import VARIABLE
+from gainproof.verify.judge.freed.circle import LABEL, VARIABLE
 from gainproof.verify.judge.freed.monomials import (
     UNIT,
     Monomial,
@@ -153,7 +153,7 @@ class Atoms:
         found = {}
         for (kind, base, monomial), name in self.names.items():
             inner = base if kind == "value" else monomial_expr(monomial)
-            text = written(inner)[1][0]
+            text = written(substituted(inner, {VARIABLE.name: symbol(LABEL)}))[1][0]
             if kind == "angle":
                 text = f"tan(half of {text})"
             elif kind == "power":

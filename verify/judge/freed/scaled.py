@@ -47,7 +47,7 @@ def scaled(statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, 
             put_in: Expr = mul(PI, number(value))
             words.append(f"{labels.get(name, name)} = {value} {LABEL}")
         elif over is not None:
-            new = f"{name} over pi"
+            new = f"{name}/{LABEL}"
             put_in = mul(PI, symbol(new))
             boxes = {**{n: b for n, b in boxes.items() if n != name}, new: over}
             labels = {**labels, new: f"{labels.get(name, name)}/{LABEL}"}

@@ -171,7 +171,7 @@ ALL = Box()
 
 def scaled_box(*conditions: Rel, box: Box = ALL) -> Box | None:
     statement = Statement((Rel(">", X, number(0)),), conditions)
-    return scaled(statement, {"x": box}, {}).boxes.get("x over pi")
+    return scaled(statement, {"x": box}, {}).boxes.get("x/pi")
 
 
 def test_bounds_are_put_together() -> None:
