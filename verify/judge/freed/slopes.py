@@ -156,13 +156,15 @@ def _over(
 
 def _level(rel: Rel, boxes: Boxes, proves: Proves) -> Rising:
     """An equation between sides of one slope that are equal at a point. Raises Undecided."""
-    g = plain(rel.left - rel.right)
+    printed = rel.left - rel.right
+    g = plain(printed)
     for name in _variables(g):
         box = replace(boxes[name], integer=False)
         within, inner = {**boxes, name: box}, {**boxes, name: opened(box)}
         slope = plain(differentiated(g, name))
         level = Rel("=", slope, ZERO)
-        if not is_smooth(g, inner, within, proves) or not proves(level, inner):
+        # what cancels in g must have a value all the same
+        if not is_smooth(printed, inner, within, proves) or not proves(level, inner):
             continue
         others = {n: b for n, b in boxes.items() if n != name}
         for point in filter(box.holds, points(box)):

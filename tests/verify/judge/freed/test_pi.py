@@ -76,6 +76,7 @@ FALSE = [
     # far out alone
     ("inequality", r"\arctan x < \frac{\pi}{2.0001}", None, "refuted"),
 ]
+ARCS = r"\arctan x + \arctan\frac{1}{x}"
 OPEN = [
     # without a value at an end, or anywhere
     ("inequality", r"\tan\frac{x}{2} \geq 0", r"0 \leq x \leq \pi"),
@@ -83,6 +84,12 @@ OPEN = [
     ("inequality", r"\frac{1}{1 + \cos x} \geq 0", r"x \geq \pi, x \leq \pi"),
     ("identity", r"\sin(\frac{\pi}{6} + \frac{1}{x} - \frac{1}{x}) = \frac{1}{2}", "-1 < x < 1"),
     ("identity", r"\tan\frac{\pi}{2} = \tan\frac{\pi}{2}", None),
+    (
+        "identity",
+        rf"{ARCS} + \frac{{1}}{{x - 7}} - \frac{{1}}{{x - 7}} = \frac{{\pi}}{{2}}",
+        "x > 0",
+    ),
+    ("identity", rf"{ARCS} + 0\cdot\ln(x - 7) = \frac{{\pi}}{{2}}", "x > 0"),
     ("identity", r"\frac{x}{\sin\pi} = \frac{x}{\cos\frac{\pi}{2}}", None),
 ]
 KINDS = (1, 6, 8, 11, 15, 19, 23, 26)
