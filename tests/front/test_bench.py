@@ -76,7 +76,8 @@ def test_a_kernel_of_two_inputs_is_measured(
     monkeypatch.setattr(measure, "SIZE", 2 * BLOCK)
     found = measure.figures(item(), tmp_path, measure.Options())
     wanted = {"kernel", "shared", "fresh", "passes", "memory", "lambdify", "SciPy"}
-    assert set(found.seconds) == wanted | ({"C", "C function"} if compiler() else set())
+    in_c = {*measure.COMPILED, *measure.IN_C} if compiler() else set()
+    assert set(found.seconds) == wanted | in_c
     assert all(0 < seconds < math.inf for seconds in found.seconds.values()), found.seconds
     assert ("C" in found.missing) == (compiler() is None)
     assert found.ratio("kernel", "kernel") == 1

@@ -10,9 +10,10 @@ from gainproof.derive.printer.c_language.body import near_cbrt
 from gainproof.derive.printer.c_language.flavour import DOUBLE, FLAVOURS
 from gainproof.derive.printer.c_language.functions import definitions, prototypes
 from gainproof.derive.printer.c_language.names import Names, codes, names_of
+from gainproof.derive.printer.canonical_json import canonical_json
 from gainproof.derive.printer.docstring import mathematics
 from gainproof.derive.printer.kernel import Kernel, Module
-from gainproof.derive.printer.library import NUMPY
+from gainproof.derive.printer.library import NUMPY, functions_of
 
 Bounds = Sequence[Sequence[KernelBound]]
 
@@ -42,8 +43,16 @@ ABOUT = (
 
 
 def c_files(module: Module, bounds: Bounds) -> dict[str, str]:
-    """The header and the source by file name, from bounds already proved."""
+    """The header and the source by file name, from bounds already proved, and a record in JSON of
+    the functions that have the bits of the NumPy module, by kernel.
+    """
+    same = {
+        kernel.name: names_of(module.name, kernel).stem
+        for kernel in module.kernels
+        if not functions_of(kernel.program, kernel.program.outputs.values())
+    }
     return {
+        f"{module.name}.json": canonical_json({"same_bits": same}),
         f"{module.name}.h": "\n".join(_header(module, bounds)) + "\n",
         f"{module.name}.c": "\n".join(_source(module, bounds)) + "\n",
     }

@@ -46,13 +46,28 @@ KERNEL_OVER = (
         "the same where threads share the blocks",
     ),
     Column(
+        "in C",
+        "C function",
+        "compiled / C function",
+        "c/Cg",
+        "the same for the kernel of a package that is compiled: its guards and blocks, arithmetic "
+        "in C, the same bits",
+    ),
+    Column(
+        "in C shared",
+        "C function",
+        "compiled, threads / C function",
+        "ct/Cg",
+        "the same where threads share its blocks",
+    ),
+    Column(
         "kernel",
         "C",
         "kernel / C",
         "/C",
         "the kernel's time, guards included, over that of a bare C loop of its graph without any",
     ),
-    Column("shared", "C", "threads / C", "thr/C", "the same where threads share the blocks"),
+    Column("shared", "C", "threads / C", None, "the same where threads share the blocks"),
     Column(
         "passes",
         "C",
@@ -82,15 +97,15 @@ OVER_KERNEL = (
         "lambdify",
         "shared",
         "lambdify / threads",
-        "l/thr",
-        "the same over that of the kernel where threads share the blocks",
+        None,
+        "lambdify's over that of the kernel where threads share the blocks",
     ),
     Column(
         "lambdify",
         "fresh",
         "lambdify / fresh",
         "fresh",
-        "the same where the kernel makes new output arrays too, as lambdify does; one thread",
+        "lambdify's where the kernel makes new output arrays too, as lambdify does; one thread",
     ),
     Column(
         "numexpr", "kernel", "numexpr / kernel", None, "numexpr's over the kernel's, one thread"

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,25 +36,37 @@ def compiler() -> str | None:
     return None
 
 
-def compiled(source: str, function: str, folder: Path, *, guarded: bool = False) -> Loop:
-    """Compile `source` and wrap `function`(size_t n, const double *in0, ..., double *out0, ...); a
-    `guarded` one takes ``size_t *first`` too, and returns 0 unless it refuses an input.
+def loaded(
+    source: str, function: str, folder: Path, flags: Sequence[str] = FLAGS
+) -> Callable[..., int]:
+    """Compile `source` and load `function`; `folder` is for both files.
 
-    Raises subprocess.CalledProcessError when the compiler refuses the source; the wrapped function
-    ValueError for what a guarded one refuses.
+    Raises FileNotFoundError where there is no compiler, subprocess.CalledProcessError where it
+    refuses the source.
     """
     command = compiler()
     if command is None:
         raise FileNotFoundError("no C compiler: cc, gcc or clang is wanted")
+    folder.mkdir(parents=True, exist_ok=True)
     text, library = folder / f"{function}.c", folder / f"{function}.so"
     text.write_text(source, encoding="utf-8")
     subprocess.run(
-        [command, *FLAGS, str(text), "-o", str(library), "-lm"],
+        [command, *flags, str(text), "-o", str(library), "-lm"],
         check=True,
         capture_output=True,
         text=True,
     )
-    loop = getattr(ctypes.CDLL(str(library)), function)
+    found: Callable[..., int] = getattr(ctypes.CDLL(str(library)), function)
+    return found
+
+
+def compiled(source: str, function: str, folder: Path, *, guarded: bool = False) -> Loop:
+    """Compile `source` and wrap `function`(size_t n, const double *in0, ..., double *out0, ...); a
+    `guarded` one takes ``size_t *first`` too, and returns 0 unless it refuses an input.
+
+    Raises what `loaded` raises; the wrapped function ValueError for what a guarded one refuses.
+    """
+    loop: Any = loaded(source, function, folder)
     loop.restype = ctypes.c_int if guarded else None
     first = [None] if guarded else []
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from gainproof.bench import rivals
 from gainproof.bench.arguments import Arguments, sample, with_constants
-from gainproof.bench.compiler import Arrays, compiled, compiler
+from gainproof.bench.compiler import Arrays, compiled, compiler, loaded
 from gainproof.bench.errors import OutputError, worst_errors
 from gainproof.bench.memory import touched
 from gainproof.bench.solver import solver_seconds
@@ -18,13 +18,17 @@ from gainproof.bench.subjects import Measured
 from gainproof.bench.timing import best_times
 from gainproof.derive.printer.c_language.loop import c_loop
 from gainproof.derive.printer.c_language.module import c_function
+from gainproof.derive.printer.library import functions_of
 from gainproof.generated._blocks import BLOCK, Parts, cut, rows
+from gainproof.generated._runtime import evaluate
+from gainproof.standalone.in_c._compiled import FLAGS, in_c
 
 SIZE = 1_000_000
 SECONDS = 1.0
 """How long one call is repeated at most."""
 COMPILED = ("C", "C function")
-THREADED = ("shared", "JAX")
+IN_C = ("in C", "in C shared")
+THREADED = ("shared", "in C shared", "JAX")
 """Calls that threads share: the time that passes, of all others that of the one thread."""
 
 Calls = dict[str, Callable[[], object]]
@@ -50,7 +54,8 @@ class Figures:
     lambdify does; passes: the bare NumPy calls on one block that stays in the cache, without guards
     and memory traffic, which no NumPy kernel of this graph can beat in one thread; memory: the
     arrays read and filled once; C: a bare loop of the graph; C function: the one that is shipped,
-    which looks at all inputs first as the kernel does; lambdify, numexpr, Numba, JAX: the textbook
+    which looks at all inputs first as the kernel does; in C, in C shared: the kernel of a package
+    that is compiled, without and with threads; lambdify, numexpr, Numba, JAX: the textbook
     form; SciPy: its Riccati solver, a call a point.
     """
 
@@ -87,9 +92,14 @@ def figures(item: Measured, folder: Path, options: Options) -> Figures:
     if options.constant is not None:
         missing |= dict.fromkeys(COMPILED, "arrays only: beside numbers it would be told too slow")
     elif compiler() is None:
-        missing |= dict.fromkeys(COMPILED, "no compiler")
+        missing |= dict.fromkeys((*COMPILED, *IN_C), "no compiler")
     else:
         calls |= _c_calls(item, columns, folder)
+    if compiler() is not None:
+        if functions_of(item.kernel.program, item.kernel.program.outputs.values()):
+            missing |= dict.fromkeys(IN_C, "calls functions of math.h, which may round otherwise")
+        else:
+            calls |= _calls_in_c(item, given, outputs, folder, options.workers)
     with np.errstate(all="ignore"):  # textbook forms cancel, divide by zero and overflow
         if item.textbook is not None:
             _add_rivals(calls, missing, item, given, folder, options.every_rival)
@@ -104,11 +114,24 @@ def figures(item: Measured, folder: Path, options: Options) -> Figures:
 def _c_calls(item: Measured, columns: Arrays, folder: Path) -> Calls:
     # a library of its own for each kernel: the loader knows libraries by their path
     place = folder / item.subject
-    place.mkdir(exist_ok=True)
     loop = compiled(c_loop(item.kernel), item.kernel.name, place)
     function = compiled(*c_function(item.kernel, item.bound), place, guarded=True)
     targets = [np.empty(SIZE) for _ in item.kernel.outputs]
     return {"C": lambda: loop(columns, targets), "C function": lambda: function(columns, targets)}
+
+
+def _calls_in_c(
+    item: Measured, given: Arguments, outputs: Arrays, folder: Path, workers: int
+) -> Calls:
+    """As in a package after `python -m PACKAGE.compile`."""
+    source, name = c_function(item.kernel, item.bound)
+    function = loaded(source, name, folder / item.subject / "in_c", FLAGS)
+    block = in_c(item.signature.block, item.signature.work, function, function)
+    kernel = item.signature._replace(block=block, work=len(item.signature.inputs))
+    return {
+        "in C": lambda: evaluate(kernel, given, tuple(outputs), 1),
+        "in C shared": lambda: evaluate(kernel, given, tuple(outputs), workers),
+    }
 
 
 def _add_rivals(

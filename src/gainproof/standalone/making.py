@@ -88,5 +88,5 @@ def _require_apart(chosen: Sequence[str], parts: Sequence[dict[str, Any]]) -> No
     for subject, name in zip(chosen, names, strict=True):
         if Counter(names)[name] > 1:
             raise BadInputError(f"{subject}: another one makes a module {name} too")
-        if name in ("tests", "readme"):
+        if name in ("compile", "readme", "tests"):
             raise BadInputError(f"{subject}: a module of a package cannot be called {name}")

@@ -8,8 +8,10 @@ from gainproof.standalone.record import RECORD
 from gainproof.version import VERSION
 
 
-def readme(name: str, titles: Mapping[str, str], command: str) -> str:
-    """What is here, how it is used, tested and checked again; `titles` are by module."""
+def readme(name: str, titles: Mapping[str, str], command: str, *, in_c: bool) -> str:
+    """What is here, how it is used, tested and checked again; `titles` are by module. `in_c`:
+    whether there are C sources besides.
+    """
     modules = "\n".join(
         f"| [`{module}`]({module}.md) | {title} |" for module, title in sorted(titles.items())
     )
@@ -39,7 +41,7 @@ from {name} import {first}
 
 It has no `pyproject.toml`: there is nothing to build, and it has the version of the code that it
 is part of. Imports inside it are relative.
-
+{compiling(name) if in_c else ""}
 ## Test
 
     python -m pytest {name}
@@ -71,4 +73,19 @@ report.accepted, report.reason
 
 `{RECORD}` names what the command has written: it replaces and deletes nothing else. What you add
 is left alone. The licence of these files is in `LICENSE`.
+"""
+
+
+def compiling(name: str) -> str:
+    """How kernels are made to compute in C."""
+    return f"""
+## Compile
+
+    python -m {name}.compile
+
+takes a C compiler (`$CC`, cc, gcc or clang) and puts a library beside each source in `c`. From then
+on the same functions compute in C: same arguments, guards and messages, and the same numbers bit
+for bit, which the command compares before it puts anything in place. Kernels that call functions
+of `math.h` stay NumPy's, and it names them. A library serves its own source and platform alone;
+everywhere else NumPy computes. `--remove` deletes the libraries.
 """

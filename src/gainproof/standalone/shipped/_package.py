@@ -24,7 +24,7 @@ CASES = [(module, kernel, form) for module, kernel in KERNELS for form in FORMAT
 
 def function(module: str, kernel: str) -> Callable[..., Any]:
     """A kernel of the package that these tests lie in."""
-    found: Callable[..., Any] = getattr(_imported(f"..{module}"), kernel)
+    found: Callable[..., Any] = getattr(imported(f"..{module}"), kernel)
     return found
 
 
@@ -32,13 +32,13 @@ def formulas() -> list[tuple[str, str, Callable[..., Any]]]:
     """Modules, kernels, and what they are over intervals, where a formula of theirs is known."""
     found = []
     for path in sorted(FOLDER.glob("formulas_*.py")):
-        known = vars(_imported(f".{path.stem}"))
+        known = vars(imported(f".{path.stem}"))
         module = path.stem.removeprefix("formulas_")
         found += [(module, kernel, known[kernel]) for kernel in VALUES[module] if kernel in known]
     return found
 
 
-def _imported(name: str) -> ModuleType:
+def imported(name: str) -> ModuleType:
     """A module by its place from here on."""
     return importlib.import_module(name, __name__.rpartition(".")[0])
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gainproof.standalone.shipped._package import FORMATS, PACKAGE, VALUES, function
+from gainproof.standalone.shipped._package import FORMATS, PACKAGE, VALUES, function, imported
 
 SOURCES = PACKAGE / "c"
 FLAGS = ("-O2", "-std=c99", "-ffp-contract=off", "-Wall", "-Wextra", "-pedantic", "-Werror")
@@ -55,3 +55,13 @@ def test_the_bits_are_those_of_numpy(module: str, tmp_path: Path) -> None:
             for ours, theirs in zip(want, found, strict=True):
                 same = ours.view(np.uint8) == theirs.view(np.uint8)
                 assert calls or np.all(same), (kernel, form)
+
+
+@pytest.mark.parametrize("module", VALUES)
+def test_blocks_in_c_have_the_bits_of_numpy(module: str, tmp_path: Path) -> None:
+    flags = imported(".._compiled").FLAGS
+    compiled(*flags, "-o", tmp_path / "kernels.so", SOURCES / f"{module}.c")
+    loaded = ctypes.CDLL(str(tmp_path / "kernels.so"))
+    functions = imported(".._compiled").same_bits(module)
+    compared = imported("..compile").differences(module, loaded)
+    assert bool(compared) == bool(functions)
