@@ -13,7 +13,7 @@ from gainproof.verify.judge.exact.poly import Ball, rational
 
 
 class NoValue(ArithmeticError):
-    """Division by exactly zero, or an even root of a negative number."""
+    """Division by exactly zero, an even root or a logarithm of a negative number, or that of 0."""
 
 
 class Unresolved(ArithmeticError):
@@ -63,6 +63,8 @@ def _node(node: Expr, parts: list[Ball], values: Mapping[str, Fraction | Ball]) 
             return parts[0] * _inverse(parts[1])
         case "pow":
             return _power(parts[0], node.fraction)
+        case "call" if node.name == "log" and parts[0] <= 0:
+            raise NoValue("a logarithm of a number that is not positive")
         case "call" if (known := ball_of(node.name, parts)) is not None:
             return known
         case _:

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from itertools import chain
 
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr
-from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.exact.witness import inside
 
 PRECISIONS = (128, 512, 2048)
@@ -18,6 +21,7 @@ AGREED_BITS = 400
 WANTED = 35
 """All scales of all patterns: what is false far out only shows at the last."""
 LEAST = 8
+NOT_RESOLVED = "not evaluated"
 PATTERNS = (
     (1, 2, 3, 5, 7, 11),
     (2, 3, 5, 7, 11, 13),
@@ -39,16 +43,57 @@ def try_points(
     if statement.connective != "if":
         return None
     agreed = 0
-    for tried, point in enumerate(_points(sorted(statement.symbols()), boxes), start=1):
+    points = chain(_points(sorted(statement.symbols()), boxes), _at_bounds(statement, boxes))
+    for tried, point in enumerate(points, start=1):
         found = _at(statement, point, labels)
         if isinstance(found, Witness):
-            reason = f"fails {found.text()}; where it may hold is not determined"
-            return Outcome("refuted", "", reason, "balls at an exact point", found, {}, tried)
+            return _refuted(found, "balls at an exact point", tried)
         agreed += found
     if agreed < LEAST:
         return None
     reason = f"agrees at {agreed} exact points to {AGREED_BITS * 3 // 10} digits; no proof"
     return Outcome("held", "", reason, "balls at exact points")
+
+
+def _refuted(witness: Witness, method: str, tried: int) -> Outcome:
+    reason = f"fails {witness.text()}; where it may hold is not determined"
+    return Outcome("refuted", "", reason, method, witness, {}, tried)
+
+
+def without_value(
+    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+) -> Outcome | None:
+    """`refuted` with a point of a domain that is stated for all symbols where a side has no value;
+    None if no such point is found. Only for statements of the form `relations if conditions`.
+    """
+    names = sorted(statement.symbols())
+    if statement.connective != "if" or not all(n in boxes and boxes[n].stated for n in names):
+        return None
+    for tried, point in enumerate(_points(names, boxes), start=1):
+        balls = Balls(point, PRECISIONS[0])
+        try:
+            if not all(_holds(rel, balls) for rel in statement.domain):
+                continue
+        except (NoValue, Unresolved):
+            continue
+        for rel in statement.relations:
+            left, right = _told(rel.left, balls), _told(rel.right, balls)
+            reasons = {left.undefined, right.undefined} - {None}
+            if reasons and NOT_RESOLVED not in reasons:
+                where = {labels.get(name, name): str(value) for name, value in point.items()}
+                found = Witness(where, rel.operator, left, right, note="a side has no value")
+                return _refuted(found, "no value at an exact point", tried)
+    return None
+
+
+def _told(expr: Expr, balls: Balls) -> Enclosure:
+    try:
+        ball = balls.round(expr)
+        return enclosure(ball, 12) if ball.is_finite() else Enclosure("", "", NOT_RESOLVED)
+    except NoValue as reason:
+        return Enclosure("", "", str(reason))
+    except (Unresolved, Undecided):
+        return Enclosure("", "", NOT_RESOLVED)
 
 
 def failure_at(
@@ -86,6 +131,24 @@ def _points(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fr
                 yield dict(zip(names, values, strict=True))
 
 
+def _at_bounds(statement: Statement, boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
+    """Of an implication points where a symbol is, or nearly is, what it is compared with: where a
+    conclusion just fails its premise has to fail.
+    """
+    names = sorted(statement.symbols())
+    others = next(_points(names, boxes), None)
+    if others is None or not statement.domain:
+        return
+    for rel in statement.all_relations():
+        for side, other in ((rel.left, rel.right), (rel.right, rel.left)):
+            if side.kind != "symbol" or other.kind != "number":
+                continue
+            for step in (0, 1, -1):
+                value = other.fraction + Fraction(step, 64)
+                if boxes.get(side.name, Box()).holds(value):
+                    yield {**others, side.name: value}
+
+
 def _at(
     statement: Statement, point: Mapping[str, Fraction], labels: Mapping[str, str]
 ) -> Witness | int:
@@ -98,12 +161,18 @@ def _at(
             for needed in statement.needed:
                 balls.round(needed)
             for rel in statement.relations:
-                if not _holds(rel, balls):
-                    shown = separated(balls.round(rel.left), balls.round(rel.right))
-                    if shown is None:
-                        raise Unresolved("sides too close")
-                    where = {labels.get(name, name): str(value) for name, value in point.items()}
-                    return Witness(where, rel.operator, *shown)
+                if _holds(rel, balls):
+                    continue
+                left, right = balls.round(rel.left), balls.round(rel.right)
+                where = {labels.get(name, name): str(value) for name, value in point.items()}
+                if _are_one_number(left, right):
+                    both = enclosure(left, 12)
+                    note = "both sides are equal, exactly"
+                    return Witness(where, rel.operator, both, both, exact=True, note=note)
+                shown = separated(left, right)
+                if shown is None:
+                    raise Unresolved("sides too close")
+                return Witness(where, rel.operator, *shown)
             return 1
         except Unresolved:
             continue
@@ -122,10 +191,16 @@ def _holds(rel: Rel, balls: Balls) -> bool:
         return {"=": False, "!=": True, "<": less, "<=": less, ">": not less, ">=": not less}[
             rel.operator
         ]
+    if _are_one_number(a, b):
+        return rel.operator in ("=", "<=", ">=")
     gap = a - b
     if rel.operator in ("=", "<=", ">=") and gap.abs_upper() * 2**AGREED_BITS < a.abs_upper() + 1:
         return True
     raise Unresolved("sides that overlap")
+
+
+def _are_one_number(a: Ball, b: Ball) -> bool:
+    return bool(a.is_exact() and b.is_exact() and a == b)
 
 
 def with_values(

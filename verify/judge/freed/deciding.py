@@ -11,12 +11,13 @@ from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.expression import Expr, number, walk
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import is_seen, try_points
+from gainproof.verify.judge.exact.points import is_seen, try_points, without_value
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.freed.circle import LABEL, PI, VARIABLE, as_variable, pi_box
 from gainproof.verify.judge.freed.domain_words import domain_text
 from gainproof.verify.judge.freed.induction import induction, open_sums
 from gainproof.verify.judge.freed.numbers import at_number, first_numbers
+from gainproof.verify.judge.freed.restated import put_in, restated
 from gainproof.verify.judge.freed.rewriting import Freed, arguments, freed, has_functions
 from gainproof.verify.judge.freed.rising import rising
 from gainproof.verify.judge.freed.scaled import scaled
@@ -45,13 +46,13 @@ def decided(
     reasons: list[str] = []
     sums = open_sums(statement)
     ways = [_freely] if all(_is_total(s.parts[0]) for s in sums) else []
-    ways += [_inductively, _for_numbers] if sums else [_for_numbers]
+    ways += [_inductively, _for_numbers] if sums else [_restated, _for_numbers]
     for attempt in ways:
         try:
             return attempt(statement, boxes, parameter, labels)
         except Undecided as reason:
             reasons.append(str(reason))
-    points = try_points(statement, boxes, labels)
+    points = without_value(statement, boxes, labels) or try_points(statement, boxes, labels)
     if points is None and (turned := scaled(statement, boxes, labels)).words:
         points = try_points(turned.statement, turned.boxes, turned.labels)
     if not sums and (points is None or points.verdict == "held"):
@@ -166,6 +167,24 @@ def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: 
     except Undecided:
         return False
     return outcome.verdict == "proved"
+
+
+def _restated(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Outcome:
+    """An implication by another statement from which it follows. Raises Undecided."""
+    for other, where in restated(statement, boxes):
+        try:
+            found = decided(other, where, parameter, labels)
+        except Undecided:
+            continue
+        if found.verdict == "proved":
+            return found
+    put = put_in(statement, boxes)
+    fails = None if put is None else try_points(put, boxes, labels)
+    if fails is None or fails.verdict != "refuted":
+        raise Undecided("")
+    return fails
 
 
 def _inductively(

@@ -22,6 +22,9 @@ def flattened(expr: Expr, is_positive: Positive) -> Expr:
         if node.kind == "call" and node.name == "exp":
             return _exponential(parts[0], is_positive)
         if node.kind == "call" and node.name == "power":
+            found = _of_its_logarithms(node.parts[0], node.parts[1], is_positive)
+            if found is not None:
+                return flattened(found, is_positive)
             return _power(parts[0], parts[1], is_positive)
         if node.kind == "call" and node.name == "log":
             return sum_of_logarithms(parts[0], is_positive)
@@ -50,6 +53,23 @@ def _exponential(exponent: Expr, is_positive: Positive) -> Expr | None:
     if rest:
         factors.append(Expr("call", "exp", (add(*rest),)))
     return mul(*factors)
+
+
+def _of_its_logarithms(base: Expr, exponent: Expr, is_positive: Positive) -> Expr | None:
+    """b^(a log c/log b + d) as c^a b^d for a number b; None if there is no such logarithm."""
+    own = Expr("call", "log", (base,))
+    factors: list[Expr] = []
+    rest: list[Expr] = []
+    for monomial, c in monomials(exponent).items():
+        logs = [each for each, n in monomial if n == 1 and _is(each, "log") and each != own]
+        if len(logs) == 1 and (own, -1) in monomial and is_positive(logs[0].parts[0]):
+            times = _scaled(monomial - {(logs[0], 1), (own, -1)}, c)
+            factors.append(general_power(logs[0].parts[0], times))
+        else:
+            rest.append(_scaled(monomial, c))
+    if not factors or base.kind != "number" or base.fraction <= 1:
+        return None
+    return mul(*factors, general_power(base, add(*rest))) if rest else mul(*factors)
 
 
 def _power(base: Expr, exponent: Expr, is_positive: Positive) -> Expr | None:

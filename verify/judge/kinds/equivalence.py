@@ -8,6 +8,7 @@ from gainproof.verify.judge.claim.record import Claim
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Statement
 from gainproof.verify.judge.formula import Reading
+from gainproof.verify.judge.freed.rewriting import has_functions
 from gainproof.verify.judge.kinds.framing import Frame, framed, strictly
 from gainproof.verify.judge.kinds.identity import resolved
 from gainproof.verify.judge.scope import Scope
@@ -28,7 +29,8 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
     try:
         return finding_of(frame.decide_alone(replace(statement, given=frame.conditions)))
     except Undecided:
-        if len(statement.symbols()) == 1 and not frame.conditions:
+        one = len(statement.symbols()) == 1 and not frame.conditions
+        if one and not has_functions(statement):
             raise
     findings = [
         finding_of(

@@ -33,6 +33,7 @@ from gainproof.verify.judge.reader.special import (
     sign_of_branch,
     special_name,
     transpose,
+    with_base,
 )
 from gainproof.verify.judge.reader.token_list import TokenList
 from gainproof.verify.judge.reader.tokens import (
@@ -44,8 +45,9 @@ from gainproof.verify.judge.reader.tokens import (
     FormulaToken,
 )
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
-from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS
+from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS, LOGARITHM_COMMANDS
 
+_FUNCTIONS = FUNCTION_COMMANDS | LOGARITHM_COMMANDS
 _TEXTS = frozenset(("\\text", "\\mathrm", "\\textrm", "\\mbox"))
 
 
@@ -154,8 +156,8 @@ class _Lexer:
         elif command in COMMANDS:
             kind, value = COMMANDS[command]
             self._add(self.differentials.fraction(end) if kind == "FRAC" else kind, value, end)
-        elif command in FUNCTION_COMMANDS:
-            self._add("NAMED", FUNCTION_COMMANDS[command], end)
+        elif command in _FUNCTIONS:
+            self._add(*with_base(text, Scanned("NAMED", _FUNCTIONS[command], end)))
         else:
             self._named_by_command(command)
 
@@ -186,7 +188,7 @@ class _Lexer:
         elif (mark := self.differentials.kind_of(base[0], start)) is not None:
             self._add(mark, *base)
         elif (special := special_name(text, *base) or function_named(*base)) is not None:
-            self._add(*special)
+            self._add(*with_base(text, special))
         elif (number := circle_number(text, *base, self.vocabulary)) is not None:
             self._add(*number)
         else:

@@ -10,6 +10,7 @@ from gainproof.verify.judge.reader.marks import scan_mark_above, scan_mark_behin
 from gainproof.verify.judge.reader.names import scan_decorations, scan_names
 from gainproof.verify.judge.reader.subscripts import scan_subscript
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
+from gainproof.verify.judge.reader.words import EULER_NAMES
 
 
 class NameFinder:
@@ -39,6 +40,8 @@ class NameFinder:
                 name += behind.text
         near = nearest_names(name, self.vocabulary.symbols)
         problem = f"the symbol {name} is not declared"
+        if name in EULER_NAMES:
+            problem += "; Euler's number alone is e^1"
         return ReaderError(problem, self.text, start, name, near)
 
     def longest(self, position: int, single: bool = False) -> tuple[str, int] | None:

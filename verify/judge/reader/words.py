@@ -22,6 +22,9 @@ FUNCTION_WORDS = {
 }
 # fmt: on
 """Names of functions by the word printed: `\\ln` and `\\log` are both the natural logarithm."""
+LOGARITHM_COMMANDS = {"\\lg": "log_10"}
+LOGARITHM_WORDS = {"lg": "log_10", "log10": "log_10", "log2": "log_2"}
+"""Logarithms to a base: in graphs a quotient of natural ones."""
 
 MATRIX_VALUED = frozenset(("diag", "block_diagonal", "family"))
 CARRIES_SHAPE = frozenset(("expectation", "covariance", "sum", "product", "integral"))

@@ -56,16 +56,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--remove", action="store_true", help="delete the libraries again")
     modules = sorted(path.stem for path in SOURCES.glob("*.json"))
     removed = parser.parse_args(arguments).remove
-    try:
-        for module in modules:
+    for module in modules:
+        try:
             if removed:
                 count = _delete(module)
                 print(f"{module}: {count} {'library' if count == 1 else 'libraries'} deleted")
             else:
                 print(f"{module}: {compiled(module)}", flush=True)
-    except (CompilingError, OSError) as error:
-        print(f"{parser.prog}: {module}: {error}", file=sys.stderr)
-        return 1 if isinstance(error, DifferentError) else 2
+        except (CompilingError, OSError) as error:
+            print(f"{parser.prog}: {module}: {error}", file=sys.stderr)
+            return 1 if isinstance(error, DifferentError) else 2
     return 0
 
 

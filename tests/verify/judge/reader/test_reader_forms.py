@@ -51,6 +51,11 @@ def written(graph: Mapping[str, Any]) -> str:
     [
         (r"{a + b \over c}", "div(add(a, b), c)"),
         (r"a^\frac12", "pow(a, 1/2)"),
+        (r"\log_{10} a", "div(log(a), log(10))"),
+        (r"\log_2^3(a b)", "pow(div(log(mul(a, b)), log(2)), 3)"),
+        (r"\operatorname{log}_{ 10 } a + \mathrm{lg}(b)",
+         "add(div(log(a), log(10)), div(log(b), log(10)))"),
+        (r"\log_e a", "log(a)"),
         ("c^{k+1}", "power(c, add(k, 1))"),
         (r"\sigma^2_v", r"pow(\sigma_v, 2)"),
         (r"x^-_k + \hat x_k (+)", r"add(x_k^{-}, \hat{x}_k(+))"),

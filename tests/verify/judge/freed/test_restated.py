@@ -1,0 +1,119 @@
+"""Implications and equivalences with functions, and domains in which a side has no value."""
+
+from __future__ import annotations
+
+import random
+
+import mpmath
+import pytest
+from samples import samples
+from small_claims import check, judged
+
+
+def claim(latex: str, domain: str) -> str:
+    return f"latex = '{latex}'\ndomain = '{domain}'"
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"y = \ln x \Rightarrow x = e^y", "x > 0"),
+        (r"x = e^y \Rightarrow y = \ln x", "x > 0"),
+        (r"x = e^y \Leftrightarrow y = \ln x", "x > 0"),
+        (r"x = 10^{y/10} \Leftrightarrow y = 10 \log_{10} x", "x > 0"),
+        (r"z = \sin x, y = \cos x \Rightarrow z^2 + y^2 = 1", "x > 0"),
+        (r"e^x > 1 \Rightarrow x > 0", "x > -10"),
+        (r"e^x \geq 1 \Leftrightarrow x \geq 0", "x > -10"),
+        (r"\ln x > 0 \Leftrightarrow x > 1", "x > 0"),
+        (r"10 \log_{10} x > 20 \Leftrightarrow x > 100", "x > 0"),
+        (r"\ln x > 1 \Rightarrow x > 2", "x > 0"),
+        (r"x > 3 \Rightarrow \ln x > 1", "x > 0"),
+        (r"\sin x > 0 \Rightarrow x < 4", "0 < x < 6"),
+    ],
+)
+def test_what_is_true_is_proved(latex: str, domain: str) -> None:
+    kind = "equivalence" if "Left" in latex else "implication"
+    check(judged(kind, claim(latex, domain)), "proved")
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"y = \ln x \Rightarrow x = e^{2 y}", "x > 0"),
+        (r"x = 10^{y/20} \Leftrightarrow y = 10 \log_{10} x", "x > 0"),
+        (r"e^x > 1 \Leftrightarrow x > 1/10", "x > -10"),
+        (r"\ln x > 0 \Leftrightarrow x > 2", "x > 0"),
+        (r"\log_{10} x < 0 \Leftrightarrow x < 1", "x > -1"),
+        (r"\ln x > 1 \Rightarrow x > 3", "x > 0"),
+        (r"x > 2 \Rightarrow \ln x > 1", "x > 0"),
+        (r"\sin x > 0 \Rightarrow x < 3", "0 < x < 6"),
+    ],
+)
+def test_what_is_false_is_refuted(latex: str, domain: str) -> None:
+    kind = "equivalence" if "Left" in latex else "implication"
+    check(judged(kind, claim(latex, domain)), "refuted")
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"x = \ln y \Rightarrow \ln(y - 1) < x", "y > 0"),  # no value where the premise holds
+        (r"e^x \geq 1 \Leftrightarrow x > 0", "x > -10"),
+        (r"e^x > 1 \Rightarrow \frac{1}{x - 2} \leq \frac{1}{x - 2}", "x > -10"),
+        (r"\ln x \leq x", "x > -1"),
+        (r"\frac{\ln x}{\ln x} = 1", "x > 1/2"),
+        (r"\sin\frac{x}{x} = \sin 1", "x > -1"),
+    ],
+)
+def test_what_has_no_value_somewhere_is_not_proved(latex: str, domain: str) -> None:
+    kinds = {"Left": "equivalence", "Right": "implication", "leq": "inequality"}
+    kind = next((k for word, k in kinds.items() if word in latex), "identity")
+    assert judged(kind, claim(latex, domain)).verdict != "proved"
+
+
+@pytest.mark.parametrize("latex", [r"\ln x \leq x - 1", r"\ln x^2 = 2 \ln x"])
+def test_a_domain_without_values_is_told_with_a_point(latex: str) -> None:
+    kind = "inequality" if "leq" in latex else "identity"
+    found = judged(kind, claim(latex, "x > -1"))
+    check(found, "refuted")
+    assert "no value (a logarithm of a number that is not positive)" in found.reason
+    # over a domain that nobody stated nothing is said of such places
+    assert judged(kind, f"latex = '{latex}'").verdict != "refuted"
+
+
+FUNCTIONS = {
+    r"e^{X}": mpmath.exp,
+    r"\ln(X)": lambda t: mpmath.log(t) if t > 0 else None,
+    r"\arctan(X)": mpmath.atan,
+    r"\log_{10}(X)": lambda t: mpmath.log10(t) if t > 0 else None,
+    r"\sin(X)": mpmath.sin,
+}
+ORDERS = {"<": lambda a, b: a < b, r"\leq": lambda a, b: a <= b, ">": lambda a, b: a > b}
+
+
+@pytest.mark.sampled
+@pytest.mark.parametrize("seed", range(samples(40)))
+def test_what_is_proved_holds_at_a_thousand_points(seed: int) -> None:
+    generator = random.Random(seed)
+    name, function = generator.choice(list(FUNCTIONS.items()))
+    a, b, c, d = (generator.randint(-3, 3) or 1 for _ in range(4))
+    first, then = generator.choice(list(ORDERS)), generator.choice(list(ORDERS))
+    inner = f"{a} x {b:+}"
+    premise, conclusion = rf"{name.replace('X', inner)} {first} {c}", f"x {then} {d}"
+    if generator.random() < 0.4:
+        premise, conclusion = conclusion, premise
+    swapped = premise.startswith("x")
+    found = judged("implication", claim(rf"{premise} \Rightarrow {conclusion}", "-4 < x < 5"))
+    if found.verdict not in ("proved", "refuted"):
+        return
+    failing = []
+    for k in range(1, 1000):
+        x = mpmath.mpf(-4) + mpmath.mpf(9) * k / 1000
+        value = function(a * x + b)
+        has = value is not None and ORDERS[first](value, c)
+        within = ORDERS[then](x, d)
+        if (within and not has) if swapped else (has and not within):
+            failing.append(x)
+    assert not (found.verdict == "proved" and failing), (premise, conclusion, failing[:3])
+    if found.verdict == "refuted" and not failing:
+        assert found.witness is not None
