@@ -36,6 +36,7 @@ from gainproof.verify.judge.kinds.near_limit import (
     with_values,
 )
 from gainproof.verify.judge.scope import Scope
+from gainproof.verify.judge.series.logarithmic import WithLogarithms, by_powers
 from gainproof.verify.judge.series.of_expression import expanded
 from gainproof.verify.judge.series.series import Series, leading
 from gainproof.verify.judge.setting.environment import POSITIVE
@@ -131,7 +132,7 @@ def _by_expansion(expr: Expr, approach: Approach, claimed: End, frame: Frame) ->
 
 def limit_by_expansion(expr: Expr, around: Frame) -> End:
     """The limit as the small distance goes to zero from above. Raises Undecided."""
-    oracle = Coefficients(around)
+    oracle = WithLogarithms(Coefficients(around))
     for depth in DEPTHS:
         series = expanded(expr, SMALL, oracle, depth)
         growing = Series({e: c for e, c in series.terms.items() if e < 0}, series.order)
@@ -143,8 +144,23 @@ def limit_by_expansion(expr: Expr, around: Frame) -> End:
                 return "-infinity"
             raise Undecided("a limit that is infinite, of a sign that is not known")
         if series.order > 0:
-            return series.terms.get(Fraction(0), number(0))
+            return _constant_term(series.terms.get(Fraction(0), number(0)), oracle)
     raise Undecided("an expansion that cancels to the order reached")
+
+
+def _constant_term(coefficient: Expr, oracle: WithLogarithms) -> End:
+    """The limit of what is left: of its powers of the logarithm of the small number."""
+    powers = by_powers(coefficient)
+    if all(times <= 0 for times in powers):
+        return powers.get(0, number(0))
+    first = oracle.first(coefficient)
+    if first is None or first[0] <= 0:
+        return powers.get(0, number(0))
+    if oracle.is_positive(coefficient):
+        return "infinity"
+    if oracle.is_positive(-coefficient):
+        return "-infinity"
+    raise Undecided("a limit that is infinite, of a sign that is not known")
 
 
 def _compared(

@@ -197,6 +197,8 @@ class Coefficients:
     the formula that is expanded: nothing is asked about where these have no values.
     """
 
+    logarithm: Expr | None = None
+
     def __init__(self, frame: Frame, valued: tuple[Expr, ...] = ()) -> None:
         self.frame = frame
         self._valued = where_valued(*valued)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from math import factorial
 
-from gainproof.verify.judge.exact.expression import Expr, number, power, symbols_of, walk
+from gainproof.verify.judge.exact.expression import Expr, mul, number, power, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.series.logarithmic import power_of_small
 from gainproof.verify.judge.series.series import (
     EXACT,
     MOST_STEPS,
@@ -60,6 +61,8 @@ def _node(node: Expr, parts: list[Series], oracle: Oracle, depth: Fraction) -> S
             return _exponential(parts[0], oracle, depth)
         case "call" if node.name == "log":
             return _logarithm(parts[0], oracle, depth)
+        case "call" if node.name == "atan":
+            return _arc_tangent(parts[0], oracle, depth)
         case "call" if node.name in ("sin", "cos", "tan"):
             return _angle(node.name, parts[0], oracle, depth)
         case "call" if node.name == "power":
@@ -100,6 +103,9 @@ def _exponential(s: Series, oracle: Oracle, depth: Fraction) -> Series:
         raise Undecided("an exponential that may grow beyond every power")
     start, rest = _apart(s)
     body = composed(rest, [Fraction(1, factorial(k)) for k in range(MOST_STEPS)], depth)
+    if (found := power_of_small(start)) is not None:
+        exponent, start = found
+        body = times(Series({exponent: number(1)}), body)
     if start == number(0):
         return body
     return times(constant(Expr("call", "exp", (start,))), body)
@@ -107,11 +113,40 @@ def _exponential(s: Series, oracle: Oracle, depth: Fraction) -> Series:
 
 def _logarithm(s: Series, oracle: Oracle, depth: Fraction) -> Series:
     e, c, rest = split(s, oracle)
-    if e != 0 or not oracle.is_positive(c):
+    if not oracle.is_positive(c) or (e != 0 and oracle.logarithm is None):
         raise Undecided("a logarithm of something that tends to zero, to infinity or is negative")
     weights = [Fraction(0), *[Fraction((-1) ** (k + 1), k) for k in range(1, MOST_STEPS)]]
     body = composed(rest, weights, depth)
+    if e != 0 and oracle.logarithm is not None:
+        body = plus(constant(mul(number(e), oracle.logarithm)), body)
     return body if c == number(1) else plus(constant(Expr("call", "log", (c,))), body)
+
+
+def _arc_tangent(s: Series, oracle: Oracle, depth: Fraction) -> Series:
+    """atan s = pi/2 - atan(1/s) for a large s > 0, and atan(a + x) = atan a + atan(x/(1 + a (a +
+    x))) for a small x.
+    """
+    first = leading(s, oracle) if any(e < 0 for e in s.terms) else None
+    if first is not None and first[0] < 0:
+        if not oracle.is_positive(first[1]) and not oracle.is_positive(-first[1]):
+            raise Undecided("an arc tangent of something that grows, of a sign that is not known")
+        sign = 1 if oracle.is_positive(first[1]) else -1
+        quarter = number(Fraction(sign, 2)) * Expr("call", "pi", ())
+        inner = _arc_tangent(powered(s, Fraction(-1), oracle, depth), oracle, depth)
+        return plus(constant(quarter), opposite(inner))
+    start, rest = _apart(s)
+    if start == number(0):
+        weights = [Fraction(0, 1), *(_odd(k) for k in range(1, MOST_STEPS))]
+        return composed(rest, weights, depth)
+    below = plus(constant(number(1)), times(constant(start), s))
+    inner = times(rest, powered(below, Fraction(-1), oracle, depth))
+    found = _arc_tangent(inner, oracle, depth)
+    return plus(constant(Expr("call", "atan", (start,))), found)
+
+
+def _odd(k: int) -> Fraction:
+    """The coefficient of x^k in the expansion of atan x."""
+    return Fraction(k % 2 * (-1) ** (k // 2), k)
 
 
 def _angle(name: str, s: Series, oracle: Oracle, depth: Fraction) -> Series:

@@ -22,7 +22,12 @@ MOST_STEPS = 64
 
 
 class Oracle(Protocol):
-    """What is known of coefficients on the whole domain of the other symbols."""
+    """What is known of coefficients on the whole domain of the other symbols; what stands in them
+    for the logarithm of the small number, where it may stand there.
+    """
+
+    @property
+    def logarithm(self) -> Expr | None: ...
 
     def is_zero(self, coefficient: Expr) -> bool:
         """True: zero always; False: zero never. Raises Undecided for anything else."""

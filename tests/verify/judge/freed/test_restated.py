@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import random
+from fractions import Fraction
 
 import mpmath
 import pytest
 from samples import samples
 from small_claims import check, judged
+
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.expression import Expr, number, power, symbol
+from gainproof.verify.judge.exact.points import without_value
+from gainproof.verify.judge.exact.statement import Rel, Statement
 
 
 def claim(latex: str, domain: str) -> str:
@@ -29,6 +35,8 @@ def claim(latex: str, domain: str) -> str:
         (r"\ln x > 1 \Rightarrow x > 2", "x > 0"),
         (r"x > 3 \Rightarrow \ln x > 1", "x > 0"),
         (r"\sin x > 0 \Rightarrow x < 4", "0 < x < 6"),
+        (r"1 < x \Rightarrow \ln x > 0", "x > 0"),
+        (r"2 > x \Rightarrow e^x < 8", "x > 0"),
     ],
 )
 def test_what_is_true_is_proved(latex: str, domain: str) -> None:
@@ -47,6 +55,10 @@ def test_what_is_true_is_proved(latex: str, domain: str) -> None:
         (r"\ln x > 1 \Rightarrow x > 3", "x > 0"),
         (r"x > 2 \Rightarrow \ln x > 1", "x > 0"),
         (r"\sin x > 0 \Rightarrow x < 3", "0 < x < 6"),
+        (r"1 < x \Rightarrow \ln x < 0", "x > 0"),
+        (r"e^x \leq 1 \Rightarrow x < 0", "x > -10"),
+        (r"e^x \geq 1 \Rightarrow x > 0", "x > -10"),
+        (r"e^{-x} \leq 1 \Rightarrow x > 0", "x > -10"),
     ],
 )
 def test_what_is_false_is_refuted(latex: str, domain: str) -> None:
@@ -60,6 +72,7 @@ def test_what_is_false_is_refuted(latex: str, domain: str) -> None:
         (r"x = \ln y \Rightarrow \ln(y - 1) < x", "y > 0"),  # no value where the premise holds
         (r"e^x \geq 1 \Leftrightarrow x > 0", "x > -10"),
         (r"e^x > 1 \Rightarrow \frac{1}{x - 2} \leq \frac{1}{x - 2}", "x > -10"),
+        (r"e^x > 1 \Rightarrow \frac{1}{(x - 2)^2} > 0", "x > -10"),
         (r"\ln x \leq x", "x > -1"),
         (r"\frac{\ln x}{\ln x} = 1", "x > 1/2"),
         (r"\sin\frac{x}{x} = \sin 1", "x > -1"),
@@ -69,6 +82,28 @@ def test_what_has_no_value_somewhere_is_not_proved(latex: str, domain: str) -> N
     kinds = {"Left": "equivalence", "Right": "implication", "leq": "inequality"}
     kind = next((k for word, k in kinds.items() if word in latex), "identity")
     assert judged(kind, claim(latex, domain)).verdict != "proved"
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain"),
+    [
+        (r"x = e^{-x} \Rightarrow x < \frac{3}{5}", "x > 0"),
+        (r"x > 3 \Rightarrow e^x < 0", "x < 2"),  # nothing is greater than 3
+        (r"y = \ln x \Rightarrow x > \frac{1}{10}", "x > 0, y > -1"),
+        (r"n = e^x \Rightarrow n \geq 2", "x > 0, n >= 1"),  # a whole number
+    ],
+)
+def test_what_is_true_is_not_refuted(latex: str, domain: str) -> None:
+    assert judged("implication", claim(latex, domain)).verdict in ("proved", "held", "undecided")
+
+
+def test_what_is_not_resolved_is_not_without_value() -> None:
+    x = symbol("x")
+    sine, cosine = (power(Expr("call", name, (x,)), 2) for name in ("sin", "cos"))
+    root = power(sine + cosine - 1, Fraction(1, 2))  # of 0, of which a ball only knows the size
+    assert without_value(Statement((Rel("=", root, number(0)),)), {"x": Box()}, {}) is None
+    none = power(sine + cosine - 2, Fraction(1, 2))
+    assert without_value(Statement((Rel("=", none, number(0)),)), {"x": Box()}, {}) is not None
 
 
 @pytest.mark.parametrize("latex", [r"\ln x \leq x - 1", r"\ln x^2 = 2 \ln x"])
