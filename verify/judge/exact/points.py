@@ -161,7 +161,8 @@ def _at(
             for needed in statement.needed:
                 balls.round(needed)
             for rel in statement.relations:
-                if _holds(rel, balls):
+                # without conditions slopes tell more of a strict one that is an equality at a point
+                if _holds(rel, balls, exactly=bool(statement.domain)):
                     continue
                 left, right = balls.round(rel.left), balls.round(rel.right)
                 where = {labels.get(name, name): str(value) for name, value in point.items()}
@@ -181,9 +182,9 @@ def _at(
     return 0
 
 
-def _holds(rel: Rel, balls: Balls) -> bool:
-    """Truth by balls; two sides that agree to AGREED_BITS count as equal. Raises Unresolved,
-    NoValue.
+def _holds(rel: Rel, balls: Balls, *, exactly: bool = False) -> bool:
+    """Truth by balls; two sides that agree to AGREED_BITS count as equal, for a strict relation
+    only if they are `exactly` one number. Raises Unresolved, NoValue.
     """
     a, b = balls.round(rel.left), balls.round(rel.right)
     if not a.overlaps(b):
@@ -191,7 +192,7 @@ def _holds(rel: Rel, balls: Balls) -> bool:
         return {"=": False, "!=": True, "<": less, "<=": less, ">": not less, ">=": not less}[
             rel.operator
         ]
-    if _are_one_number(a, b):
+    if exactly and _are_one_number(a, b):
         return rel.operator in ("=", "<=", ">=")
     gap = a - b
     if rel.operator in ("=", "<=", ">=") and gap.abs_upper() * 2**AGREED_BITS < a.abs_upper() + 1:

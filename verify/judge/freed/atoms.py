@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
@@ -173,9 +174,14 @@ class Atoms:
             )
         if node.name == "log" and not self.is_positive(node.parts[0]):
             raise Undecided("a logarithm of something that is not known to be positive")
-        if node.name not in ("log", "atan", "sum") or (_nested(node) and node.name != "sum"):
+        if node.name not in ("log", "atan", "sum", "erf") or (_nested(node) and node.name != "sum"):
             raise Undecided(f"the function {node.name} of this argument is not covered")
-        key: Key = ("value", _with_plain_index(node), UNIT)
+        plain = _with_plain_index(node)
+        if node.name != "sum":
+            with suppress(Undecided):  # too long
+                # equal arguments written otherwise; that they have values is asked for by itself
+                plain = Expr("call", node.name, tuple(terms_expr(monomials(p)) for p in node.parts))
+        key: Key = ("value", plain, UNIT)
         return self._named(key, self.ranges.value(node))
 
     def _named(self, key: Key, box: Box) -> Expr:

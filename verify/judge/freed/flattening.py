@@ -8,9 +8,14 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.calculus import rebuilt
-from gainproof.verify.judge.exact.expression import Expr, add, mul, number
+from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number
 from gainproof.verify.judge.freed.logarithms import of_arc_tangent, sum_of_logarithms
-from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials
+from gainproof.verify.judge.freed.monomials import (
+    Monomial,
+    monomial_expr,
+    monomials,
+    terms_expr,
+)
 from gainproof.verify.judge.freed.ranges import Positive
 from gainproof.verify.judge.meaning.evaluation import general_power
 
@@ -28,6 +33,8 @@ def flattened(expr: Expr, is_positive: Positive) -> Expr:
             return _power(parts[0], parts[1], is_positive)
         if node.kind == "call" and node.name == "log":
             return sum_of_logarithms(parts[0], is_positive)
+        if node.kind == "call" and node.name in ("atan", "erf"):
+            return _odd(node.name, parts[0])
         if node.kind == "call" and len(parts) == 1:
             return of_arc_tangent(node.name, parts[0])
         if node.kind == "pow" and parts[0].kind == "call":
@@ -35,6 +42,15 @@ def flattened(expr: Expr, is_positive: Positive) -> Expr:
         return None
 
     return rebuilt(expr, change)
+
+
+def _odd(name: str, argument: Expr) -> Expr | None:
+    """f(-a) = -f(a), of both the one whose first term is positive; None if it is this."""
+    terms = monomials(argument)
+    first = min(terms, key=lambda m: monomial_expr(m).key, default=None)
+    if first is None or terms[first] > 0:
+        return None
+    return neg(Expr("call", name, (terms_expr({m: -c for m, c in terms.items()}),)))
 
 
 def _exponential(exponent: Expr, is_positive: Positive) -> Expr | None:

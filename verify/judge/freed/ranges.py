@@ -91,14 +91,20 @@ class Ranges:
         return self.is_positive(most - angle) and self.is_positive(most + angle)
 
     def value(self, node: Expr) -> Box:
-        """A logarithm is positive above 1, the angle of a tangent above 0."""
+        """A logarithm is positive above 1, the angle of a tangent above 0; the error function too,
+        which lies between -1 and 1.
+        """
         box = Box(stated=False) if self._is_open(node) else self._any(node)
+        most = Fraction(1) if node.name == "erf" else None
+        least = None if most is None else -most
         if node.name == "sum" or not box.stated:
-            return box
+            return replace(box, lower=least, upper=most)
         over = node.parts[0] - (1 if node.name == "log" else 0)
         if self.is_positive(over):
-            return Box(lower=Fraction(0))
-        return Box(upper=Fraction(0)) if self.is_positive(neg(over)) else box
+            return Box(lower=Fraction(0), upper=most)
+        if self.is_positive(neg(over)):
+            return Box(lower=least, upper=Fraction(0))
+        return replace(box, lower=least, upper=most)
 
     def _any(self, *exprs: Expr) -> Box:
         known = [self.boxes[n].stated for n in symbols_of(*exprs) if n in self.boxes]

@@ -10,6 +10,7 @@ from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import (
     Expr,
     absolute,
+    neg,
     power,
     symbol,
     symbols_of,
@@ -187,4 +188,6 @@ def _bound(node: Expr, names: Names, bindings: Bindings) -> Value:
 def _edge(node: Expr, names: Names, bindings: Bindings) -> Value:
     if node.kind == "symbol" and node.name == "infinity":
         return symbol("infinity")
+    if node.kind == "neg" and node.parts[0] == symbol("infinity"):
+        return neg(symbol("infinity"))
     return evaluated(node, names, bindings)

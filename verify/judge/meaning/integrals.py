@@ -1,4 +1,4 @@
-"""Definite integrals of polynomials, and of polynomials times an exponential of a linear term."""
+"""Definite integrals of polynomials, and of polynomials times exponentials of lines or squares."""
 
 from __future__ import annotations
 
@@ -19,18 +19,20 @@ from gainproof.verify.judge.exact.expression import (
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
 from gainproof.verify.judge.meaning.expansion import coefficients, products
+from gainproof.verify.judge.meaning.gaussian import refuse_steeper, with_square
 from gainproof.verify.judge.meaning.sums import INFINITE
 
 
 def integral_of(integrand: Expr, name: str, low: Expr, high: Expr) -> tuple[Expr, tuple[Rel, ...]]:
     """The integral over the bound symbol `name`, and what must not vanish. Raises Undecided."""
     known = coefficients(integrand, name)
-    endless = high == INFINITE
-    if low == INFINITE or (endless and known is not None):
+    endless = high == INFINITE or low == neg(INFINITE)
+    if low == INFINITE or high == neg(INFINITE) or (endless and known is not None):
         raise Undecided("an integral to infinity of something that does not decay")
     if known is not None:
         return _between(_primitive(known, name), name, low, high), ()
     terms: list[Expr] = []
+    squares: list[Expr] = []
     needed: list[Rel] = []
     for product in products(integrand, [name]):
         polynomial, exponent = _split(product, name)
@@ -39,15 +41,20 @@ def integral_of(integrand: Expr, name: str, low: Expr, high: Expr) -> tuple[Expr
                 raise Undecided("an integral to infinity of something that does not decay")
             terms.append(_primitive(polynomial, name))
             continue
-        line = coefficients(exponent, name)
-        if line is None or not set(line) <= {0, 1} or 1 not in line:
-            raise Undecided("an integral of an exponential whose exponent is not linear")
-        needed.append(Rel("<" if endless else "!=", line[1], number(0)))
+        line = refuse_steeper(coefficients(exponent, name))
+        if 2 in line:
+            found, rel = with_square(polynomial, exponent, line, name, low, high)
+            squares.append(found)
+            needed.append(rel)
+            continue
+        if low == neg(INFINITE):
+            if high == INFINITE:
+                raise Undecided("an integral over all numbers of something that does not decay")
+            needed.append(Rel(">", line[1], number(0)))
+        else:
+            needed.append(Rel("<" if endless else "!=", line[1], number(0)))
         terms.append(_with_exponential(polynomial, name, exponent, line[1]))
-    primitive = add(*terms)
-    if endless:
-        return neg(substituted(primitive, {name: low})), tuple(needed)
-    return _between(primitive, name, low, high), tuple(needed)
+    return add(*squares, _between(add(*terms, number(0)), name, low, high)), tuple(needed)
 
 
 def _split(product: Sequence[Expr], name: str) -> tuple[dict[int, Expr], Expr | None]:
@@ -80,5 +87,9 @@ def _with_exponential(known: dict[int, Expr], name: str, exponent: Expr, rate: E
 
 
 def _between(primitive: Expr, name: str, low: Expr, high: Expr) -> Expr:
-    upper, lower = (substituted(primitive, {name: bound}) for bound in (high, low))
+    """What an end that is infinite has is zero."""
+    upper, lower = (
+        number(0) if bound in (INFINITE, neg(INFINITE)) else substituted(primitive, {name: bound})
+        for bound in (high, low)
+    )
     return add(upper, neg(lower))

@@ -12,7 +12,7 @@ from gainproof.verify.judge.claim.record import SymbolEntry
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import differentiated, substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
-from gainproof.verify.judge.exact.expression import Expr, number, symbol, symbols_of, walk
+from gainproof.verify.judge.exact.expression import Expr, neg, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.free_names import free_name, is_free
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel
@@ -155,7 +155,7 @@ class Table(Symbols):
     ) -> Value:
         """A sum, a product or an integral of `body` over the bound name `token`."""
         first, last = number_of(low), number_of(high)
-        if first == INFINITE:
+        if first == INFINITE or (kind != "integral" and first == neg(INFINITE)):
             raise Undecided(f"{kind} from infinity")
         fresh = self._fresh(token)
         inner = {token: fresh, **self._terms(body, token, fresh)}
