@@ -186,7 +186,7 @@ def test_a_library_that_is_not_as_numpy_is_not_used(package: Path) -> None:
     done = run(package, f"{PACKAGE}.compile")
     assert done.returncode == 1
     assert "in C" in done.stderr
-    assert "the library is not used" in done.stderr
+    assert "no library is put in place" in done.stderr
     assert libraries(package) == before  # that of the former source, which is not looked at
     assert run(package, f"{PACKAGE}.compile", "--remove").returncode == 0
     assert libraries(package) == []
@@ -197,6 +197,28 @@ def test_without_a_compiler_nothing_is_changed(package: Path) -> None:
     assert done.returncode == 2
     assert "needs a C compiler" in done.stderr
     assert libraries(package) == []
+
+
+def test_a_compiler_of_ones_own_is_taken_with_its_options(package: Path) -> None:
+    done = run(package, f"{PACKAGE}.compile", CC="no_such_compiler -m64")
+    assert done.returncode == 2
+    assert "$CC is no_such_compiler -m64" in done.stderr
+    assert run(package, f"{PACKAGE}.compile", CC=f"{compiler()} -DNOTHING").returncode == 0
+
+
+def test_without_the_sources_numpy_computes(package: Path) -> None:
+    shutil.rmtree(package / "c")
+    kernel = KERNELS[0]
+    given = ", ".join(["0.5"] * len(getattr(plain, f"_{kernel.upper()}").inputs))
+    code = f"from {PACKAGE}.{MODULE} import {kernel}; print({kernel}({given}))"
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=package.parent, capture_output=True, text=True, check=True
+    )
+    assert done.stdout
+    assert done.stderr == ""
+    done = run(package, f"{PACKAGE}.compile")
+    assert done.returncode == 2
+    assert "no sources in" in done.stderr
 
 
 def test_what_the_compiler_says_is_told(package: Path) -> None:

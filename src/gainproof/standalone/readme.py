@@ -87,5 +87,6 @@ takes a C compiler (`$CC`, cc, gcc or clang) and puts a library beside each sour
 on the same functions compute in C: same arguments, guards and messages, and the same numbers bit
 for bit, which the command compares before it puts anything in place. Kernels that call functions
 of `math.h` stay NumPy's, and it names them. A library serves its own source and platform alone;
-everywhere else NumPy computes. `--remove` deletes the libraries.
+everywhere else NumPy computes, as it does where `c` is not shipped: a wheel has that folder only as
+package data, `c/*`. `--remove` deletes the libraries.
 """

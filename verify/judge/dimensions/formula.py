@@ -32,6 +32,7 @@ from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph, Reading, Relation
+from gainproof.verify.judge.meaning.elementary import BASED
 
 OF_NUMBERS = frozenset(
     (
@@ -174,7 +175,7 @@ def _call(name: str, parts: list[Dimensions], names: Names) -> Dimensions:
         return names.called(name, parts)
     if name == "pi" and not parts:
         return ONE
-    if name in OF_NUMBERS:
+    if name in OF_NUMBERS or name.startswith(BASED):
         without_dimension(parts[0], f"the argument of {name}")
         return ONE
     if name in ALIKE:

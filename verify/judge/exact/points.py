@@ -8,9 +8,11 @@ from fractions import Fraction
 from itertools import chain
 
 from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.calculus import substituted
+from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.enclose import Balls, NoValue, Unresolved, enclosed
 from gainproof.verify.judge.exact.enclosure import enclosure, separated
-from gainproof.verify.judge.exact.expression import Expr
+from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
@@ -69,10 +71,11 @@ def without_value(
     names = sorted(statement.symbols())
     if statement.connective != "if" or not all(n in boxes and boxes[n].stated for n in names):
         return None
-    for tried, point in enumerate(_points(names, boxes), start=1):
+    points = chain(_points(names, boxes), _at_ends(names, boxes))
+    for tried, point in enumerate(points, start=1):
         balls = Balls(point, PRECISIONS[0])
         try:
-            if not all(_holds(rel, balls) for rel in statement.domain):
+            if not all(_is_certain(rel, point, balls) for rel in statement.domain):
                 continue
         except (NoValue, Unresolved):
             continue
@@ -131,6 +134,17 @@ def _points(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fr
                 yield dict(zip(names, values, strict=True))
 
 
+def _at_ends(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
+    """Points where a symbol is at an end of its domain that belongs to it."""
+    others = next(_points(names, boxes), None)
+    if others is None:
+        return
+    for name in names:
+        for end in (boxes[name].lower, boxes[name].upper):
+            if end is not None and boxes[name].holds(end):
+                yield {**others, name: end}
+
+
 def _at_bounds(statement: Statement, boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
     """Of an implication points where a symbol is, or nearly is, what it is compared with: where a
     conclusion just fails its premise has to fail.
@@ -164,6 +178,8 @@ def _at(
                 # without conditions slopes tell more of a strict one that is an equality at a point
                 if _holds(rel, balls, exactly=bool(statement.domain)):
                     continue
+                if not all(_is_certain(each, point, balls) for each in statement.domain):
+                    return 0
                 left, right = balls.round(rel.left), balls.round(rel.right)
                 where = {labels.get(name, name): str(value) for name, value in point.items()}
                 if _are_one_number(left, right):
@@ -198,6 +214,20 @@ def _holds(rel: Rel, balls: Balls, *, exactly: bool = False) -> bool:
     if rel.operator in ("=", "<=", ">=") and gap.abs_upper() * 2**AGREED_BITS < a.abs_upper() + 1:
         return True
     raise Unresolved("sides that overlap")
+
+
+def _is_certain(rel: Rel, point: Mapping[str, Fraction], balls: Balls) -> bool:
+    """Whether a relation is seen to hold at a point: sides that only agree to many digits may
+    differ. Raises Unresolved, NoValue.
+    """
+    if not _holds(rel, balls, exactly=True):
+        return False
+    a, b = balls.round(rel.left), balls.round(rel.right)
+    if not a.overlaps(b) or rel.left == rel.right or _are_one_number(a, b):
+        return True
+    put_in = {name: number(value) for name, value in point.items()}
+    left, right = (constant_value(substituted(side, put_in)) for side in (rel.left, rel.right))
+    return left is not None and left == right
 
 
 def _are_one_number(a: Ball, b: Ball) -> bool:

@@ -11,7 +11,12 @@ from gainproof.verify.judge.exact.certificate import statement_data
 from gainproof.verify.judge.exact.expression import Expr, number, walk
 from gainproof.verify.judge.exact.free_names import with_tokens
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.points import is_seen, try_points, without_value
+from gainproof.verify.judge.exact.points import (
+    is_seen,
+    try_points,
+    with_values,
+    without_value,
+)
 from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement, Witness
 from gainproof.verify.judge.freed.circle import LABEL, PI, VARIABLE, as_variable, pi_box
 from gainproof.verify.judge.freed.domain_words import domain_text
@@ -29,9 +34,15 @@ MOST_ANGLES = 3
 
 
 def decided(
-    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+    *,
+    as_others: bool = True,
 ) -> Outcome:
-    """The verdict on a statement. Raises Undecided.
+    """The verdict on a statement. Raises Undecided. `as_others`: also by statements from which it
+    follows.
 
     With functions in it: proved if it holds for whatever values these take, or by induction;
     refuted by balls at an exact point, or by the algebraic statement for one whole number.
@@ -46,7 +57,8 @@ def decided(
     reasons: list[str] = []
     sums = open_sums(statement)
     ways = [_freely] if all(_is_total(s.parts[0]) for s in sums) else []
-    ways += [_inductively, _for_numbers] if sums else [_restated, _for_numbers]
+    ways += [_inductively] if sums else [_restated] if as_others else []
+    ways.append(_for_numbers)
     for attempt in ways:
         try:
             return attempt(statement, boxes, parameter, labels)
@@ -161,8 +173,10 @@ def _refuse_without_value(
 
 
 def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: str | None) -> bool:
+    """Whether it follows from the conditions without functions."""
+    plain = [c for c in statement.conditions if not has_functions(Statement((c,)))]
     try:
-        part = Statement((rel,), statement.conditions)
+        part = Statement((rel,), tuple(plain))
         outcome = settle(part, boxes, parameter, {}, only_proof=True)
     except Undecided:
         return False
@@ -175,16 +189,19 @@ def _restated(
     """An implication by another statement from which it follows. Raises Undecided."""
     for other, where in restated(statement, boxes):
         try:
-            found = decided(other, where, parameter, labels)
+            found = decided(other, where, parameter, labels, as_others=False)
         except Undecided:
             continue
         if found.verdict == "proved":
-            return found
+            valued = "where every part has a value"
+            own = [domain_text(statement, boxes, labels), *([valued] * (valued in found.domain))]
+            return replace(found, domain=", ".join(own).removeprefix("everywhere, "))
     put = put_in(statement, boxes)
-    fails = None if put is None else try_points(put, boxes, labels)
-    if fails is None or fails.verdict != "refuted":
+    fails = None if put is None else try_points(put.within, boxes, labels)
+    if put is None or fails is None or fails.verdict != "refuted" or fails.witness is None:
         raise Undecided("")
-    return fails
+    values = {labels.get(name, name): value for name, value in put.values.items()}
+    return replace(fails, witness=with_values(fails.witness, values, labels))
 
 
 def _inductively(

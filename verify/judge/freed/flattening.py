@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gainproof.verify.judge.exact.calculus import rebuilt
-from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number
+from gainproof.verify.judge.exact.expression import Expr, add, mul, neg, number, power
 from gainproof.verify.judge.freed.logarithms import of_arc_tangent, sum_of_logarithms
 from gainproof.verify.judge.freed.monomials import (
     Monomial,
@@ -57,7 +57,7 @@ def _exponential(exponent: Expr, is_positive: Positive) -> Expr | None:
     """exp of a sum, the terms with one logarithm as powers; None if there are none."""
     factors: list[Expr] = []
     rest: list[Expr] = []
-    for monomial, c in monomials(exponent).items():
+    for monomial, c in monomials(without_roots(exponent)).items():
         logs = [base for base, n in monomial if n == 1 and _is(base, "log")]
         if len(logs) == 1 and is_positive(logs[0].parts[0]):
             times = _scaled(monomial - {(logs[0], 1)}, c)
@@ -69,6 +69,21 @@ def _exponential(exponent: Expr, is_positive: Positive) -> Expr | None:
     if rest:
         factors.append(Expr("call", "exp", (add(*rest),)))
     return mul(*factors)
+
+
+def without_roots(expr: Expr) -> Expr:
+    """The same wherever it has a value, whole powers of roots as powers of what is under them."""
+    terms = []
+    for monomial, c in monomials(expr).items():
+        factors = [number(c)]
+        for base, n in monomial:
+            order = base.fraction.denominator if base.kind == "pow" else 1
+            if order > 1 and n % order == 0:
+                factors.append(power(base.parts[0], base.fraction * n))
+            else:
+                factors.append(monomial_expr(frozenset(((base, n),))))
+        terms.append(mul(*factors) if len(factors) > 1 else factors[0])
+    return add(*terms) if terms else number(0)
 
 
 def _of_its_logarithms(base: Expr, exponent: Expr, is_positive: Positive) -> Expr | None:

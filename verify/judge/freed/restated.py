@@ -11,13 +11,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from typing import NamedTuple
 
+from gainproof.verify.judge.domain import box_conditions
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
 from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.freed.unwrapped import unwrapped
 
+MOST_UNWRAPPED = 2
+"""Functions in one another."""
 _OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 
@@ -28,40 +33,57 @@ def restated(statement: Statement, boxes: Boxes) -> Iterator[tuple[Statement, Bo
     """Statements that imply this one, which may be false where it is true, with their domains."""
     if statement.connective != "if":
         return
-    put, _ = _put_in(statement)
-    if put is not statement:
-        yield put, boxes
-    bounded = _bounded(statement, boxes)
-    if bounded is not None:
-        yield bounded
-    turned = _turned_round(statement)
-    if turned is not None:
-        yield turned, boxes
+    base = statement
+    for _ in range(1 + MOST_UNWRAPPED):
+        put, turned = put_in(base, boxes), _turned_round(base)
+        others = [(base, boxes)]
+        if put is not None:
+            where = _with_domains(put, boxes)
+            others += [(put.statement, where), (put.within, where)]
+        if turned is not None:
+            others.append((turned, boxes))
+        for other, where in others:
+            if other is not statement:
+                yield other, where
+            bounded = _bounded(other, where)
+            if bounded is not None:
+                yield bounded
+        inner = _unwrapped(base)
+        if inner is None:
+            return
+        base = inner
 
 
-def put_in(statement: Statement, boxes: Boxes) -> Statement | None:
-    """An implication without the symbols that conditions give, false where this one is: that their
-    values lie in the domains of these symbols is among its conditions. None if no condition gives
-    one, or one that is to be a whole number.
+def _unwrapped(statement: Statement) -> Statement | None:
+    """With the arguments of functions in the place of these; None where there are none."""
+
+    def each(relations: tuple[Rel, ...], *, condition: bool) -> tuple[Rel, ...]:
+        found = [unwrapped(rel, condition=condition) or [rel] for rel in relations]
+        return tuple(rel for group in found for rel in group)
+
+    made = replace(
+        statement,
+        relations=each(statement.relations, condition=False),
+        conditions=each(statement.conditions, condition=True),
+        given=each(statement.given, condition=True),
+    )
+    return None if made == statement else made
+
+
+class PutIn(NamedTuple):
+    """A statement without the symbols that conditions give; the same `within` the domains of these;
+    their values.
     """
-    if statement.connective != "if":
-        return None
-    put, values = _put_in(statement)
-    within = list[Rel]()
-    for name, value in values.items():
-        box = boxes.get(name, Box())
-        if box.integer:
-            return None
-        if box.lower is not None:
-            within.append(Rel(">" if box.lower_open else ">=", value, number(box.lower)))
-        if box.upper is not None:
-            within.append(Rel("<" if box.upper_open else "<=", value, number(box.upper)))
-    return replace(put, given=(*put.given, *within)) if values else None
+
+    statement: Statement
+    within: Statement
+    values: Mapping[str, Expr]
 
 
-def _put_in(statement: Statement) -> tuple[Statement, Mapping[str, Expr]]:
-    """Without the symbols that conditions give, and their values. The domains of these symbols are
-    left out: what is proved is proved of more.
+def put_in(statement: Statement, boxes: Boxes) -> PutIn | None:
+    """An implication without the symbols that conditions give. With it this one is true; where it
+    fails `within`, that is where their values exist and lie in the domains of these symbols, this
+    one does. None if no condition gives one, or one that is to be a whole number.
     """
     values: dict[str, Expr] = {}
     while (given := next(_definitions(statement), None)) is not None:
@@ -73,15 +95,44 @@ def _put_in(statement: Statement) -> tuple[Statement, Mapping[str, Expr]]:
         )
         statement = others.mapped(partial(substituted, values={name: value}))
         values = {n: substituted(e, {name: value}) for n, e in values.items()} | {name: value}
-    return statement, values
+    if not values or any(boxes.get(name, Box()).integer for name in values):
+        return None
+    within = list(statement.given)
+    for name, value in values.items():
+        within.append(Rel("<=", value, value))
+        within += box_conditions(name, value, boxes.get(name, Box(stated=False)))
+    return PutIn(statement, replace(statement, given=tuple(within)), values)
+
+
+def _with_domains(put: PutIn, boxes: Boxes) -> Boxes:
+    """Where a symbol that was put away has a stated domain, what it is made of has one too: there
+    no side may be without a value.
+    """
+    stated = [name for name in put.values if name in boxes and boxes[name].stated]
+    behind = symbols_of(*(put.values[name] for name in stated))
+    return {**boxes, **{n: replace(boxes.get(n, Box()), stated=True) for n in behind}}
 
 
 def _definitions(statement: Statement) -> Iterator[tuple[Rel, str, Expr]]:
-    """Conditions that say what a symbol is, the symbol and its value."""
+    """Conditions that say what a symbol, or a multiple of it, is: the symbol and its value."""
     for rel in statement.domain:
         for side, other in ((rel.left, rel.right), (rel.right, rel.left)):
-            if rel.operator == "=" and side.kind == "symbol" and side.name not in symbols_of(other):
-                yield rel, side.name, other
+            name, factor = _multiple(side)
+            if rel.operator == "=" and name is not None and name not in symbols_of(other):
+                yield rel, name, other if factor == 1 else other / number(factor)
+
+
+def _multiple(side: Expr) -> tuple[str | None, Fraction]:
+    """A symbol and by what number it is multiplied."""
+    if side.kind == "symbol":
+        return side.name, Fraction(1)
+    if side.kind == "neg":
+        name, factor = _multiple(side.parts[0])
+        return name, -factor
+    if side.kind == "mul" and len(side.parts) == 2 and side.parts[0].kind == "number":
+        name, factor = _multiple(side.parts[1])
+        return (name if side.parts[0].fraction else None), side.parts[0].fraction * factor
+    return None, Fraction(1)
 
 
 def _bounded(statement: Statement, boxes: Boxes) -> tuple[Statement, Boxes] | None:

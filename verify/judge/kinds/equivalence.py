@@ -32,15 +32,18 @@ def decide_equivalence(statement: Statement, frame: Frame) -> Finding:
         one = len(statement.symbols()) == 1 and not frame.conditions
         if one and not has_functions(statement):
             raise
-    findings = [
-        finding_of(
-            strictly(frame).decide(Statement(conclusion, hypothesis, "if", statement.needed))
-        )
-        for hypothesis, conclusion in (
-            (statement.relations, statement.conditions),
-            (statement.conditions, statement.relations),
-        )
-    ]
+    findings, reasons = [], []
+    for hypothesis, conclusion in (
+        (statement.relations, statement.conditions),
+        (statement.conditions, statement.relations),
+    ):
+        one_way = Statement(conclusion, hypothesis, "if", statement.needed)
+        try:
+            findings.append(finding_of(strictly(frame).decide(one_way)))
+        except Undecided as reason:
+            reasons.append(reason)
+    if reasons and all(f.verdict in ("proved", "held") for f in findings):
+        raise reasons[0]
     wrong = [f for f in findings if f.verdict != "proved"]
     if not wrong:
         certificate = {

@@ -1,5 +1,6 @@
-"""Named functions by others: hyperbolic ones by exponentials, secants by cosines, arc sines by arc
-tangents, the greater of two numbers by their distance. Exact, on the same domain.
+"""Named functions by others: logarithms by natural ones, hyperbolic functions by exponentials,
+secants by cosines, arc sines by arc tangents, the greater of two numbers by their distance. Exact,
+on the same domain.
 
 asin x = 2 atan(x/(1 + (1 - x^2)^(1/2))), the half of an angle by its sine and cosine.
 """
@@ -19,6 +20,9 @@ from gainproof.verify.judge.exact.expression import (
     number,
     power,
 )
+
+BASED = "log "
+"""What the names of logarithms to a base begin with, which follows."""
 
 
 def _call(name: str, *parts: Expr) -> Expr:
@@ -65,6 +69,9 @@ _OF_SEVERAL: Mapping[str, Callable[[Expr, Expr], Expr]] = MappingProxyType(
 
 def elementary(name: str, numbers: list[Expr]) -> Expr | None:
     """The function of these numbers; None for other names and counts."""
+    if name.startswith(BASED) and len(numbers) == 1:
+        base = number(int(name.removeprefix(BASED)))
+        return div(_call("log", numbers[0]), _call("log", base))
     if name in _OF_ONE and len(numbers) == 1:
         return _OF_ONE[name](numbers[0])
     if name in _OF_SEVERAL and numbers:

@@ -51,7 +51,7 @@ def named(builder: Builder, word: Token, arguments: list[Branch], tree: Branch) 
         problem = f"{name} takes {wanted} arguments, not {len(arguments)}"
         raise builder.error(problem, tree)
     _refuse_infinity(builder, arguments)
-    return _called(builder, name, [builder.value(item) for item in arguments])
+    return builder.nodes.add("call", name, *[builder.value(item) for item in arguments])
 
 
 def named_raised(builder: Builder, tree: Branch) -> int:
@@ -67,17 +67,8 @@ def named_raised(builder: Builder, tree: Branch) -> int:
     if not least <= len(inner) <= most:
         raise builder.error(f"{name} does not take {len(inner)} arguments", tree)
     _refuse_infinity(builder, inner)
-    number = _called(builder, name, [builder.value(item) for item in inner])
+    number = builder.nodes.add("call", name, *[builder.value(item) for item in inner])
     return builder.power(number, above)
-
-
-def _called(builder: Builder, name: str, numbers: list[int]) -> int:
-    """A named function of these nodes; a logarithm to a base is a quotient of natural ones."""
-    add = builder.nodes.add
-    function, _, base = name.partition("log_")
-    if function or not base:
-        return add("call", name, *numbers)
-    return add("div", add("call", "log", *numbers), add("call", "log", add("number", base)))
 
 
 def _refuse_infinity(builder: Builder, arguments: list[Branch]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gainproof.verify.judge.reader.printed import ATOM, POWER, PRODUCT, Printed
-from gainproof.verify.judge.reader.words import FUNCTION_WORDS, TRANSPOSE_MARKS
+from gainproof.verify.judge.reader.words import BASED, FUNCTION_WORDS, TRANSPOSE_MARKS
 
 _COMMANDS = {
     "asin": "\\arcsin",
@@ -51,6 +51,9 @@ def call_text(name: str, arguments: Sequence[Printed]) -> Printed:
             above = f"\\left( {texts[1]} \\right)" if texts[1] in TRANSPOSE_MARKS else texts[1]
             return Printed(f"{base}^{{{above}}}", POWER, digit=arguments[0].digit)
     inner = ", ".join(texts)
+    if name.startswith(BASED):
+        base = name.removeprefix(BASED)
+        return Printed(f"\\log_{{{base}}} \\left( {inner} \\right)", POWER)
     if name in _COMMANDS:
         return Printed(f"{_COMMANDS[name]} \\left( {inner} \\right)", POWER)
     return Printed(f"{name} \\left( {inner} \\right)", ATOM)

@@ -45,9 +45,8 @@ from gainproof.verify.judge.reader.tokens import (
     FormulaToken,
 )
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
-from gainproof.verify.judge.reader.words import FUNCTION_COMMANDS, LOGARITHM_COMMANDS
+from gainproof.verify.judge.reader.words import BASED, FUNCTION_COMMANDS
 
-_FUNCTIONS = FUNCTION_COMMANDS | LOGARITHM_COMMANDS
 _TEXTS = frozenset(("\\text", "\\mathrm", "\\textrm", "\\mbox"))
 
 
@@ -156,18 +155,26 @@ class _Lexer:
         elif command in COMMANDS:
             kind, value = COMMANDS[command]
             self._add(self.differentials.fraction(end) if kind == "FRAC" else kind, value, end)
-        elif command in _FUNCTIONS:
-            self._add(*with_base(text, Scanned("NAMED", _FUNCTIONS[command], end)))
+        elif command == "\\lg":
+            self._add("NAMED", f"{BASED}10", end)
+        elif command in FUNCTION_COMMANDS:
+            self._add(
+                *with_base(text, Scanned("NAMED", FUNCTION_COMMANDS[command], end), self.vocabulary)
+            )
         else:
             self._named_by_command(command)
 
     def _special_mark(self, character: str) -> Scanned | None:
         """The mark of a transpose, or a sign in braces, where one stands here."""
-        if character == "^" and not self.tokens.takes_bound():
+        if character == "^" and not self.tokens.takes_bound() and not self._after_a_number():
             return transpose(self.text, self.position + 1)
         if character == "{" and not self.tokens.single:
             return sign_in_braces(self.text, self.position)
         return None
+
+    def _after_a_number(self) -> bool:
+        """Whether what is raised is a number, which has no transpose."""
+        return bool(self.tokens.found) and self.tokens.found[-1].kind in ("NUMBER", "EULER")
 
     def _wide(self, command: str, end: int) -> None:
         number = equation_number_end(self.text, end)
@@ -188,7 +195,7 @@ class _Lexer:
         elif (mark := self.differentials.kind_of(base[0], start)) is not None:
             self._add(mark, *base)
         elif (special := special_name(text, *base) or function_named(*base)) is not None:
-            self._add(*with_base(text, special))
+            self._add(*with_base(text, special, self.vocabulary))
         elif (number := circle_number(text, *base, self.vocabulary)) is not None:
             self._add(*number)
         else:

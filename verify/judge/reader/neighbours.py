@@ -10,16 +10,18 @@ from gainproof.verify.judge.reader.tree import Branch, first_token, start
 
 def refuse_neighbours(before: Branch, factor: Branch, text: str) -> None:
     """ReaderError for a number right after a factor, which may be part of an exponent or of a
-    longer number in print; for a number right before a fraction of numbers, a mixed number to
-    some; for a number alone in parentheses, an argument or the number of an equation to some; for
-    parentheses after a derivative, which may say where; for anything right after an integral.
+    longer number in print, but for a power of ten right after a symbol, as in `P 10^{x/10}`; for a
+    number right before a fraction of numbers, a mixed number to some; for a number alone in
+    parentheses, an argument or the number of an equation to some; for parentheses after a
+    derivative, which may say where; for anything right after an integral.
     """
     base = factor.children[0] if factor.data == "raised" else factor
     place = start(factor)
     if before.data in ("integral", "integral_from_above"):
         problem = "a factor right after an integral: write it before, or write brackets"
         raise ReaderError(problem, text, place, text[place])
-    if _is_number(base):
+    raised = factor.data == "raised" and before.data == "symbol"
+    if _is_number(base) and not (raised and text.startswith("10^", place)):
         problem = "a number right after a factor: brace an exponent or write a dot"
         raise ReaderError(problem, text, place, text[place])
     if _is_bracketed(factor) and _is_whole_number(factor):

@@ -18,6 +18,7 @@ from gainproof.verify.judge.reader.printed import (
     print_graph,
     with_decimals,
 )
+from gainproof.verify.judge.reader.words import BASED
 
 _OPERATORS = {"approx": "~=", "sim": "~"}
 _CONNECTIVES = {"iff": "<=>", "implies": "=>"}
@@ -143,6 +144,8 @@ def _call(name: str, arguments: Sequence[Printed]) -> Printed:
             return Printed(f"O({texts[0]})", ATOM)
         case "power":
             return Printed(f"{_at_least(arguments[0], ATOM)}^({texts[1]})", POWER)
+    if name.startswith(BASED):
+        return _called(name.replace(" ", ""), texts)
     return _called(_WORDS.get(name, plain_name(name)), texts)
 
 

@@ -14,11 +14,9 @@ from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (
     FUNCTION_WORDS,
     JOINING_WORDS,
-    LOGARITHM_WORDS,
     PLAIN_FORMS,
+    function_of,
 )
-
-_FUNCTIONS = FUNCTION_WORDS | LOGARITHM_WORDS
 
 _MARKS = {mark: token for mark, token in MARKS.items() if mark not in ("{", "}", "_", "&")} | {
     "<=>": ("CONNECTIVE", "iff"),
@@ -95,14 +93,14 @@ class _PlainLexer:
             self._add("SQRT", "\\sqrt", end)
         elif calls and word in PLAIN_FORMS:
             self._add("WORD", word, end)
-        elif calls and word in _FUNCTIONS:
-            self._add("WORD", _FUNCTIONS[word], end)
+        elif calls and (function := function_of(word)) is not None:
+            self._add("WORD", function, end)
         elif (special := special_name(text, word, end)) is not None:
             self._add(*special)
         elif (number := circle_number(text, word, end, self.vocabulary)) is not None:
             self._add(*number)
         else:
-            known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *_FUNCTIONS]
+            known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
             problem = f"the symbol {word[:40]} is not declared"
             raise self._error(problem, word[:40], nearest_names(word, known))
 

@@ -11,14 +11,14 @@ from gainproof.verify.judge.reader.scan import Scanned
 from gainproof.verify.judge.reader.tokens import SIZES
 from gainproof.verify.judge.reader.vocabulary import Vocabulary
 from gainproof.verify.judge.reader.words import (
+    BASED,
     CIRCLE,
     CIRCLE_NAMES,
     EULER_NAMES,
     EXPECTATION_NAMES,
-    FUNCTION_WORDS,
-    LOGARITHM_WORDS,
     ORDER_NAMES,
     TRANSPOSE_MARKS,
+    function_of,
 )
 
 
@@ -66,30 +66,33 @@ def declared_kind(text: str, name: str, end: int, vocabulary: Vocabulary) -> str
 def function_named(base: str, end: int) -> Scanned | None:
     """`\\operatorname{tr}`, `\\mathrm{diag}` and the like."""
     word = base[base.find("{") + 1 : -1]
-    known = FUNCTION_WORDS | LOGARITHM_WORDS
-    if word in known and base.startswith(("\\operatorname", "\\mathrm", "\\text")):
-        return Scanned("NAMED", known[word], end)
-    return None
+    function = function_of(word)
+    if function is None or not base.startswith(("\\operatorname", "\\mathrm", "\\text")):
+        return None
+    return Scanned("NAMED", function, end)
 
 
-def with_base(text: str, function: Scanned) -> Scanned:
+def with_base(text: str, function: Scanned, vocabulary: Vocabulary) -> Scanned:
     """A logarithm with the base under it, if there is one: `\\log_{10}`, `\\log_2`, `\\log_e`.
-    ReaderError for a base that is neither e nor a whole number from 2 on.
+    ReaderError for a base that is neither Euler's number nor a whole number from 2 on.
     """
     under = skip_space(text, function.end)
     if function.value != "log" or text[under : under + 1] != "_":
         return function
+    if text[: function.end].endswith(("ln", "ln}")):
+        problem = "a natural logarithm with a base: write \\log"
+        raise ReaderError(problem, text, under, "_")
     start = skip_space(text, under + 1)
     closing = text.find("}", start, start + MOST_DIGITS)
     braced = text[start : start + 1] == "{" and closing > 0
     end = closing + 1 if braced else start + 1
     base = text[start + 1 : closing].strip() if braced else text[start:end]
-    if base == "e":
+    if base == "e" and not EULER_NAMES & set(vocabulary.symbols):
         return function._replace(end=end)
     if not (base.isascii() and base.isdecimal() and int(base) > 1):
         problem = "the base of a logarithm is to be e or a whole number from 2 on"
         raise ReaderError(problem, text, start, text[start:end])
-    return Scanned("NAMED", f"log_{int(base)}", end)
+    return Scanned("NAMED", f"{BASED}{int(base)}", end)
 
 
 def _bracket_after(text: str, position: int) -> str:

@@ -22,9 +22,23 @@ FUNCTION_WORDS = {
 }
 # fmt: on
 """Names of functions by the word printed: `\\ln` and `\\log` are both the natural logarithm."""
-LOGARITHM_COMMANDS = {"\\lg": "log_10"}
-LOGARITHM_WORDS = {"lg": "log_10", "log10": "log_10", "log2": "log_2"}
-"""Logarithms to a base: in graphs a quotient of natural ones."""
+BASED = "log "
+"""What the names of logarithms to a base begin with, which follows: no declared function has a
+blank in its name.
+"""
+
+
+def function_of(word: str) -> str | None:
+    """What a word of plain text or upright letters names, `log10` too; None if it is no
+    function.
+    """
+    base = word.removeprefix("log")
+    if word == "lg":
+        base = "10"
+    if word != base and base.isascii() and base.isdecimal() and len(base) < 9 and int(base) > 1:
+        return f"{BASED}{int(base)}"
+    return FUNCTION_WORDS.get(word)
+
 
 MATRIX_VALUED = frozenset(("diag", "block_diagonal", "family"))
 CARRIES_SHAPE = frozenset(("expectation", "covariance", "sum", "product", "integral"))

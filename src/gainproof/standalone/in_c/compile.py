@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import ctypes
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -54,8 +55,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         ),
     )
     parser.add_argument("--remove", action="store_true", help="delete the libraries again")
-    modules = sorted(path.stem for path in SOURCES.glob("*.json"))
     removed = parser.parse_args(arguments).remove
+    modules = sorted(path.stem for path in SOURCES.glob("*.json"))
+    if not modules:
+        print(f"{parser.prog}: no sources in {SOURCES}; NumPy computes", file=sys.stderr)
+        return 2
     for module in modules:
         try:
             if removed:
@@ -63,9 +67,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 print(f"{module}: {count} {'library' if count == 1 else 'libraries'} deleted")
             else:
                 print(f"{module}: {compiled(module)}", flush=True)
-        except (CompilingError, OSError) as error:
+        except CompilingError as error:
             print(f"{parser.prog}: {module}: {error}", file=sys.stderr)
             return 1 if isinstance(error, DifferentError) else 2
+        except OSError as error:
+            reason = error.strerror or error
+            print(f"{parser.prog}: {module}: cannot write in {SOURCES}: {reason}", file=sys.stderr)
+            return 2
     return 0
 
 
@@ -110,10 +118,11 @@ def differences(module: str, loaded: ctypes.CDLL) -> int:
                 wrong = np.flatnonzero(x.view(np.uint8) != y.view(np.uint8))
                 if wrong.size:
                     at = int(wrong[0]) // x.itemsize
-                    where = ", ".join(repr(each[at]) for each in given)
+                    where = ", ".join(str(each[at]) for each in given)
                     raise DifferentError(
-                        f"{kernel.name}({where}): {name} is {y[at]!r} in C, {x[at]!r} in NumPy; "
-                        "the library is not used"
+                        f"{kernel.name}({where}) in {x.dtype}: {name} is {y[at]} in C and {x[at]} "
+                        "in NumPy: the compiler does not round as the sources ask; no library is "
+                        "put in place"
                     )
                 compared += x.size
     return compared
@@ -161,11 +170,14 @@ def _kernels(module: str) -> list[Signature]:
 
 
 def _compile(source: Path, made: Path) -> None:
-    named = (os.environ.get("CC"), "cc", "gcc", "clang")
-    command = next((name for name in named if name and shutil.which(name)), None)
+    own = shlex.split(os.environ.get("CC", ""))
+    command = next(([n] for n in ("cc", "gcc", "clang") if shutil.which(n)), None)
+    if own:
+        command = own if shutil.which(own[0]) else None
     if command is None:
-        raise CompilingError("needs a C compiler: cc, gcc, clang, or the one that $CC names")
-    run = [command, *FLAGS, "-o", str(made), str(source), "-lm"]
+        found = f"; $CC is {' '.join(own)}" if own else ""
+        raise CompilingError(f"needs a C compiler: $CC, else cc, gcc or clang{found}")
+    run = [*command, *FLAGS, "-o", str(made), str(source), "-lm"]
     done = subprocess.run(run, capture_output=True, text=True, check=False)
     if done.returncode:
         raise CompilingError(f"{' '.join(run)} fails:\n{done.stdout}{done.stderr}".rstrip())

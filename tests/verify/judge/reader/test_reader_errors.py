@@ -60,6 +60,7 @@ def test_undeclared(text: str, line: int, column: int, token: str, nearest: str 
         ("a = b)", 6, "never opened"),
         (r"a = \ln(e b)", 9, "the symbol e is not declared; Euler's number alone is e^1"),
         (r"\log_{10} = b", 10, "of what?"),
+        (r"\ln_2 a = b", 4, "a natural logarithm with a base: write \\log"),
         (r"\log_b a = b", 6, "the base of a logarithm is to be e or a whole number from 2 on"),
         (r"\log_{1} a = b", 6, "the base of a logarithm is to be"),
         (r"\log_{ a = b", 6, "the base of a logarithm is to be"),
