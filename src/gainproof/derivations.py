@@ -51,6 +51,8 @@ def require_names(names: Sequence[str], shop: Workshop) -> None:
     """Raises BadInputError, with the nearest names, for a name the catalogue does not have."""
     known = catalogue(shop)
     for name in names:
+        if name.endswith(".toml"):
+            raise BadInputError(f"{name}: a claim file holds no derivation: gainproof check {name}")
         if name not in known:
             raise unknown_name("derivation", name, known)
 

@@ -249,3 +249,15 @@ def test_a_damaged_cache_entry_is_judged_again(
     again = as_json(capsys)
     verdicts = [[c["verdict"] for c in data["claims"]] for data in (first, again)]
     assert verdicts == [["proved", "refuted"]] * 2
+
+
+def test_files_of_the_other_kind_are_told_where_they_belong(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model, claims = tmp_path / "model.py", tmp_path / "claims.toml"
+    model.write_text("import sympy\n", encoding="utf-8")
+    claims.write_text("", encoding="utf-8")
+    assert cli.main(["check", str(model)]) == 2
+    assert f"gainproof derive {model}" in capsys.readouterr().err
+    assert cli.main(["derive", str(claims)]) == 2
+    assert f"gainproof check {claims}" in capsys.readouterr().err

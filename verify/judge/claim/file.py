@@ -133,6 +133,8 @@ def _not_toml(path: str, problem: str) -> ClaimFileError:
     what, _, place = problem.rpartition(" (at line ")
     line, _, column = place.rstrip(")").partition(", column ")
     hint = "; LaTeX stands in single quotes" if "\\" in problem else ""
+    if path.endswith(".py"):
+        hint = f"; models and expressions are derived: gainproof derive {path}"
     if not (line.isdigit() and column.isdigit()):
         return ClaimFileError(path, "", f"not TOML: {problem}{hint}")
     return ClaimFileError(path, "", f"not TOML: {what}{hint}", int(line), int(column))
