@@ -51,8 +51,7 @@ def require_names(names: Sequence[str], shop: Workshop) -> None:
     """Raises BadInputError, with the nearest names, for a name the catalogue does not have."""
     known = catalogue(shop)
     for name in names:
-        if name.endswith(".toml"):
-            raise BadInputError(f"{name}: a claim file holds no derivation: gainproof check {name}")
+        _refuse_claims(name)
         if name not in known:
             raise unknown_name("derivation", name, known)
 
@@ -65,11 +64,19 @@ def derive_file(path: Path, shop: Workshop) -> Derived:
 
 
 def model_text(path: Path) -> bytes:
-    """The text of a model file. Raises BadInputError where it cannot be read."""
+    """The text of a model file. Raises BadInputError where it cannot be read, and for a claim file,
+    which nobody means to have executed.
+    """
+    _refuse_claims(str(path))
     try:
         return path.read_bytes()
     except OSError as error:
         raise BadInputError(f"{path}: cannot be read: {error.strerror or error}") from None
+
+
+def _refuse_claims(name: str) -> None:
+    if name.endswith(".toml"):
+        raise BadInputError(f"{name}: a claim file holds no derivation: gainproof check {name}")
 
 
 def one(name_or_file: str, shop: Workshop) -> Derived:

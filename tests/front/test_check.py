@@ -256,8 +256,10 @@ def test_files_of_the_other_kind_are_told_where_they_belong(
 ) -> None:
     model, claims = tmp_path / "model.py", tmp_path / "claims.toml"
     model.write_text("import sympy\n", encoding="utf-8")
-    claims.write_text("", encoding="utf-8")
+    claims.write_text("raise SystemExit('executed')\n", encoding="utf-8")
     assert cli.main(["check", str(model)]) == 2
     assert f"gainproof derive {model}" in capsys.readouterr().err
     assert cli.main(["derive", str(claims)]) == 2
+    assert f"gainproof check {claims}" in capsys.readouterr().err
+    assert cli.main(["generate", str(claims), "--out", str(tmp_path / "made")]) == 2
     assert f"gainproof check {claims}" in capsys.readouterr().err
