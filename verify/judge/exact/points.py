@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain
@@ -15,24 +15,13 @@ from gainproof.verify.judge.exact.enclosure import enclosure, separated
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball
+from gainproof.verify.judge.exact.simple_points import at_bounds, at_ends, simple_points
 from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
-from gainproof.verify.judge.exact.witness import inside
 
 PRECISIONS = (128, 512, 2048)
 AGREED_BITS = 400
-WANTED = 35
-"""All scales of all patterns: what is false far out only shows at the last."""
 LEAST = 8
 NOT_RESOLVED = "not evaluated"
-PATTERNS = (
-    (1, 2, 3, 5, 7, 11),
-    (2, 3, 5, 7, 11, 13),
-    (5, 1, 7, 2, 3, 1),
-    (1, 1, 1, 1, 1, 1),
-    (9, 4, 1, 6, 2, 8),
-    (-1, 2, -3, 5, -7, 11),
-    (1, -2, -1, 3, 5, -4),
-)
 
 
 def try_points(
@@ -45,7 +34,7 @@ def try_points(
     if statement.connective != "if":
         return None
     agreed = 0
-    points = chain(_points(sorted(statement.symbols()), boxes), _at_bounds(statement, boxes))
+    points = chain(simple_points(sorted(statement.symbols()), boxes), at_bounds(statement, boxes))
     for tried, point in enumerate(points, start=1):
         found = _at(statement, point, labels)
         if isinstance(found, Witness):
@@ -71,7 +60,7 @@ def without_value(
     names = sorted(statement.symbols())
     if statement.connective != "if" or not all(n in boxes and boxes[n].stated for n in names):
         return None
-    points = chain(_points(names, boxes), _at_ends(names, boxes))
+    points = chain(simple_points(names, boxes), at_ends(names, boxes))
     for tried, point in enumerate(points, start=1):
         balls = Balls(point, PRECISIONS[0])
         try:
@@ -113,54 +102,6 @@ def is_seen(rel: Rel) -> bool:
     if opposite is None:
         return False
     return failure_at(Statement((Rel(opposite, rel.left, rel.right),)), {}, {}) is not None
-
-
-def _points(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
-    """Simple points inside the boxes, then the same with halves and thirds, and far out."""
-    made: set[tuple[Fraction, ...]] = set()
-    for scale in (1, Fraction(1, 2), 10, Fraction(1, 30), 1000):
-        for pattern in PATTERNS:
-            values = []
-            for k, name in enumerate(names):
-                wanted = Fraction(pattern[k % len(pattern)] + 20 * (k // len(pattern))) * scale
-                value = inside(boxes.get(name, Box(stated=False)), wanted)
-                if value is None:
-                    break
-                values.append(value)
-            if len(values) < len(names):
-                continue
-            if tuple(values) not in made and len(made) < WANTED:
-                made.add(tuple(values))
-                yield dict(zip(names, values, strict=True))
-
-
-def _at_ends(names: list[str], boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
-    """Points where a symbol is at an end of its domain that belongs to it."""
-    others = next(_points(names, boxes), None)
-    if others is None:
-        return
-    for name in names:
-        for end in (boxes[name].lower, boxes[name].upper):
-            if end is not None and boxes[name].holds(end):
-                yield {**others, name: end}
-
-
-def _at_bounds(statement: Statement, boxes: Mapping[str, Box]) -> Iterator[dict[str, Fraction]]:
-    """Of an implication points where a symbol is, or nearly is, what it is compared with: where a
-    conclusion just fails its premise has to fail.
-    """
-    names = sorted(statement.symbols())
-    others = next(_points(names, boxes), None)
-    if others is None or not statement.domain:
-        return
-    for rel in statement.all_relations():
-        for side, other in ((rel.left, rel.right), (rel.right, rel.left)):
-            if side.kind != "symbol" or other.kind != "number":
-                continue
-            for step in (0, 1, -1):
-                value = other.fraction + Fraction(step, 64)
-                if boxes.get(side.name, Box()).holds(value):
-                    yield {**others, side.name: value}
 
 
 def _at(

@@ -16,8 +16,9 @@ from gainproof.verify.judge.exact.enclose import Balls
 from gainproof.verify.judge.exact.expression import Expr, add, mul, number, symbol
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.statement import Rel, Statement
-from gainproof.verify.judge.freed import deciding, rising
+from gainproof.verify.judge.freed import rising
 from gainproof.verify.judge.freed.circle import PI, cosine_of, exact_angles, pi_box
+from gainproof.verify.judge.freed.freely import freely
 from gainproof.verify.judge.freed.half_tangent import half_tangent_of_turns
 from gainproof.verify.judge.freed.scaled import scaled
 from gainproof.verify.judge.freed.slopes import by_slopes
@@ -166,9 +167,9 @@ def arc(x: Expr) -> Expr:
 )
 def test_what_is_not_0_throughout_is_not_proved(g: Expr, box: Box) -> None:
     """Without a look at points, which would refute it."""
-    freely = partial(deciding._freely, parameter=None, labels={})
+    decides = partial(freely, parameter=None, labels={})
     proves = rising._prover(
-        None, lambda part, boxes, *_: freely(part, boxes), 3, {}, iter(range(20))
+        None, lambda part, boxes, *_: decides(part, boxes), 3, {}, iter(range(20))
     )
     with pytest.raises(Undecided):
         by_slopes(Statement((Rel("=", g, number(0)),)), {"x": box}, proves)

@@ -1,0 +1,113 @@
+"""Statements that hold for whatever values their functions take, these being free variables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import combinations
+
+from gainproof.verify.judge.exact.box import Box
+from gainproof.verify.judge.exact.expression import Expr, number, walk
+from gainproof.verify.judge.exact.limits import Undecided
+from gainproof.verify.judge.exact.points import (
+    try_points,
+)
+from gainproof.verify.judge.exact.statement import Outcome, Rel, Statement
+from gainproof.verify.judge.freed.circle import LABEL, PI, VARIABLE, as_variable, pi_box
+from gainproof.verify.judge.freed.domain_words import domain_text
+from gainproof.verify.judge.freed.numbers import at_number, first_numbers
+from gainproof.verify.judge.freed.rewriting import Freed, arguments, freed, has_functions
+from gainproof.verify.judge.freed.scaled import scaled
+from gainproof.verify.judge.hypothesis import settle
+
+FREED = "function values as free variables"
+MOST_ANGLES = 3
+
+
+def freely(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> Outcome:
+    turned = scaled(statement, boxes, labels)
+    statement, boxes, labels = turned.statement, turned.boxes, turned.labels
+    opened, outcome = _settled(statement, boxes, parameter, labels, stated=False)
+    exclusions = opened.exclusions
+    if not all(box.stated for box in opened.boxes.values()):
+        everywhere = {n: replace(boxes.get(n, Box()), stated=True) for n in statement.symbols()}
+        try:
+            _settled(statement, everywhere, parameter, labels, stated=True)
+        except Undecided:
+            _refuse_without_value(statement, boxes, parameter, labels)
+            exclusions = (*exclusions, "where every part has a value")
+    domain = ", ".join([domain_text(statement, boxes, labels), *turned.words, *exclusions])
+    return replace(
+        outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")
+    )
+
+
+def _settled(
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    parameter: str | None,
+    labels: Mapping[str, str],
+    *,
+    stated: bool,
+) -> tuple[Freed, Outcome]:
+    """The freed statement, which must be proved; with `stated` no divisor at all may vanish. Raises
+    Undecided.
+    """
+    if PI in walk(*statement.exprs()):
+        statement = replace(statement, needed=(*statement.needed, *arguments(statement)))
+        statement, boxes = statement.mapped(as_variable), {**boxes, VARIABLE.name: pi_box()}
+        labels = {**labels, VARIABLE.name: LABEL}
+
+    def is_positive(expr: Expr) -> bool:
+        return _holds(Rel(">", expr, number(0)), statement, boxes, parameter)
+
+    def proved(opened: Freed) -> Outcome:
+        where = {n: replace(b, stated=stated or b.stated) for n, b in opened.boxes.items()}
+        names = {**labels, **opened.labels}
+        found = settle(opened.statement, where, parameter, names, only_proof=True)
+        if found.verdict != "proved":
+            raise Undecided(f"not true of {FREED}, which refutes nothing")
+        return found
+
+    opened = freed(statement, boxes, is_positive)
+    outcome = proved(opened)
+    if len(opened.whole_turns) > MOST_ANGLES:
+        raise Undecided(f"more than {MOST_ANGLES} angles that may be half a turn")
+    for count in range(1, len(opened.whole_turns) + 1):
+        for turned in combinations(opened.whole_turns, count):
+            proved(freed(statement, boxes, is_positive, frozenset(turned)))
+    return opened, outcome
+
+
+def _refuse_without_value(
+    statement: Statement, boxes: Mapping[str, Box], parameter: str | None, labels: Mapping[str, str]
+) -> None:
+    """Raises Undecided unless the statement is seen to have a value at a point: function values
+    that were freed may cancel in a divisor everywhere.
+    """
+    for name, value in [("", 0), *first_numbers(statement, boxes)]:
+        part = at_number(statement, name, value)
+        try:
+            found = (
+                try_points(part, boxes, labels)
+                if has_functions(part)
+                else settle(part, boxes, parameter, labels)
+            )
+        except Undecided:
+            continue
+        if found is not None and found.verdict != "refuted":
+            return
+    raise Undecided("the formula may have no value anywhere")
+
+
+def _holds(rel: Rel, statement: Statement, boxes: Mapping[str, Box], parameter: str | None) -> bool:
+    """Whether it follows from the conditions without functions."""
+    plain = [c for c in statement.conditions if not has_functions(Statement((c,)))]
+    try:
+        part = Statement((rel,), tuple(plain))
+        outcome = settle(part, boxes, parameter, {}, only_proof=True)
+    except Undecided:
+        return False
+    return outcome.verdict == "proved"
