@@ -99,6 +99,8 @@ class _PlainLexer:
             self._add(*special)
         elif (number := circle_number(text, word, end, self.vocabulary)) is not None:
             self._add(*number)
+        elif word in PLAIN_FORMS or word == "sqrt" or function_of(word) is not None:
+            raise self._error(f"{word} needs brackets: {word}(...)", word)
         else:
             known = [*self.vocabulary.plain_names, *PLAIN_FORMS, *FUNCTION_WORDS]
             problem = f"the symbol {word[:40]} is not declared"

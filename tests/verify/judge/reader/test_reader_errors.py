@@ -188,3 +188,9 @@ def test_limits_are_reached_without_error() -> None:
 def test_conditions_have_one_reading() -> None:
     with pytest.raises(ReaderError, match="two readings"):
         read_conditions("a > 1/b c", SYMBOLS)
+
+
+@pytest.mark.parametrize("word", ["log10", "sin", "sqrt", "abs"])
+def test_a_function_without_brackets_in_plain_text(word: str) -> None:
+    with pytest.raises(ReaderError, match=rf"{word} needs brackets: {word}\(\.\.\.\)"):
+        read_plain(f"a = {word} b", SYMBOLS)
