@@ -25,18 +25,23 @@ NOT_RESOLVED = "not evaluated"
 
 
 def try_points(
-    statement: Statement, boxes: Mapping[str, Box], labels: Mapping[str, str]
+    statement: Statement,
+    boxes: Mapping[str, Box],
+    labels: Mapping[str, str],
+    *,
+    exactly: bool = False,
 ) -> Outcome | None:
     """`refuted` with a witness, `held` if at least LEAST points agree and none differs, or None.
 
-    Only for statements of the form `relations if conditions`.
+    Only for statements of the form `relations if conditions`. A strict relation fails `exactly`
+    where both sides are one number, too.
     """
     if statement.connective != "if":
         return None
     agreed = 0
     points = chain(simple_points(sorted(statement.symbols()), boxes), at_bounds(statement, boxes))
     for tried, point in enumerate(points, start=1):
-        found = _at(statement, point, labels)
+        found = _at(statement, point, labels, exactly=exactly)
         if isinstance(found, Witness):
             return _refuted(found, "balls at an exact point", tried)
         agreed += found
@@ -105,7 +110,11 @@ def is_seen(rel: Rel) -> bool:
 
 
 def _at(
-    statement: Statement, point: Mapping[str, Fraction], labels: Mapping[str, str]
+    statement: Statement,
+    point: Mapping[str, Fraction],
+    labels: Mapping[str, str],
+    *,
+    exactly: bool = False,
 ) -> Witness | int:
     """A witness, 1 if the statement was seen to hold at the point, 0 if it says nothing there."""
     for precision in PRECISIONS:
@@ -116,8 +125,7 @@ def _at(
             for needed in statement.needed:
                 balls.round(needed)
             for rel in statement.relations:
-                # without conditions slopes tell more of a strict one that is an equality at a point
-                if _holds(rel, balls, exactly=bool(statement.domain)):
+                if _holds(rel, balls, exactly=exactly):
                     continue
                 if not all(_is_certain(each, point, balls) for each in statement.domain):
                     return 0

@@ -60,7 +60,10 @@ def decided(
             return attempt(statement, boxes, parameter, labels)
         except Undecided as reason:
             reasons.append(str(reason))
-    points = without_value(statement, boxes, labels) or try_points(statement, boxes, labels)
+    # without conditions slopes tell more of a strict relation that is an equality at a point
+    exactly = bool(statement.domain)
+    points = without_value(statement, boxes, labels)
+    points = points or try_points(statement, boxes, labels, exactly=exactly)
     if points is None and (turned := scaled(statement, boxes, labels)).words:
         points = try_points(turned.statement, turned.boxes, turned.labels)
     if not sums and (points is None or points.verdict == "held"):
@@ -104,7 +107,7 @@ def _restated(
             own = [domain_text(statement, boxes, labels), *([valued] * (valued in found.domain))]
             return replace(found, domain=", ".join(own).removeprefix("everywhere, "))
     put = put_in(statement, boxes)
-    fails = None if put is None else try_points(put.within, boxes, labels)
+    fails = None if put is None else try_points(put.within, boxes, labels, exactly=True)
     if put is None or fails is None or fails.verdict != "refuted" or fails.witness is None:
         raise Undecided("")
     values = {labels.get(name, name): value for name, value in put.values.items()}

@@ -70,8 +70,8 @@ def test_false(latex: str) -> None:
         (r"\cos\theta > -1", None),
         ("e^x > 1", "refuted"),
         (r"\cos\theta \leq \frac{1}{2}", "refuted"),
-        # true, but not of any number in the place of the power
-        ("latex = 'x^x \\geq e^{x-1}'\ndomain = 'x > 0'", None),
+        # by the arguments of both exponentials
+        ("latex = 'x^x \\geq e^{x-1}'\ndomain = 'x > 0'", "proved"),
     ],
 )
 def test_orders(fields: str, wanted: str | None) -> None:

@@ -127,8 +127,8 @@ def test_an_interval_in_parts(
     """What is false is not proved even where no point is tried before."""
     statement = Statement((rel,), conditions)
     assert (_verdict(statement, box) == "proved") is wanted
-    monkeypatch.setattr(deciding, "try_points", lambda *_: None)
-    monkeypatch.setattr(rising, "try_points", lambda *_: None)
+    monkeypatch.setattr(deciding, "try_points", lambda *_, **__: None)
+    monkeypatch.setattr(rising, "try_points", lambda *_, **__: None)
     assert wanted or _verdict(statement, box) != "proved"
 
 
