@@ -10,10 +10,8 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.setting.environment import SAMPLE
-
-TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 
 
 def bounded(

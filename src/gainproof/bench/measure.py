@@ -92,14 +92,15 @@ def figures(item: Measured, folder: Path, options: Options) -> Figures:
     if options.constant is not None:
         missing |= dict.fromkeys(COMPILED, "arrays only: beside numbers it would be told too slow")
     elif compiler() is None:
-        missing |= dict.fromkeys((*COMPILED, *IN_C), "no compiler")
+        missing |= dict.fromkeys(COMPILED, "no compiler")
     else:
         calls |= _c_calls(item, columns, folder)
-    if compiler() is not None:
-        if functions_of(item.kernel.program, item.kernel.program.outputs.values()):
-            missing |= dict.fromkeys(IN_C, "calls functions of math.h, which may round otherwise")
-        else:
-            calls |= _calls_in_c(item, given, outputs, folder, options.workers)
+    if compiler() is None:
+        missing |= dict.fromkeys(IN_C, "no compiler")
+    elif functions_of(item.kernel.program, item.kernel.program.outputs.values()):
+        missing |= dict.fromkeys(IN_C, "calls functions of math.h, which may round otherwise")
+    else:
+        calls |= _calls_in_c(item, given, outputs, folder, options.workers)
     with np.errstate(all="ignore"):  # textbook forms cancel, divide by zero and overflow
         if item.textbook is not None:
             _add_rivals(calls, missing, item, given, folder, options.every_rival)

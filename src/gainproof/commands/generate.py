@@ -21,8 +21,9 @@ share, certificates, a page in Markdown each, tests, licence. DIR is the package
 name. FILE is a Python file of your own that defines MODEL, a gainproof.derive.model.Model, or
 EXPRESSIONS, a gainproof.derive.own_expressions.expressions.ExpressionSet; the file is executed.
 Other files in DIR are left alone, and nothing is written that would replace one.
---target c puts a C99 header, source and test program of each module besides, into DIR/c, and
---target fpcore its expressions as FPCore, into DIR/fpcore.
+--target c puts a C99 header, source and test program of each module besides, into DIR/c, in which
+the package computes once `python -m PACKAGE.compile` was run, and --target fpcore its expressions
+as FPCore, into DIR/fpcore.
 
 With --check nothing is written. Exit status 0: written, or as derived; 1: with --check a file is
 missing, different or left over, with --test a test fails; 2: bad input, nothing is written."""

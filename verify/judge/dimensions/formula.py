@@ -32,7 +32,7 @@ from gainproof.verify.judge.exact.expression import Expr, walk
 from gainproof.verify.judge.exact.limits import Malformed
 from gainproof.verify.judge.exact.tree import read_tree
 from gainproof.verify.judge.formula import Graph, Reading, Relation
-from gainproof.verify.judge.meaning.elementary import BASED
+from gainproof.verify.judge.reader.words import BASED
 
 OF_NUMBERS = frozenset(
     (

@@ -16,7 +16,14 @@ from gainproof.verify.judge.exact.expression import Expr, number
 from gainproof.verify.judge.exact.limits import Undecided
 from gainproof.verify.judge.exact.poly import Ball
 from gainproof.verify.judge.exact.simple_points import at_bounds, at_ends, simple_points
-from gainproof.verify.judge.exact.statement import Enclosure, Outcome, Rel, Statement, Witness
+from gainproof.verify.judge.exact.statement import (
+    NEGATED,
+    Enclosure,
+    Outcome,
+    Rel,
+    Statement,
+    Witness,
+)
 
 PRECISIONS = (128, 512, 2048)
 AGREED_BITS = 400
@@ -103,7 +110,7 @@ def failure_at(
 
 def is_seen(rel: Rel) -> bool:
     """Whether balls show an inequality between numbers."""
-    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">"}.get(rel.operator)
+    opposite = NEGATED.get(rel.operator)
     if opposite is None:
         return False
     return failure_at(Statement((Rel(opposite, rel.left, rel.right),)), {}, {}) is not None

@@ -10,6 +10,10 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.expression import Expr, symbols_of
 
 ORDERS = ("<", "<=", ">", ">=")
+TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+"""The same orders of sides exchanged."""
+NEGATED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
+"""Which order holds of two numbers where another does not."""
 
 
 @dataclass(frozen=True)

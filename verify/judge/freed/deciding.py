@@ -18,7 +18,7 @@ from gainproof.verify.judge.exact.points import (
 )
 from gainproof.verify.judge.exact.statement import Outcome, Statement, Witness
 from gainproof.verify.judge.freed.domain_words import domain_text
-from gainproof.verify.judge.freed.freely import freely
+from gainproof.verify.judge.freed.freely import VALUED, freely
 from gainproof.verify.judge.freed.induction import induction, open_sums
 from gainproof.verify.judge.freed.numbers import at_number, first_numbers
 from gainproof.verify.judge.freed.restated import put_in, restated
@@ -103,8 +103,7 @@ def _restated(
         except Undecided:
             continue
         if found.verdict == "proved":
-            valued = "where every part has a value"
-            own = [domain_text(statement, boxes, labels), *([valued] * (valued in found.domain))]
+            own = [domain_text(statement, boxes, labels), *([VALUED] * (VALUED in found.domain))]
             return replace(found, domain=", ".join(own).removeprefix("everywhere, "))
     put = put_in(statement, boxes)
     fails = None if put is None else try_points(put.within, boxes, labels, exactly=True)

@@ -22,6 +22,7 @@ from gainproof.verify.judge.hypothesis import settle
 
 FREED = "function values as free variables"
 MOST_ANGLES = 3
+VALUED = "where every part has a value"
 
 
 def freely(
@@ -37,7 +38,7 @@ def freely(
             _settled(statement, everywhere, parameter, labels, stated=True)
         except Undecided:
             _refuse_without_value(statement, boxes, parameter, labels)
-            exclusions = (*exclusions, "where every part has a value")
+            exclusions = (*exclusions, VALUED)
     domain = ", ".join([domain_text(statement, boxes, labels), *turned.words, *exclusions])
     return replace(
         outcome, method=f"{FREED}; {outcome.method}", domain=domain.removeprefix("everywhere, ")

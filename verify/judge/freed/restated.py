@@ -13,18 +13,15 @@ from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
 
-from gainproof.verify.judge.domain import box_conditions
+from gainproof.verify.judge.domain import bounded, box_conditions
 from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
-from gainproof.verify.judge.exact.constant_value import constant_value
 from gainproof.verify.judge.exact.expression import Expr, number, symbols_of, walk
-from gainproof.verify.judge.exact.statement import Rel, Statement
+from gainproof.verify.judge.exact.statement import NEGATED, Rel, Statement
 from gainproof.verify.judge.freed.unwrapped import unwrapped
 
 MOST_UNWRAPPED = 2
 """Functions in one another."""
-_OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
-
 
 Boxes = Mapping[str, Box]
 
@@ -45,9 +42,9 @@ def restated(statement: Statement, boxes: Boxes) -> Iterator[tuple[Statement, Bo
         for other, where in others:
             if other is not statement:
                 yield other, where
-            bounded = _bounded(other, where)
-            if bounded is not None:
-                yield bounded
+            within = _bounded(other, where)
+            if within is not None:
+                yield within
         inner = _unwrapped(base)
         if inner is None:
             return
@@ -139,35 +136,10 @@ def _bounded(statement: Statement, boxes: Boxes) -> tuple[Statement, Boxes] | No
     """Without the conditions that bound a symbol by a number. None if there are none, or if nothing
     lies within all of them.
     """
-    found, left = dict(boxes), list[Rel]()
-    for rel in statement.domain:
-        name, end = _bound(rel)
-        if name is None or end is None or rel.operator not in _OPPOSITE:
-            left.append(rel)
-            continue
-        found[name] = _cut(found.get(name, Box(stated=False)), rel, end)
-        if found[name].is_empty:
-            return None
-    if len(left) == len(statement.domain):
+    found, left = bounded(boxes, statement.domain)
+    if len(left) == len(statement.domain) or any(box.is_empty for box in found.values()):
         return None
-    return replace(statement, conditions=tuple(left), given=()), found
-
-
-def _bound(rel: Rel) -> tuple[str | None, Fraction | None]:
-    if rel.right.kind == "symbol":
-        return rel.right.name, constant_value(rel.left)
-    return (rel.left.name if rel.left.kind == "symbol" else None), constant_value(rel.right)
-
-
-def _cut(box: Box, rel: Rel, end: Fraction) -> Box:
-    """The box as far as a symbol fulfils a relation to the number that is its end."""
-    is_strict = rel.operator in ("<", ">")
-    if (rel.operator in ("<", "<=")) == (rel.left.kind == "symbol"):
-        if box.upper is None or end < box.upper or (end == box.upper and is_strict):
-            return replace(box, upper=end, upper_open=is_strict)
-    elif box.lower is None or end > box.lower or (end == box.lower and is_strict):
-        return replace(box, lower=end, lower_open=is_strict)
-    return box
+    return replace(statement, conditions=left, given=()), found
 
 
 def _turned_round(statement: Statement) -> Statement | None:
@@ -177,7 +149,7 @@ def _turned_round(statement: Statement) -> Statement | None:
     if len(statement.relations) != 1 or len(statement.conditions) != 1:
         return None
     ((then,), (first,)) = statement.relations, statement.conditions
-    if not {then.operator, first.operator} <= _OPPOSITE.keys() or not _is_polynomial(then):
+    if not {then.operator, first.operator} <= NEGATED.keys() or not _is_polynomial(then):
         return None
     if not any(node.kind == "call" for node in walk(first.left, first.right)):
         return None
@@ -185,7 +157,7 @@ def _turned_round(statement: Statement) -> Statement | None:
 
 
 def _negated(rel: Rel) -> Rel:
-    return Rel(_OPPOSITE[rel.operator], rel.left, rel.right)
+    return Rel(NEGATED[rel.operator], rel.left, rel.right)
 
 
 def _is_polynomial(rel: Rel) -> bool:

@@ -15,11 +15,9 @@ from gainproof.verify.judge.exact.box import Box
 from gainproof.verify.judge.exact.calculus import substituted
 from gainproof.verify.judge.exact.expression import Expr, mul, number, symbol, symbols_of, walk
 from gainproof.verify.judge.exact.limits import Undecided
-from gainproof.verify.judge.exact.statement import ORDERS, Rel, Statement
+from gainproof.verify.judge.exact.statement import ORDERS, TURNED, Rel, Statement
 from gainproof.verify.judge.freed.circle import LABEL, PI, TURN
 from gainproof.verify.judge.freed.monomials import monomials
-
-TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 
 
 @dataclass(frozen=True)

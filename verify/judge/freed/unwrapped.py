@@ -8,21 +8,21 @@ from __future__ import annotations
 
 from gainproof.verify.judge.exact.expression import Expr, mul, number, symbols_of
 from gainproof.verify.judge.exact.points import is_seen
-from gainproof.verify.judge.exact.statement import Rel
+from gainproof.verify.judge.exact.statement import TURNED, Rel
 from gainproof.verify.judge.freed.monomials import Monomial, monomial_expr, monomials
 
-TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "="}
+WITH_EQUAL = {**TURNED, "=": "="}
 
 
 def unwrapped(rel: Rel, *, condition: bool) -> list[Rel] | None:
     """Relations that all together imply this one, or as a `condition` follow from it; None where no
     side is a number times an exponential, a power of a number or a logarithm.
     """
-    if rel.operator not in TURNED:
+    if rel.operator not in WITH_EQUAL:
         return None
     for side, other, operator in (
         (rel.left, rel.right, rel.operator),
-        (rel.right, rel.left, TURNED[rel.operator]),
+        (rel.right, rel.left, WITH_EQUAL[rel.operator]),
     ):
         found = _function(side)
         if found is None:
@@ -31,7 +31,7 @@ def unwrapped(rel: Rel, *, condition: bool) -> list[Rel] | None:
         sign = _sign(factor)
         if sign == 0:
             continue
-        towards = operator if sign > 0 else TURNED[operator]
+        towards = operator if sign > 0 else WITH_EQUAL[operator]
         made = _argument(call, towards, other / factor, condition=condition)
         if made is not None:
             first, second = made

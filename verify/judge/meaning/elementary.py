@@ -20,9 +20,7 @@ from gainproof.verify.judge.exact.expression import (
     number,
     power,
 )
-
-BASED = "log "
-"""What the names of logarithms to a base begin with, which follows."""
+from gainproof.verify.judge.reader.words import BASED
 
 
 def _call(name: str, *parts: Expr) -> Expr:
