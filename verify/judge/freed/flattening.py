@@ -87,7 +87,9 @@ def without_roots(expr: Expr) -> Expr:
 
 
 def _of_its_logarithms(base: Expr, exponent: Expr, is_positive: Positive) -> Expr | None:
-    """b^(a log c/log b + d) as c^a b^d for a number b; None if there is no such logarithm."""
+    """b^(a log c/log b + d) as c^a b^d; None if there is no such logarithm. That log b has a value
+    and is not zero is asked for by itself.
+    """
     own = Expr("call", "log", (base,))
     factors: list[Expr] = []
     rest: list[Expr] = []
@@ -98,7 +100,7 @@ def _of_its_logarithms(base: Expr, exponent: Expr, is_positive: Positive) -> Exp
             factors.append(general_power(logs[0].parts[0], times))
         else:
             rest.append(_scaled(monomial, c))
-    if not factors or base.kind != "number" or base.fraction <= 1:
+    if not factors:
         return None
     return mul(*factors, general_power(base, add(*rest))) if rest else mul(*factors)
 

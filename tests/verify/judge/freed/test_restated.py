@@ -43,6 +43,7 @@ def claim(latex: str, domain: str) -> str:
         (r"e^x > y \Rightarrow x > \ln y", "y > 0"),
         (r"(\frac{1}{2})^x < y \Leftrightarrow x > -\log_2 y", "y > 0"),
         (r"x = e^y \Rightarrow y > 0", "x > 1"),
+        (r"-2 y = \ln x \Rightarrow x = e^{-2 y}", "x > 0"),
         (r"\ln x > 0 \Leftrightarrow x > 1", "x > 0"),
         (r"10 \log_{10} x > 20 \Leftrightarrow x > 100", "x > 0"),
         (r"\ln x > 1 \Rightarrow x > 2", "x > 0"),
@@ -68,6 +69,8 @@ def test_what_is_true_is_proved(latex: str, domain: str) -> None:
         (r"e^{-q} = \frac12 \Leftrightarrow q = \ln 3", "q > 0"),
         (r"e^x > y \Rightarrow x > \ln y", "y > -1"),
         (r"x < 1 \Rightarrow -\ln x < 0", "x > 0"),
+        (r"-y = \ln x \Rightarrow y = \ln x", "x > 0"),
+        (r"2 y = \ln x \Rightarrow x = e^y", "x > 0"),
         (r"\ln x \ln x > 1 \Rightarrow x > 2", "x > 0"),
         (r"x > 2 \Rightarrow (\frac{1}{2})^x > \frac{1}{4}", "x > 0"),
         (
@@ -96,6 +99,8 @@ def test_what_is_false_is_refuted(latex: str, domain: str) -> None:
         (r"e^x \geq 1 \Leftrightarrow x > 0", "x > -10"),
         (r"e^x > 1 \Rightarrow \frac{1}{x - 2} \leq \frac{1}{x - 2}", "x > -10"),
         (r"e^x > 1 \Rightarrow \frac{1}{(x - 2)^2} > 0", "x > -10"),
+        # of what follows from the angle, the angle does not follow: 3 pi/4 has it too
+        (r"\cos^2\theta = \frac12 \Leftrightarrow \theta = \frac{\pi}{4}", r"0 < \theta < 3"),
         (r"x > 1 \Rightarrow \ln x + \frac{1}{y} - \frac{1}{y} > 0", "x > 0, y > -1"),
         (r"x > 1 \Rightarrow \frac{y}{y} \ln x > 0", "x > 0, y > -1"),
         (r"-x < 1 \Rightarrow -\ln x > 0", "x > 0"),
@@ -146,6 +151,21 @@ def test_what_is_not_resolved_is_not_without_value() -> None:
     assert without_value(Statement((Rel("=", root, number(0)),)), {"x": Box()}, {}) is None
     none = power(sine + cosine - 2, Fraction(1, 2))
     assert without_value(Statement((Rel("=", none, number(0)),)), {"x": Box()}, {}) is not None
+
+
+@pytest.mark.parametrize(
+    ("latex", "domain", "verdict"),
+    [
+        (r"10^{\log_{10} x} = x", "x > 0", "proved"),
+        (r"10^{2 \log_{10} x + y} = x^2 \cdot 10^y", "x > 0", "proved"),
+        (r"y^{\frac{\ln x}{\ln y}} = x", "x > 0, y > 1", "proved"),
+        (r"y^{\frac{\ln x}{\ln y}} = x", "x > 0, y > 0", "refuted"),  # at y = 1
+        (r"10^{\ln x} = x", "x > 0", "refuted"),
+        (r"10^{\log_2 x} = x", "x > 0", "refuted"),
+    ],
+)
+def test_powers_of_logarithms(latex: str, domain: str, verdict: str) -> None:
+    check(judged("identity", claim(latex, domain)), verdict)
 
 
 @pytest.mark.parametrize("given", [r"x = e^y", r"x = 2 e^y - 1"])

@@ -23,6 +23,8 @@ TRUE = [
     ("1", r"\arctan x", r"\frac{\pi}{4}"),
     ("a", r"\arctan x", r"\arctan a"),
     ("0", r"\frac{\arctan(a + x) - \arctan a}{x}", r"\frac{1}{1 + a^2}"),
+    ("0", r"\frac{x - \arctan x}{x^3}", r"\frac{1}{3}"),
+    ("0", r"\frac{\arctan x - x + x^3/3}{x^5}", r"\frac{1}{5}"),
     ("0", r"x \ln x", "0"),
     ("0", r"\log_{10} x", r"-\infty"),
     (r"\infty", r"\frac{\ln x}{x^{1/10}}", "0"),
